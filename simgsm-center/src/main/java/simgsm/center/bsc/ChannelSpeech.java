@@ -1,5 +1,6 @@
 package simgsm.center.bsc;
 
+import java.lang.System.Logger.Level;
 import java.util.Optional;
 import simgsm.abis.MediaPort;
 import simgsm.abis.MgcpMessage.MediaAddress;
@@ -15,6 +16,8 @@ import simgsm.octets.OctetString;
  * ours. Packets of either payload type pass unchanged in both directions.
  */
 final class ChannelSpeech {
+    private static final System.Logger LOG = System.getLogger(ChannelSpeech.class.getName());
+
     /** Bits 8-5: direction, 1 for receive only; bits 4-1: codec, 0 for GSM full rate. */
     private static final int RECEIVE_ONLY = 0x10;
 
@@ -23,6 +26,7 @@ final class ChannelSpeech {
     private final DedicatedChannel channel;
     private MediaPort port;
     private boolean isOpen;
+    private boolean isRefused;
 
     ChannelSpeech(DedicatedChannel channel) {
         this.channel = channel;
@@ -30,6 +34,7 @@ final class ChannelSpeech {
 
     /** Asks the tower for a connection. */
     void create() {
+        isRefused = false;
         port = channel.tower().openMedia(channel::heard);
         channel.send(RslPdu.of(RslType.CREATE_CONNECTION, channel.number())
                 .with(RslElement.SPEECH_MODE, RECEIVE_ONLY)
@@ -45,7 +50,11 @@ final class ChannelSpeech {
         MediaAddress tower =
                 new MediaAddress(text(answer.value(RslElement.LOCAL_IP)), answer.twoOctets(RslElement.LOCAL_PORT));
         Optional<MediaAddress> own = port.openMedia();
-        isOpen = own.isPresent() && port.connectMedia(tower);
+        if (own.isEmpty()) {
+            refused("no UDP port of our own is free");
+            return;
+        }
+        isOpen = port.connectMedia(tower);
         if (isOpen) {
             channel.send(RslPdu.of(RslType.MODIFY_CONNECTION, channel.number())
                     .with(RslElement.CONNECTION_IDENTIFIER, identifier)
@@ -57,7 +66,9 @@ final class ChannelSpeech {
                     .with(RslElement.SPEECH_MODE, SEND_AND_RECEIVE)
                     .with(RslElement.RTP_PAYLOAD, RtpPacket.GSM_FULL_RATE));
         } else {
-            channel.tower().violated("offers speech at " + tower + ", which is not on its own host");
+            String reason = "it offers speech at " + tower + ", which is not on its own host";
+            channel.tower().violated(reason);
+            refused(reason);
         }
     }
 
@@ -74,9 +85,23 @@ final class ChannelSpeech {
         return octets;
     }
 
-    /** The tower has no resources for speech. */
+    /** The tower has no resources for speech, which is no protocol error. */
     void refused() {
-        channel.tower().violated("refuses speech on " + channel.number());
+        refused("the tower refuses it");
+    }
+
+    private void refused(String reason) {
+        if (port != null && !isRefused) {
+            LOG.log(Level.WARNING, "{0}: no speech, {1}", channel, reason);
+            isOpen = false;
+            isRefused = true;
+            channel.speechRefused();
+        }
+    }
+
+    /** Whether this activation of the channel has no speech and will have none. */
+    boolean isRefused() {
+        return isRefused;
     }
 
     /** Sends a packet. @return false if there is no path yet */
@@ -87,6 +112,7 @@ final class ChannelSpeech {
     /** The channel ends, and with it the tower's connection. */
     void close() {
         isOpen = false;
+        isRefused = false;
         if (port != null) {
             port.closeMedia();
             port = null;

@@ -288,6 +288,13 @@ final class DedicatedChannel {
         }
     }
 
+    /** Tower and exchange have no way for this channel's speech. */
+    void speechRefused() {
+        if (machine.state() == ChannelState.ACTIVE) {
+            user.speechRefused(this);
+        }
+    }
+
     /** The tower is gone. */
     void lost() {
         timers().cancel(guard);

@@ -5,6 +5,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalLong;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RslMessage;
 import simgsm.abis.rsl.RslElement;
@@ -43,7 +44,7 @@ final class RadioConnection {
     private final BaseStationController controller;
     private final ChannelRequest request;
     private final StateMachine<ConnectionState, ConnectionEvent, ConnectionAction> machine =
-            new StateMachine<>(ConnectionTable.ROWS, this, this::perform).onEntry(before -> entered());
+            new StateMachine<>(ConnectionTable.ROWS, this, this::perform).onEntry(this::entered);
     /** Downlink messages that wait for the end of an assignment or handover, with their SAPI. */
     private final Deque<Waiting> waiting = new ArrayDeque<>();
 
@@ -56,6 +57,8 @@ final class RadioConnection {
     private OctetString firstMessage;
     private boolean isReleaseWaiting;
     private boolean isSpeechNeeded;
+    /** Since when the call waits for a traffic channel, over failed directed retries. */
+    private OptionalLong waitingSinceNanos = OptionalLong.empty();
     /** Whether the mobile has reached the target cell, so that its speech goes only there. */
     private boolean isDetected;
 
@@ -109,6 +112,9 @@ final class RadioConnection {
     void setSpeechNeeded(boolean isNeeded) {
         boolean isChanged = isNeeded != isSpeechNeeded;
         isSpeechNeeded = isNeeded;
+        if (isChanged) {
+            waitingSinceNanos = OptionalLong.empty();
+        }
         if (isChanged && isNeeded) {
             seekSpeech();
         } else if (isChanged) {
@@ -117,7 +123,7 @@ final class RadioConnection {
     }
 
     /** Looks for a traffic channel, and waits for one if none is free. */
-    private void seekSpeech() {
+    void seekSpeech() {
         if (!isSpeechNeeded || channel.carriesSpeech()) {
             return;
         }
@@ -130,12 +136,11 @@ final class RadioConnection {
         }
     }
 
-    /** A traffic channel of the tower is free. */
-    void retry() {
-        if (machine.state() == ConnectionState.QUEUED) {
-            seekSpeech();
-        }
+    /** Since when this connection waits for a traffic channel; the first is served first. */
+    long waitingSinceNanos() {
+        return waitingSinceNanos.orElseThrow();
     }
+
 
     /** While the mobile may be in either cell, speech goes to both, so that it does not miss what is sent before we know where it is. */
     void sendSpeech(byte[] rtp) {
@@ -176,14 +181,29 @@ final class RadioConnection {
         }
     }
 
+    /** A channel has no speech: a call that needs it ends, as soon as the mobile is there. */
+    void speechRefused(DedicatedChannel on) {
+        if (on == channel && !isSuspended()) {
+            refuseSpeech();
+        }
+    }
+
     /** The tower of one of the channels is gone. */
     void channelLost(DedicatedChannel gone) {
         if (gone == target) {
-            boolean isPreparing = machine.state() == ConnectionState.PREPARING_HANDOVER;
-            machine.fire(isPreparing ? ConnectionEvent.CHANNEL_FAILED : ConnectionEvent.LOST);
+            targetLost();
         } else if (gone == channel && machine.state() != ConnectionState.HANDING_OVER) {
             machine.fire(ConnectionEvent.LOST);
             disconnected();
+        }
+    }
+
+    /** A mobile that does not reach the other cell comes back to this one with HANDOVER FAILURE; T3103 waits for it. */
+    private void targetLost() {
+        switch (machine.state()) {
+            case PREPARING_HANDOVER -> machine.fire(ConnectionEvent.CHANNEL_FAILED);
+            case HANDING_OVER -> target = null;
+            default -> machine.fire(ConnectionEvent.LOST);
         }
     }
 
@@ -241,8 +261,7 @@ final class RadioConnection {
                     .map(Layer3Type::title)
                     .orElse("?");
             mobile.link().trace(Direction.UPLINK, name, layer3);
-            boolean isExpectedThere = (event.get() == ConnectionEvent.COMPLETED) == (from == target);
-            if (isExpectedThere) {
+            if (from == (event.get() == ConnectionEvent.COMPLETED ? target : channel)) {
                 machine.fire(event.get());
             }
         }
@@ -306,11 +325,14 @@ final class RadioConnection {
 
     // The table.
 
-    private void entered() {
+    private void entered(ConnectionState before) {
         controller.timers().cancel(guard);
+        if (before == ConnectionState.QUEUED) {
+            channel.tower().unqueue(this);
+        }
         switch (machine.state()) {
             case GRANTED -> guard(BscTimer.T3101, ConnectionEvent.T3101_EXPIRED);
-            case QUEUED -> guard(BscTimer.T11, ConnectionEvent.T11_EXPIRED);
+            case QUEUED -> waitInQueue();
             case ASSIGNING -> guard(BscTimer.T10, ConnectionEvent.T10_EXPIRED);
             case HANDING_OVER -> guard(BscTimer.T3103, ConnectionEvent.T3103_EXPIRED);
             default -> {
@@ -320,7 +342,20 @@ final class RadioConnection {
     }
 
     private void guard(BscTimer timer, ConnectionEvent expiry) {
-        guard = controller.timers().start(timer.nanos(), () -> machine.fire(expiry));
+        guard(timer.nanos(), expiry);
+    }
+
+    private void guard(long nanos, ConnectionEvent expiry) {
+        guard = controller.timers().start(nanos, () -> machine.fire(expiry));
+    }
+
+    /** T11 runs from the first attempt: a directed retry that has failed does not begin it anew. */
+    private void waitInQueue() {
+        long now = controller.timers().nowNanos();
+        if (waitingSinceNanos.isEmpty()) {
+            waitingSinceNanos = OptionalLong.of(now);
+        }
+        guard(Math.max(0, waitingSinceNanos.getAsLong() + BscTimer.T11.nanos() - now), ConnectionEvent.T11_EXPIRED);
     }
 
     private void perform(ConnectionAction action) {
@@ -344,7 +379,12 @@ final class RadioConnection {
                         Optional.of(RadioResource.SPEECH_FULL_RATE)));
             }
             case SWITCH -> switchChannels();
-            case SEND_WAITING -> sendWaiting();
+            case SEND_WAITING -> {
+                sendWaiting();
+                if (channel.speech().isRefused()) {
+                    refuseSpeech();
+                }
+            }
             case ABANDON_CHANNEL -> channel.abandon();
             case ABANDON_TARGET -> abandonTarget();
             case REFUSE_SPEECH -> refuseSpeech();
@@ -386,6 +426,7 @@ final class RadioConnection {
         DedicatedChannel old = channel;
         channel = target;
         target = null;
+        waitingSinceNanos = OptionalLong.empty();
         old.release();
     }
 

@@ -1,10 +1,9 @@
 package simgsm.center.bsc;
 
 import java.lang.System.Logger.Level;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Deque;
+import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
@@ -41,7 +40,8 @@ final class TowerControl implements PeerUser, Lifeline {
     /** Protocol errors after which the link is closed. */
     private static final int MAX_VIOLATIONS = 100;
 
-    private static final int MAX_LOGGED_VIOLATIONS = 3;
+    /** Protocol errors, and error reports of the tower, that are warnings in the log. */
+    private static final int MAX_LOGGED = 3;
 
     private static final ChannelNumber BCCH = ChannelNumber.of(Kind.BCCH, 0);
     private static final ChannelNumber AGCH = ChannelNumber.of(Kind.PCH_AGCH, 0);
@@ -65,9 +65,11 @@ final class TowerControl implements PeerUser, Lifeline {
     private final Timers timers;
     private final Map<ChannelNumber, DedicatedChannel> channels = new HashMap<>();
     private final List<DedicatedChannel> inOrder = new ArrayList<>();
-    private final Deque<RadioConnection> queue = new ArrayDeque<>();
+    /** In the order in which their calls began to wait. */
+    private final List<RadioConnection> queue = new ArrayList<>();
     private List<Integer> neighbours = List.of();
     private int violations;
+    private int errorReports;
     private boolean isClosed;
 
     TowerControl(BaseStationController controller, Peer peer, String unitId, TowerPlan plan) {
@@ -171,12 +173,18 @@ final class TowerControl implements PeerUser, Lifeline {
     void queue(RadioConnection connection) {
         queue.remove(connection);
         queue.add(connection);
+        queue.sort(Comparator.comparingLong(RadioConnection::waitingSinceNanos));
+    }
+
+    /** The connection waits no longer. */
+    void unqueue(RadioConnection connection) {
+        queue.remove(connection);
     }
 
     /** A channel has become free: connections that wait may go on. */
     void freed() {
         while (!queue.isEmpty() && freeTrafficChannel().isPresent()) {
-            queue.remove().retry();
+            queue.remove(0).seekSpeech();
         }
     }
 
@@ -236,7 +244,7 @@ final class TowerControl implements PeerUser, Lifeline {
             case CHANNEL_REQUIRED -> request(message);
             case CCCH_LOAD_INDICATION, CBCH_LOAD_INDICATION, RF_RESOURCE_INDICATION, DELETE_INDICATION, OVERLOAD ->
                 LOG.log(Level.TRACE, "{0}: {1}", this, message.type().title());
-            case ERROR_REPORT -> violated("reports an error: " + message);
+            case ERROR_REPORT -> LOG.log(levelOf(++errorReports), "{0}: reports an error: {1}", this, message);
             default -> {
                 DedicatedChannel channel = channels.get(message.channel());
                 if (channel == null) {
@@ -259,15 +267,12 @@ final class TowerControl implements PeerUser, Lifeline {
                         & 0x0f);
         int timingAdvance =
                 message.find(RslElement.L1_INFORMATION).map(l1 -> l1.octet(1)).orElse(0);
-        Optional<OctetString> report = message.find(RslElement.L3_INFORMATION);
+        Optional<MeasurementResults> report =
+                message.find(RslElement.L3_INFORMATION).flatMap(TowerControl::reportIn);
         if (report.isEmpty()) {
             return new Measurement(number, false, 0, 0, 0, timingAdvance, List.of());
         }
-        if (!(Layer3Codec.decode(report.get().toArray(), Direction.UPLINK)
-                instanceof RadioResource.MeasurementReport layer3)) {
-            throw ProtocolViolation.invalid("a measurement result without a measurement report");
-        }
-        MeasurementResults results = layer3.results();
+        MeasurementResults results = report.get();
         return new Measurement(
                 number,
                 results.isValid(),
@@ -283,15 +288,31 @@ final class TowerControl implements PeerUser, Lifeline {
                         .toList());
     }
 
+    /** The mobile's report; one that cannot be read counts as missing, since it is not the tower's. */
+    private static Optional<MeasurementResults> reportIn(OctetString layer3) {
+        try {
+            return Layer3Codec.decode(layer3.toArray(), Direction.UPLINK)
+                            instanceof RadioResource.MeasurementReport report
+                    ? Optional.of(report.results())
+                    : Optional.empty();
+        } catch (ProtocolViolation unreadable) {
+            return Optional.empty();
+        }
+    }
+
     // The link.
 
     @Override
     public void violated(String what) {
         violations++;
-        LOG.log(violations <= MAX_LOGGED_VIOLATIONS ? Level.WARNING : Level.DEBUG, "{0}: {1}", this, what);
+        LOG.log(levelOf(violations), "{0}: {1}", this, what);
         if (violations == MAX_VIOLATIONS) {
             peer.drop(MAX_VIOLATIONS + " protocol errors");
         }
+    }
+
+    private static Level levelOf(int count) {
+        return count <= MAX_LOGGED ? Level.WARNING : Level.DEBUG;
     }
 
     @Override
