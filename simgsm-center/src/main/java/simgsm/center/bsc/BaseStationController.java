@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.rsl.RslElement;
 import simgsm.abis.rsl.RslPdu;
@@ -52,6 +53,7 @@ public final class BaseStationController implements BroadcastChannel {
     private final MobileUplink uplink;
     private final CellSettings settings;
     private final Function<MobileIdentity, Optional<Link>> known;
+    private final Predicate<Link> mustProve;
     private final Map<String, TowerControl> towers = new LinkedHashMap<>();
     private int handoverReference;
 
@@ -59,16 +61,19 @@ public final class BaseStationController implements BroadcastChannel {
      * @param links what all links share
      * @param uplink takes what mobiles send
      * @param known finds the link of a registered subscriber
+     * @param mustProve whether a mobile that names the subscriber of this link has to prove it first
      */
     public BaseStationController(
             Link.Context links,
             MobileUplink uplink,
             CellSettings settings,
-            Function<MobileIdentity, Optional<Link>> known) {
+            Function<MobileIdentity, Optional<Link>> known,
+            Predicate<Link> mustProve) {
         this.links = links;
         this.uplink = uplink;
         this.settings = settings;
         this.known = known;
+        this.mustProve = mustProve;
     }
 
     /**
@@ -165,10 +170,14 @@ public final class BaseStationController implements BroadcastChannel {
         return handoverReference;
     }
 
-    /** The mobile that sends this first message; a location update, and a mobile that is not known, get a new one. */
+    /**
+     * The mobile that sends this first message; a location update, a mobile that is not known, and one that has to prove who it is
+     * get a new one.
+     */
     TowerMobile mobileOf(OctetString firstMessage, TowerControl tower) {
         return identityIn(firstMessage)
                 .flatMap(known)
+                .filter(mustProve.negate())
                 .map(Link::access)
                 .filter(TowerMobile.class::isInstance)
                 .map(TowerMobile.class::cast)

@@ -1,5 +1,6 @@
 package simgsm.center.bsc;
 
+import java.util.concurrent.TimeUnit;
 import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.octets.Bounds;
 
@@ -13,9 +14,17 @@ public record CellSettings(int t3212SixMinutes, HandoverAlgorithm handover) {
     /** Location updating every 30 minutes, as osmo-bsc's usual configuration has it. */
     private static final int HALF_AN_HOUR = 5;
 
+    private static final int PERIOD_MINUTES = 6;
+
     /** The usual settings with this algorithm. */
     public static CellSettings with(HandoverAlgorithm handover) {
         return new CellSettings(HALF_AN_HOUR, handover);
+    }
+
+    /** Two periods and a minute, as osmo-msc has it; 0 for never. */
+    public long implicitDetachNanos() {
+        int minutes = 2 * PERIOD_MINUTES * t3212SixMinutes + 1;
+        return t3212SixMinutes == 0 ? 0 : TimeUnit.MINUTES.toNanos(minutes);
     }
 
     public CellSettings {

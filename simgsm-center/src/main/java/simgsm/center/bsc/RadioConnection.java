@@ -86,6 +86,11 @@ final class RadioConnection {
         return machine.state();
     }
 
+    /** The mobile has proved who it is. */
+    void belongTo(TowerMobile proved) {
+        mobile = proved;
+    }
+
     private boolean isSuspended() {
         return machine.state() == ConnectionState.ASSIGNING || machine.state() == ConnectionState.HANDING_OVER;
     }
@@ -140,7 +145,6 @@ final class RadioConnection {
     long waitingSinceNanos() {
         return waitingSinceNanos.orElseThrow();
     }
-
 
     /** While the mobile may be in either cell, speech goes to both, so that it does not miss what is sent before we know where it is. */
     void sendSpeech(byte[] rtp) {

@@ -67,6 +67,7 @@ final class TowerControl implements PeerUser, Lifeline {
     private final List<DedicatedChannel> inOrder = new ArrayList<>();
     /** In the order in which their calls began to wait. */
     private final List<RadioConnection> queue = new ArrayList<>();
+
     private List<Integer> neighbours = List.of();
     private int violations;
     private int errorReports;

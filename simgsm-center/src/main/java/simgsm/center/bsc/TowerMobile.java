@@ -34,6 +34,15 @@ final class TowerMobile implements RadioAccess {
         area = begun.channel().tower().plan().area();
     }
 
+    @Override
+    public void takeOver(RadioAccess other) {
+        TowerMobile provisional = (TowerMobile) other;
+        RadioConnection proved = provisional.connection.orElseThrow();
+        provisional.connection = Optional.empty();
+        proved.belongTo(this);
+        connected(proved);
+    }
+
     /** The radio connection is over. */
     void disconnected(RadioConnection ended) {
         if (connection.filter(own -> own == ended).isPresent()) {

@@ -112,8 +112,9 @@ public final class Exchange {
                 new LinkedHashSet<>(),
                 List.of(mobility, calls, mobiles, services));
         speaksUdp = settings.speaksUdp();
-        controller =
-                new BaseStationController(links, signalling, CellSettings.with(settings.handover()), mobility::linkOf);
+        CellSettings cells = CellSettings.with(settings.handover());
+        mobility.detachSilentAfter(cells.implicitDetachNanos());
+        controller = new BaseStationController(links, signalling, cells, mobility::linkOf, mobility::mustProve);
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
     }
 

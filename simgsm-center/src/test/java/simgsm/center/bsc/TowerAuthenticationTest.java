@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simgsm.abis.rsl.RslType;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeEvent;
@@ -24,6 +25,7 @@ class TowerAuthenticationTest {
     private final TowerStage stage = new TowerStage(
             HomeRegister.closed(List.of(new Subscription(ANA, false), new Subscription(EVA, false)), List.of()));
     private final TestTower west = stage.west();
+    private String tmsiOfEva;
 
     private static SimCard card(String number, int key) {
         OctetString k = OctetString.ofHex(String.format("%032x", key));
@@ -79,16 +81,117 @@ class TowerAuthenticationTest {
         assertTrue(isSapi3Opened(answer), west.received.toString());
     }
 
+    @Test
+    void anIntruderThatNamesAMobileInAConnectionDoesNotEndThatConnection() {
+        String tmsi = register(ANA, TowerStage.IMEI);
+        register(EVA, TowerStage.OTHER_IMEI);
+        String own = beginService(ANA, tmsi);
+
+        String other = west.access("11", SERVICE + tmsi);
+        west.received.clear();
+        west.tell(own, "0305 0406600402000581 5e0581550502f0");
+        assertEquals("8302", west.nextLayer3());
+        west.tell(other, "0554 00000000");
+
+        assertEquals("0511", west.nextLayer3());
+        west.received.clear();
+        west.tell(own, "0365 02e090");
+        assertEquals("832d", west.nextLayer3().substring(0, 4));
+        assertEquals(2, stage.exchange.attachedCount());
+    }
+
+    @Test
+    void aMobileThatComesBackAfterItLostItsChannelProvesItselfAndEndsItsOldConnection() {
+        String tmsi = register(ANA, TowerStage.IMEI);
+        String old = beginService(ANA, tmsi);
+
+        String channel = west.access("11", SERVICE + tmsi);
+        prove(ANA, channel, "0554");
+
+        west.down("082501" + old, "082e01" + old);
+        assertEquals("0521", west.nextLayer3());
+        west.tell(channel, "0305 0406600402000581 5e0581550502f0");
+        assertEquals("8302", west.nextLayer3());
+        assertEquals(1, stage.exchange.linkCount());
+    }
+
+    @Test
+    void aMobileThatIsPagedWhileAnIntruderIsChallengedInItsNameGetsItsMessage() {
+        String sender = register(ANA, TowerStage.IMEI);
+        String receiver = register(EVA, TowerStage.OTHER_IMEI);
+        String intruder = west.access("11", SERVICE + receiver);
+        submit(beginService(ANA, sender));
+        assertFalse(isSapi3Opened(intruder));
+        west.next(RslType.PAGING_COMMAND);
+
+        String answer = west.access("91", "0627 07 03331981 05f4" + receiver);
+        prove(EVA, answer, "0514");
+
+        assertTrue(isSapi3Opened(answer), west.received.toString());
+    }
+
+    @Test
+    void anIntruderThatAnswersAPagingDoesNotEndIt() {
+        String intruder = answerPaging();
+        prove(ANA, intruder, "0514");
+        west.leave(intruder);
+        stage.passMillis(1_000);
+        west.next(RslType.PAGING_COMMAND);
+
+        String answer = west.access("91", "0627 07 03331981 05f4" + tmsiOfEva);
+        prove(EVA, answer, "0514");
+
+        assertTrue(isSapi3Opened(answer), west.received.toString());
+    }
+
+    @Test
+    void aDetachThatNamesAMobileInAConnectionIsIgnored() {
+        String tmsi = register(ANA, TowerStage.IMEI);
+        beginService(ANA, tmsi);
+
+        west.access("11", "0501 33 05f4" + tmsi);
+
+        assertEquals(List.of(new ExchangeEvent.Attached(ANA.number())), attachedOrDetached());
+    }
+
+    @Test
+    void aMobileThatDetachesIsForgottenWithItsConnection() {
+        String tmsi = register(ANA, TowerStage.IMEI);
+
+        String channel = west.access("11", "0501 33 05f4" + tmsi);
+        stage.passMillis(10);
+        west.leave(channel);
+
+        assertEquals(0, stage.exchange.attachedCount());
+        assertEquals(0, stage.exchange.linkCount());
+    }
+
+    private List<ExchangeEvent> attachedOrDetached() {
+        return stage.events.stream()
+                .filter(event -> event instanceof ExchangeEvent.Attached || event instanceof ExchangeEvent.Detached)
+                .toList();
+    }
+
+    /** Up to CM SERVICE ACCEPT. @return the channel */
+    private String beginService(SimCard card, String tmsi) {
+        String channel = west.access("11", SERVICE + tmsi);
+        prove(card, channel, "0554");
+        assertEquals("0521", west.nextLayer3());
+        return channel;
+    }
+
+    /** A message for 5550200. */
+    private void submit(String channel) {
+        west.up("0206 01" + channel + "0203");
+        west.tellSms(channel, "3901 17 00 01 00 0291f1 10 1101 0781 550502f0 0000 a7 04 f4f29c0e");
+    }
+
     /** A message from the first card for the second, whose paging is answered. @return the channel */
     private String answerPaging() {
         String sender = register(ANA, TowerStage.IMEI);
-        String receiver = register(EVA, TowerStage.OTHER_IMEI);
-        String channel = west.access("11", SERVICE + sender);
-        prove(ANA, channel, "0554");
-        assertEquals("0521", west.nextLayer3());
-        west.up("0206 01" + channel + "0203");
-        west.tellSms(channel, "3901 17 00 01 00 0291f1 10 1101 0781 550502f0 0000 a7 04 f4f29c0e");
-        return west.access("91", "0627 07 03331981 05f4" + receiver);
+        tmsiOfEva = register(EVA, TowerStage.OTHER_IMEI);
+        submit(beginService(ANA, sender));
+        return west.access("91", "0627 07 03331981 05f4" + tmsiOfEva);
     }
 
     private boolean isSapi3Opened(String channel) {

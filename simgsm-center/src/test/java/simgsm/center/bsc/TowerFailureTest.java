@@ -62,7 +62,8 @@ class TowerFailureTest extends TowerCalls {
         west.received.clear();
 
         stage.passMillis(999);
-        assertFalse(west.received.stream().anyMatch(message -> message.toString().contains("832502e0a2")));
+        assertFalse(
+                west.received.stream().anyMatch(message -> message.toString().contains("832502e0a2")));
         stage.passMillis(1);
 
         assertEquals("832502e0a2", west.nextLayer3());

@@ -90,6 +90,21 @@ class TowerMobilityTest {
     }
 
     @Test
+    void aMobileThatIsNotHeardForTwoPeriodsOfUpdatingAndAMinuteIsDetached() {
+        update(west, TowerStage.IMEI);
+        stage.passMillis(30 * 60_000);
+        assertTrue(update(stage.tower("north arfcn=120 bsic=12 lac=1", "6971/0/0"), TowerStage.IMEI)
+                .startsWith("0502"));
+        stage.passMillis(61 * 60_000 - 2_001);
+        assertEquals(1, stage.exchange.attachedCount());
+
+        stage.passMillis(1);
+
+        assertEquals(0, stage.exchange.attachedCount());
+        assertEquals(0, stage.exchange.linkCount());
+    }
+
+    @Test
     void aBroadcastGoesOnceToEachTowerHoweverManyMobilesItHas() {
         update(west, TowerStage.IMEI);
         west.register("5550200", TowerStage.OTHER_IMEI);

@@ -179,6 +179,14 @@ public final class Link implements Lifeline {
         }
     }
 
+    /** The radio connection of a link without a subscriber has proved to be this mobile's. An older one is lost; that link ends. */
+    public void takeOver(Link provisional) {
+        access.takeOver(provisional.access);
+        radio.takeOver(provisional.radio);
+        provisional.forget();
+        touch();
+    }
+
     /** Ends all transactions that use the radio connection or wait for one. */
     public void loseTransactions() {
         users().forEach(user -> user.radioLost(this));

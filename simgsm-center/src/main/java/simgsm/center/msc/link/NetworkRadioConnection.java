@@ -17,6 +17,7 @@ public final class NetworkRadioConnection {
     private final Link link;
     private State state = State.IDLE;
     private int expectedSequence;
+    private long usedNanos;
     private Timer leaving;
     /** Runs while a mobile-originated transaction is granted and not yet begun. */
     private Timer service;
@@ -29,15 +30,27 @@ public final class NetworkRadioConnection {
         return state == State.ESTABLISHED;
     }
 
-    boolean isIdle() {
+    public boolean isIdle() {
         return state == State.IDLE;
+    }
+
+    /** When the connection was last opened or ended. */
+    public long usedNanos() {
+        return usedNanos;
     }
 
     /** The mobile has opened the connection. */
     public void established() {
         link.timers().cancel(leaving);
+        usedNanos = link.timers().nowNanos();
         state = State.ESTABLISHED;
         expectedSequence = 0;
+    }
+
+    /** Goes on as the connection of another link, which has proved to be this one's mobile. */
+    void takeOver(NetworkRadioConnection other) {
+        established();
+        expectedSequence = other.expectedSequence;
     }
 
     /** Accepts the N(SD) of an uplink message; false for a duplicate (TS 24.007, 11.2.3.2.3). */
@@ -94,6 +107,9 @@ public final class NetworkRadioConnection {
     }
 
     void close() {
+        if (state != State.IDLE) {
+            usedNanos = link.timers().nowNanos();
+        }
         link.timers().cancel(leaving);
         takeService();
         state = State.IDLE;

@@ -41,6 +41,11 @@ public interface RadioAccess {
     /** Whether the mobile is reached by towers, which other mobiles use too. */
     boolean isShared();
 
+    /** The radio connection of another mobile's access turns out to be this mobile's; an older one is lost. Over towers only. */
+    default void takeOver(RadioAccess other) {
+        throw new IllegalStateException("a terminal's own link has no other's connection");
+    }
+
     /** The mobile's link is over. */
     void close(String reason);
 }

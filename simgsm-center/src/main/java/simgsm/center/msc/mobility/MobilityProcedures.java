@@ -31,6 +31,7 @@ public final class MobilityProcedures implements LinkUser {
     private final Map<Subscriber, Link> locations = new HashMap<>();
     private final Map<Link, LocationUpdate> updates = new HashMap<>();
     private final Map<Link, CardAuthentication> authentications = new HashMap<>();
+    private long silenceNanos;
 
     /**
      * @param attached is called for each subscriber who was not attached before
@@ -128,10 +129,9 @@ public final class MobilityProcedures implements LinkUser {
         } else if (message instanceof MobilityManagement.CmServiceAbort) {
             abortService(link);
         } else if (message instanceof MobilityManagement.ImsiDetachIndication indication) {
-            if (isSubscriberOf(link, indication.identity())) {
-                link.loseTransactions();
-                detach(link);
-            }
+            namedBy(link, indication.identity())
+                    .filter(named -> named == link || named.radio().isIdle())
+                    .ifPresent(named -> leave(named, link));
         } else if (!(message instanceof MobilityManagement.MmStatus)
                 && !authenticationOf(link).receive(message)
                 && !(updates.containsKey(link) && updates.get(link).receive(message))) {
@@ -148,21 +148,83 @@ public final class MobilityProcedures implements LinkUser {
 
     /** The mobile has answered paging. */
     public void receivePagingResponse(Link link, RadioResource.PagingResponse response) {
-        if (!isSubscriberOf(link, response.identity())) {
-            return;
+        namedBy(link, response.identity()).ifPresent(named -> {
+            if (mustProve(named)) {
+                prove(link, named.subscriber(), this::heard);
+            } else {
+                heard(link);
+            }
+        });
+    }
+
+    // Radio connections over towers, on which any mobile can name the identity of another.
+
+    /** Whether a radio connection that names the subscriber of this link has to prove it with the card's key. */
+    public boolean mustProve(Link link) {
+        return link.access().isShared() && cardOf(link.subscriber()).isPresent();
+    }
+
+    private Optional<SimCard> cardOf(Subscriber subscriber) {
+        return register.home().cardOf(subscriber.imsi());
+    }
+
+    /** The link of the subscriber whom a message names: this one, or one over towers that the mobile may prove to be its own. */
+    private Optional<Link> namedBy(Link link, MobileIdentity identity) {
+        if (isSubscriberOf(link, identity)) {
+            return Optional.of(link);
         }
-        Optional<SimCard> card = register.home().cardOf(link.subscriber().imsi());
-        if (card.isEmpty() || !link.access().isShared()) {
-            heard(link);
-        } else {
-            authenticate(link, card.get(), hasKey -> {
-                if (hasKey) {
-                    heard(link);
-                } else {
-                    refuse(link);
+        boolean isUnproved = link.access().isShared() && !link.hasSubscriber();
+        return isUnproved ? linkOf(identity).filter(this::mustProve) : Optional.empty();
+    }
+
+    /**
+     * Challenges the mobile on a link. One with the key goes on with the link of its subscriber; until then that link, its connection
+     * and what waits for its paging are left alone.
+     */
+    private void prove(Link link, Subscriber subscriber, Consumer<Link> proved) {
+        authenticate(link, cardOf(subscriber).orElseThrow(), hasKey -> {
+            Optional<Link> own = locationOf(subscriber).filter(found -> found == link || mustProve(found));
+            if (!hasKey) {
+                refuse(link);
+            } else if (own.isEmpty()) {
+                link.send(new MobilityManagement.CmServiceReject(RejectCause.IMSI_UNKNOWN_IN_VLR));
+            } else {
+                if (own.get() != link) {
+                    own.get().takeOver(link);
                 }
-            });
+                proved.accept(own.get());
+            }
+        });
+    }
+
+    /** IMSI DETACH, which is not authenticated (TS 24.008, 4.3.4). */
+    private void leave(Link named, Link from) {
+        named.loseTransactions();
+        detach(named);
+        if (named != from) {
+            named.forget();
         }
+    }
+
+    /** Subscribers over towers who are not heard for so long are detached (TS 24.008, 4.4.2); 0 for never. */
+    public void detachSilentAfter(long nanos) {
+        silenceNanos = nanos;
+    }
+
+    private void superviseSilence(Link link, Subscriber subscriber, long nanos) {
+        link.timers().start(nanos, () -> {
+            if (locations.get(subscriber) != link) {
+                return;
+            }
+            long silent = link.radio().isIdle()
+                    ? link.timers().nowNanos() - link.radio().usedNanos()
+                    : 0;
+            if (silent >= silenceNanos) {
+                link.drop(subscriber + " has not been heard since its last periodic location update");
+            } else {
+                superviseSilence(link, subscriber, silenceNanos - silent);
+            }
+        });
     }
 
     /** The subscriber is on a radio connection: what waits for one goes on. */
@@ -188,22 +250,13 @@ public final class MobilityProcedures implements LinkUser {
             link.send(new MobilityManagement.CmServiceReject(refusal.get()));
             return;
         }
-        Optional<SimCard> card = register.home().cardOf(link.subscriber().imsi());
-        // Any mobile of a tower can name the identity and key number of another, which are not ciphered.
-        boolean isKeyTrusted =
-                !link.access().isShared() && authenticationOf(link).useKey(request.keySequence());
-        if (card.isEmpty() || isKeyTrusted) {
-            grant(link);
+        Link named = namedBy(link, request.identity()).orElseThrow();
+        // Over towers the identity and key number of another are to be had, since they are not ciphered.
+        boolean isKeyTrusted = !mustProve(named) && authenticationOf(link).useKey(request.keySequence());
+        if (isKeyTrusted || cardOf(named.subscriber()).isEmpty()) {
+            admit(link, request);
         } else {
-            authenticate(link, card.get(), hasKey -> serviceAuthenticated(link, hasKey));
-        }
-    }
-
-    private void serviceAuthenticated(Link link, boolean hasKey) {
-        if (hasKey) {
-            grant(link);
-        } else {
-            refuse(link);
+            prove(link, named.subscriber(), own -> admit(own, request));
         }
     }
 
@@ -220,7 +273,12 @@ public final class MobilityProcedures implements LinkUser {
         link.radio().release();
     }
 
-    private void grant(Link link) {
+    private void admit(Link link, MobilityManagement.CmServiceRequest request) {
+        if (request.service() == MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL
+                && !link.rateLimits().admitCall()) {
+            link.send(new MobilityManagement.CmServiceReject(RejectCause.CONGESTION));
+            return;
+        }
         link.send(new MobilityManagement.CmServiceAccept());
         link.radio().awaitService();
         heard(link);
@@ -234,15 +292,11 @@ public final class MobilityProcedures implements LinkUser {
     }
 
     private Optional<RejectCause> refusalOf(Link link, MobilityManagement.CmServiceRequest request) {
-        if (!isSubscriberOf(link, request.identity())) {
+        if (namedBy(link, request.identity()).isEmpty()) {
             return Optional.of(RejectCause.IMSI_UNKNOWN_IN_VLR);
         }
         if (authenticationOf(link).isAwaited()) {
             return Optional.of(RejectCause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
-        }
-        if (request.service() == MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL
-                && !link.rateLimits().admitCall()) {
-            return Optional.of(RejectCause.CONGESTION);
         }
         return Optional.empty();
     }
@@ -298,7 +352,10 @@ public final class MobilityProcedures implements LinkUser {
         }
         boolean isNew = !subscriber.isAttached();
         link.register(subscriber);
-        locations.put(subscriber, link);
+        boolean isNewHere = locations.put(subscriber, link) != link;
+        if (isNewHere && link.access().isShared() && silenceNanos > 0) {
+            superviseSilence(link, subscriber, silenceNanos);
+        }
         register.attach(subscriber, imei);
         if (isNew) {
             attached.accept(subscriber);
