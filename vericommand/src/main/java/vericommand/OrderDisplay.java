@@ -20,6 +20,9 @@ final class OrderDisplay {
     private String verdictWord = "";
     private String verdictText = "";
     private int failingPosition;
+    private OrderCourse course = OrderCourse.NONE;
+    /** The accepted order that is shown; null if none is. */
+    private Order accepted;
 
     OrderDisplay(Locale locale, ReplyTexts texts) {
         this.locale = locale;
@@ -39,6 +42,8 @@ final class OrderDisplay {
         verdictWord = "";
         verdictText = "";
         failingPosition = 0;
+        course = OrderCourse.NONE;
+        accepted = null;
     }
 
     /**
@@ -74,20 +79,33 @@ final class OrderDisplay {
             words = refused.order().words(locale);
             verdictText = texts.refused(refused.tone(), refused.status()).text();
         } else {
-            words = ((Verdict.Accepted) verdict).order().words(locale);
+            accepted = ((Verdict.Accepted) verdict).order();
+            course = OrderCourse.UNDER_WAY;
+            words = accepted.words(locale);
             verdictText = texts.text("verdict.accepted");
         }
     }
 
+    /** What has become of an order, if it is still the one that is shown. */
+    void course(Order order, OrderCourse now) {
+        boolean isBraked = now == OrderCourse.STOPPED || now == OrderCourse.BROKEN_OFF;
+        if (order == accepted && !(isBraked && course == OrderCourse.CALL_ENDED)) {
+            course = now;
+        }
+    }
+
     /** The call that gave the order under way has ended. @param stops whether the robot brakes, or finishes the order */
-    void callEnded(boolean stops) {
-        verdictWord = stops ? VeriCommandSnapshot.STOPPED : verdictWord;
-        verdictText = texts.text(stops ? "verdict.stopped" : "verdict.finishing");
+    void callEnded(Order order, boolean stops) {
+        if (stops) {
+            course(order, OrderCourse.CALL_ENDED);
+        } else if (order == accepted) {
+            verdictText = texts.text("verdict.finishing");
+        }
     }
 
     /** The call has ended before its order was whole. */
     void callEndedWithinOrder() {
-        verdictWord = VeriCommandSnapshot.STOPPED;
+        verdictWord = VeriCommandSnapshot.UNFINISHED;
         verdictText = texts.text("verdict.unfinished");
     }
 
@@ -108,6 +126,7 @@ final class OrderDisplay {
                 words,
                 verdictWord,
                 verdictText,
+                course,
                 failingPosition,
                 List.copyOf(replies));
     }

@@ -58,7 +58,7 @@ public final class VeriCommand {
         boolean moves = isOfCall(running) || isOfCall(process);
         boolean brakes = settings.onHangup() == VeriCommandSettings.OnHangup.STOP && moves;
         if (moves) {
-            display.callEnded(brakes);
+            display.callEnded((isOfCall(running) ? running : process).order(), brakes);
         } else if (!recognizer.keys().isEmpty()) {
             display.callEndedWithinOrder();
         }
@@ -191,6 +191,7 @@ public final class VeriCommand {
         Verdict verdict = verdict(execution.order());
         if (execution.isStopOrdered() && execution.order().moves()) {
             report(verdict);
+            display.course(execution.order(), OrderCourse.STOPPED);
             answer(execution.origin(), texts.stopped(execution.initialProgress()), false);
         } else if (!execution.origin().isEnded()) {
             settle(verdict, execution.origin());
@@ -219,6 +220,7 @@ public final class VeriCommand {
             proceed();
         } else if (!execution.order().stops()) {
             endInstructions(execution);
+            display.course(execution.order(), OrderCourse.EXECUTED);
             answer(execution.origin(), texts.report(execution.order(), robot.status(), robot.pose()));
         } else {
             stops.add(execution);
@@ -248,7 +250,7 @@ public final class VeriCommand {
             StatusRules.Treatment treatment = StatusRules.treatment(robot.status(), current);
             if (treatment != StatusRules.Treatment.EXECUTED) {
                 int of = running.order().instructions().size();
-                end(texts.refusedAfter(treatment.tone(), robot.status(), running.done(), of));
+                end(texts.refusedAfter(treatment.tone(), robot.status(), running.done(), of), OrderCourse.NOT_POSSIBLE);
                 return;
             }
             if (current instanceof Instruction.Motion motion) {
@@ -262,7 +264,7 @@ public final class VeriCommand {
             }
             listener.instructionEnded(current);
         }
-        end(texts.done(running.order(), robot.status(), robot.pose()));
+        end(texts.done(running.order(), robot.status(), robot.pose()), OrderCourse.EXECUTED);
     }
 
     private void start(Instruction.Motion motion) {
@@ -276,13 +278,13 @@ public final class VeriCommand {
     private void start(Instruction.StartProcess starting) {
         String name = robot.processes().getOrDefault(starting.number(), "");
         if (name.isEmpty()) {
-            end(texts.noProcess(new Verdict.NoProcess(running.order(), robot.processes())));
+            end(texts.noProcess(new Verdict.NoProcess(running.order(), robot.processes())), OrderCourse.NOT_POSSIBLE);
             return;
         }
         OrderExecution started = running;
         robot.startProcess(starting.number());
         process = started;
-        end(texts.processStarted(starting.number(), name));
+        end(texts.processStarted(starting.number(), name), OrderCourse.UNDER_WAY);
     }
 
     /**
@@ -294,6 +296,9 @@ public final class VeriCommand {
     public void processEnded(ProcessEnding ending, String name, String detail) {
         OrderExecution ended = process;
         process = null;
+        if (ended != null) {
+            display.course(ended.order(), courseOf(ending));
+        }
         if (ending != ProcessEnding.REPLACED) {
             Reply reply = texts.processEnded(ending, name, detail, robot.status(), robot.pose());
             if (ended != null) {
@@ -312,25 +317,34 @@ public final class VeriCommand {
         OrderProgress progress = running.progress(outcome.amountDone());
         switch (outcome.ending()) {
             case DONE -> motionDone(progress);
-            case BRAKED -> end(texts.stopped(progress));
-            case COLLISION -> end(texts.failed(ReplyTone.COLLISION, progress));
-            case INFINITE_LOOP -> end(texts.failed(ReplyTone.INFINITE_LOOP, progress));
-            case ABORTED -> end(texts.aborted(progress, robot.status()));
+            case BRAKED -> end(texts.stopped(progress), OrderCourse.STOPPED);
+            case COLLISION -> end(texts.failed(ReplyTone.COLLISION, progress), OrderCourse.COLLISION);
+            case INFINITE_LOOP -> end(texts.failed(ReplyTone.INFINITE_LOOP, progress), OrderCourse.INFINITE_LOOP);
+            case ABORTED -> end(texts.aborted(progress, robot.status()), OrderCourse.BROKEN_OFF);
         }
     }
 
     private void motionDone(OrderProgress progress) {
         running.advance();
         if (running.isCancelled() && !running.isComplete()) {
-            end(texts.stopped(progress));
+            end(texts.stopped(progress), OrderCourse.STOPPED);
         } else {
             proceed();
         }
     }
 
-    private void end(Reply reply) {
+    private static OrderCourse courseOf(ProcessEnding ending) {
+        return switch (ending) {
+            case DONE -> OrderCourse.EXECUTED;
+            case COLLISION -> OrderCourse.COLLISION;
+            case FAILED, REPLACED -> OrderCourse.BROKEN_OFF;
+        };
+    }
+
+    private void end(Reply reply, OrderCourse course) {
         OrderExecution ended = running;
         running = null;
+        display.course(ended.order(), course);
         answer(ended.origin(), reply, !ended.isStopOrdered() || ended.isComplete());
         answerStops();
         listener.changed();
@@ -342,6 +356,8 @@ public final class VeriCommand {
         for (OrderExecution stop : ended) {
             endInstructions(stop);
             RobotStatus status = robot.status();
+            display.course(
+                    stop.order(), status == RobotStatus.DISCONNECTED ? OrderCourse.NOT_POSSIBLE : OrderCourse.EXECUTED);
             answer(
                     stop.origin(),
                     status == RobotStatus.DISCONNECTED

@@ -11,8 +11,10 @@ import java.util.List;
  * @param underWay whether an order is being executed
  * @param keys of the current or last order as received, without blanks; in a call also those skipped after a fault
  * @param words the order in words, empty unless it is complete
- * @param verdictWord {@code accepted}, {@code refused}, {@code invalid}, {@link #STOPPED}, or empty while the order is being keyed
+ * @param verdictWord {@code accepted}, {@code refused}, {@code invalid}, {@link #UNFINISHED}, or empty while the
+ *     order is being keyed
  * @param verdictText the verdict in words
+ * @param course what has become of an accepted order
  * @param failingPosition the offending key, counted from 1 in {@code keys}; 0 if none. One more than the number of keys: a
  *     key is missing
  * @param replies to this call or message so far, the newest last, as {@code 3 Done: ...}; at most the last eight
@@ -26,8 +28,9 @@ public record VeriCommandSnapshot(
         String words,
         String verdictWord,
         String verdictText,
+        OrderCourse course,
         int failingPosition,
         List<String> replies) {
-    /** The verdict's word once the end of the call has ended the order. */
-    public static final String STOPPED = "stopped";
+    /** The verdict's word once the call has ended within the order. */
+    public static final String UNFINISHED = "unfinished";
 }

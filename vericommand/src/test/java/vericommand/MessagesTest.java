@@ -44,7 +44,7 @@ class MessagesTest {
         for (String name : new String[] {"messages.properties", "messages_es.properties"}) {
             Properties bundle = bundle(name);
             bundle.stringPropertyNames().stream()
-                    .filter(key -> !key.startsWith("tone.") && !key.startsWith("verdict."))
+                    .filter(key -> !key.matches("(tone|verdict|course)[.].*"))
                     .forEach(key -> bundle.getProperty(key)
                             .chars()
                             .filter(character -> "{}".indexOf(character) < 0)
@@ -87,7 +87,7 @@ class MessagesTest {
             assertEquals(tone.number() <= 6, tone.fromPaper());
             assertTrue(!tone.words(Locale.forLanguageTag("es")).equals(tone.words(Locale.ENGLISH)));
         }
-        assertEquals("colisión", ReplyTone.COLLISION.words(Locale.forLanguageTag("es")));
+        assertEquals("choque", ReplyTone.COLLISION.words(Locale.forLanguageTag("es")));
     }
 
     @Test

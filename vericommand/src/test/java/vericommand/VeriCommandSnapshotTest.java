@@ -38,6 +38,70 @@ class VeriCommandSnapshotTest {
     }
 
     @Test
+    void theCourseOfAnOrderTellsWhatHasBecomeOfIt() {
+        assertEquals(OrderCourse.NONE, shown().course());
+        bench.press("** #**20 **");
+        assertEquals(OrderCourse.UNDER_WAY, shown().course());
+        bench.robot.collide(3);
+        assertEquals("accepted", shown().verdictWord());
+        assertEquals(OrderCourse.COLLISION, shown().course());
+        bench.press("**");
+        assertEquals(OrderCourse.NONE, shown().course());
+        bench.press("#**20 **");
+        assertEquals("refused", shown().verdictWord());
+        assertEquals(OrderCourse.NONE, shown().course());
+        bench.press("** #*#90 **");
+        bench.robot.reachGoal();
+        assertEquals(OrderCourse.EXECUTED, shown().course());
+        bench.press("** #*0 **");
+        assertEquals(OrderCourse.EXECUTED, shown().course());
+        bench.press("** #**20 **");
+        bench.robot.end(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.INFINITE_LOOP, 3);
+        assertEquals(OrderCourse.INFINITE_LOOP, shown().course());
+        bench.press("** #**20 **");
+        bench.robot.end(StatusEvent.MOTORS_OFF, MotionOutcome.Ending.ABORTED, 3);
+        assertEquals(OrderCourse.BROKEN_OFF, shown().course());
+    }
+
+    @Test
+    void aTripWhoseNextInstructionIsRefusedSaysSo() {
+        Bench collided = Bench.in(RobotStatus.COLLISION).call();
+        collided.press("** #*#90 #**20 **");
+        collided.robot.end(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.DONE, 90);
+        collided.robot.collide(1);
+        assertEquals(OrderCourse.COLLISION, collided.veri.snapshot().course());
+        bench.press("** #**20 #**20 **");
+        bench.robot.machine.apply(StatusEvent.MOTION_ENDED);
+        bench.robot.end(StatusEvent.MOTORS_OFF, MotionOutcome.Ending.DONE, 20);
+        assertEquals(OrderCourse.NOT_POSSIBLE, shown().course());
+    }
+
+    @Test
+    void aStoppedOrderThatIsNoLongerShownLeavesTheStopOrderItsCourse() {
+        bench.press("** #**20 **");
+        bench.press("** ### **");
+        assertEquals(OrderCourse.UNDER_WAY, shown().course());
+        bench.robot.stand(3);
+        assertEquals("**###**", shown().keys());
+        assertEquals(OrderCourse.EXECUTED, shown().course());
+    }
+
+    @Test
+    void aBrakedOrderIsStopped() {
+        bench.press("** #**20 **");
+        bench.robot.stand(3);
+        assertEquals(OrderCourse.STOPPED, shown().course());
+    }
+
+    @Test
+    void aProcessIsUnderWayUntilItEnds() {
+        bench.press("** #*1 **");
+        assertEquals(OrderCourse.UNDER_WAY, shown().course());
+        bench.veri.processEnded(ProcessEnding.COLLISION, "wander", "");
+        assertEquals(OrderCourse.COLLISION, shown().course());
+    }
+
+    @Test
     void aBrokenOrderShowsItsFailingPositionUntilTheNextBegins() {
         bench.press("** #**0 **");
         VeriCommandSnapshot broken = shown();
@@ -70,7 +134,9 @@ class VeriCommandSnapshotTest {
     void aNewCallOrMessageShowsNothingOfTheLastOne() {
         bench.press("** #**0 **");
         bench.veri.callBegan("5550102");
-        assertEquals(new VeriCommandSnapshot("5550102", false, true, false, "", "", "", "", 0, List.of()), shown());
+        assertEquals(
+                new VeriCommandSnapshot("5550102", false, true, false, "", "", "", "", OrderCourse.NONE, 0, List.of()),
+                shown());
         bench.press("** #**0 **");
         bench.sms("** #*0 **");
         assertEquals("**#*0**", shown().keys());
@@ -83,8 +149,10 @@ class VeriCommandSnapshotTest {
         bench.press("** #**20 **");
         bench.veri.callEnded();
 
-        assertEquals("Stopped: the call ended.", shown().verdictText());
-        assertEquals(VeriCommandSnapshot.STOPPED, shown().verdictWord());
+        assertEquals("accepted", shown().verdictWord());
+        assertEquals(OrderCourse.CALL_ENDED, shown().course());
+        bench.robot.stand(3);
+        assertEquals(OrderCourse.CALL_ENDED, shown().course());
         assertEquals("**#**20**", shown().keys());
     }
 
@@ -94,6 +162,8 @@ class VeriCommandSnapshotTest {
         bench.veri.callEnded();
 
         assertEquals("The call ended before the order was whole.", shown().verdictText());
+        assertEquals(VeriCommandSnapshot.UNFINISHED, shown().verdictWord());
+        assertEquals(OrderCourse.NONE, shown().course());
     }
 
     @Test

@@ -1,17 +1,18 @@
 package simgsm.center.ui;
 
 import java.awt.BorderLayout;
-import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
 import java.util.List;
+import java.util.Locale;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
 import simgsm.center.msc.ExchangeSnapshot.MessageRow;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DividedPanel;
+import simgsm.ui.Divider;
 import simgsm.ui.Theme;
 
 /** The queue of messages and those that have ended recently; below, the history of the selected one. */
@@ -21,12 +22,12 @@ final class MessagesPanel extends JPanel {
     private static final double HISTORY_SHARE = 0.35;
 
     private static final int LOW_UNITS = 150;
+    /** Of rows and history, where the divider is moved. */
+    private static final int LEAST_UNITS = 40;
 
     private final TextBundle texts;
     private final RowsPanel<MessageRow> rows;
     private final JTextArea history = new JTextArea();
-    private final JSplitPane split;
-    private boolean isPlaced;
     private final JScrollPane scroll = new JScrollPane(history);
 
     MessagesPanel(TextBundle texts) {
@@ -41,13 +42,12 @@ final class MessagesPanel extends JPanel {
         history.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         history.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         history.setText(texts.of("window.history.none"));
-        rows.setMinimumSize(new Dimension(0, 0));
-        scroll.setMinimumSize(new Dimension(0, 0));
-        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, rows, scroll);
-        split.setResizeWeight(1);
-        split.setBorder(null);
-        split.setOpaque(false);
-        add(split, BorderLayout.CENTER);
+        Divider divider = new Divider(
+                "divider.history",
+                texts.of("divider.history"),
+                Locale.forLanguageTag(texts.of("window.language")),
+                LEAST_UNITS);
+        add(new DividedPanel(false, rows, scroll, divider, LEAST_UNITS, MessagesPanel::historyHeight));
         dress();
     }
 
@@ -67,24 +67,23 @@ final class MessagesPanel extends JPanel {
     @Override
     public void updateUI() {
         super.updateUI();
-        if (split != null) {
+        if (scroll != null) {
             dress();
         }
     }
 
     /** The rows come first, until the user moves the divider. */
+    private static int historyHeight(int room) {
+        return Math.min(Theme.px(HISTORY_UNITS), (int) (room * HISTORY_SHARE));
+    }
+
     @Override
     public void doLayout() {
-        super.doLayout();
         boolean hasRoom = getHeight() >= Theme.px(LOW_UNITS);
-        if (hasRoom != scroll.isVisible() || !isPlaced && getHeight() > 0) {
-            isPlaced = true;
+        if (hasRoom != scroll.isVisible()) {
             scroll.setVisible(hasRoom);
-            split.setDividerSize(hasRoom ? Theme.px(Theme.GRID) : 0);
-            int history = Math.min(Theme.px(HISTORY_UNITS), (int) (getHeight() * HISTORY_SHARE));
-            split.setDividerLocation(hasRoom ? getHeight() - split.getDividerSize() - history : getHeight());
-            split.doLayout();
         }
+        super.doLayout();
     }
 
     private void dress() {

@@ -1,15 +1,14 @@
 package simgsm.center.ui;
 
 import java.awt.BorderLayout;
-import java.awt.Component;
 import java.awt.Dimension;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
@@ -20,6 +19,8 @@ import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DividedPanel;
+import simgsm.ui.Divider;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -50,7 +51,6 @@ public final class MonitorPanel extends JPanel {
     private final BroadcastPanel broadcasts;
     private final LadderPanel ladder;
     private final JTabbedPane tabs = new JTabbedPane();
-    private final JSplitPane split;
     private double shownZoom;
     private final JLabel notice = new JLabel(" ");
     private final JPanel lists = new JPanel(new BorderLayout());
@@ -81,10 +81,13 @@ public final class MonitorPanel extends JPanel {
         arrangeLists();
         ladder.whenChosen(this::showMessage);
         ladderCard = new Card(ladder);
-        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, listsCard, ladderCard);
-        split.setResizeWeight(LEFT_SHARE);
-        split.setBorder(null);
-        split.setOpaque(false);
+        Divider divider = new Divider(
+                "divider.ladder",
+                texts.of("divider.ladder"),
+                Locale.forLanguageTag(texts.of("window.language")),
+                LEAST_LADDER_UNITS);
+        JPanel split =
+                new DividedPanel(true, listsCard, ladderCard, divider, LEAST_LISTS_UNITS, MonitorPanel::ladderWidth);
         add(Arrange.column(GAP_UNITS, header, passingCard, Arrange.growing(split)), BorderLayout.CENTER);
         dress();
     }
@@ -209,9 +212,6 @@ public final class MonitorPanel extends JPanel {
         if (shownZoom != Theme.zoom()) {
             shownZoom = Theme.zoom();
             setPreferredSize(new Dimension(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height)));
-            measure(split.getLeftComponent(), LISTS_UNITS, LEAST_LISTS_UNITS);
-            measure(split.getRightComponent(), LADDER_UNITS, LEAST_LADDER_UNITS);
-            split.resetToPreferredSizes();
         }
     }
 
@@ -222,8 +222,10 @@ public final class MonitorPanel extends JPanel {
         List.of(passingCard, listsCard, ladderCard).forEach(card -> card.setPadding(units));
     }
 
-    private static void measure(Component half, int widthUnits, int leastUnits) {
-        half.setMinimumSize(new Dimension(Theme.px(leastUnits), 0));
-        half.setPreferredSize(new Dimension(Theme.px(widthUnits), 0));
+    /** What room is to spare, or to give up, the lists and the ladder share. */
+    private static int ladderWidth(int room) {
+        int spare = room - Theme.px(LISTS_UNITS) - Theme.px(LADDER_UNITS);
+        int own = Theme.px(LADDER_UNITS) + (int) (spare * (1 - LEFT_SHARE));
+        return Math.max(Theme.px(LEAST_LADDER_UNITS), Math.min(room - Theme.px(LEAST_LISTS_UNITS), own));
     }
 }

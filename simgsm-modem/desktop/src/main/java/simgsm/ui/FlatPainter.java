@@ -315,7 +315,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         }
     }
 
-    private static void grip(Graphics2D g, double w, double h) {
+    static void grip(Graphics2D g, double w, double h) {
         double d = Theme.exact(2.5);
         g.setColor(Theme.color(Ink.CONTROL_LINE));
         for (int k = -1; k <= 1; k++) {

@@ -205,7 +205,7 @@ class HandsetPanelTest {
         bench.bench.farEndPlays('4');
         bench.paint(1);
         assertEquals(
-                "conectado 5550200, 4 (robot: colisi\u00f3n)",
+                "conectado 5550200, 4 (robot: choque)",
                 bench.find("lcd").getAccessibleContext().getAccessibleName());
     }
 }

@@ -34,7 +34,14 @@ final class ProcessesCard extends JPanel {
     private final TextBundle texts;
     private final DefaultListModel<String> rows = new DefaultListModel<>();
     private final JList<String> list = new JList<>(rows);
-    private final JTextArea faults = new JTextArea();
+    /** Asks for the height of its lines, but for no width: a text area would keep the width that it has now. */
+    private final JTextArea faults = new JTextArea() {
+        @Override
+        public Dimension getPreferredSize() {
+            return new Dimension(0, super.getPreferredSize().height);
+        }
+    };
+
     private final UserAction stop;
     private List<BehaviourKind> kinds = List.of();
     private String robot = "";

@@ -3,9 +3,15 @@ package simrobot.ui.panel;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import simgsm.console.TextBundle;
 import simgsm.ui.Arrange.FixedLayout;
+import simgsm.ui.Divider;
 import simgsm.ui.Theme;
 import simrobot.ui.telephone.ModemPanel;
 import simrobot.ui.telephone.VeriCommandPanel;
@@ -14,7 +20,7 @@ import simrobot.ui.telephone.VeriCommandPanel;
  * The page of a running simulation. Its size decides where the parts stand and which give way: in a wide page modem and
  * VeriCommand stand in a column at the right of the floor and the inspector beside them; in a narrower one that is high
  * enough, below the floor. In a small page the inspector is hidden, and modem and VeriCommand are compact and stand where
- * they leave the floor the larger area. The floor and the tone scope are always visible. The gaps are dragged with the mouse.
+ * they leave the floor the larger area. The floor and the tone scope are always visible. The gaps are dividers.
  */
 final class RunningPage extends JPanel {
     /** The smallest page that shows every part that does not give way, in units. */
@@ -46,12 +52,15 @@ final class RunningPage extends JPanel {
     private final JComponent timeline;
     private final JComponent inspector;
     private final JComponent presentation;
-    private final PaneDividers dividers = new PaneDividers(this);
-    private final PaneDividers.Size inspectorSize = new PaneDividers.Size(200);
-    private final PaneDividers.Size columnSize = new PaneDividers.Size(COLUMN_UNITS - 40);
-    private final PaneDividers.Size rowSize = new PaneDividers.Size(ModemPanel.COMPACT_HEIGHT_UNITS);
-    private final PaneDividers.Size ordersSize = new PaneDividers.Size(180);
-    private final PaneDividers.Size lowerOrdersSize = new PaneDividers.Size(90);
+    private final Divider inspectorDivider;
+    private final Divider columnDivider;
+    private final Divider rowDivider;
+    private final Divider ordersDivider;
+    private final Divider lowerOrdersDivider;
+    private final List<Divider> dividers;
+    /** Those that stand in a gap of the present layout. */
+    private final Set<Divider> placed = new HashSet<>();
+
     private boolean hasLine;
     private boolean isPresenting;
     private boolean isInspectorWanted;
@@ -59,6 +68,7 @@ final class RunningPage extends JPanel {
     private boolean atRight;
 
     RunningPage(
+            TextBundle texts,
             JComponent tools,
             JComponent notice,
             JComponent floor,
@@ -82,8 +92,20 @@ final class RunningPage extends JPanel {
                 new JComponent[] {tools, notice, floor, busy, modem, orders, timeline, inspector, presentation}) {
             add(part);
         }
+        inspectorDivider = divider(texts, "divider.inspector", 200);
+        columnDivider = divider(texts, "divider.column", COLUMN_UNITS - 40);
+        rowDivider = divider(texts, "divider.row", ModemPanel.COMPACT_HEIGHT_UNITS);
+        ordersDivider = divider(texts, "divider.orders", 180);
+        lowerOrdersDivider = divider(texts, "divider.orders.lower", 90);
+        dividers = List.of(inspectorDivider, columnDivider, rowDivider, ordersDivider, lowerOrdersDivider);
+        dividers.forEach(this::add);
         presentation.setVisible(false);
         setLayout(new Parts());
+    }
+
+    private static Divider divider(TextBundle texts, String id, int leastUnits) {
+        Locale language = Locale.forLanguageTag(texts.of("language.tag"));
+        return new Divider(id, texts.of(id), language, leastUnits);
     }
 
     /** @param present whether the selected robot has a modem; without one modem and VeriCommand are hidden */
@@ -186,7 +208,7 @@ final class RunningPage extends JPanel {
 
         @Override
         public void layoutContainer(Container parent) {
-            dividers.clear();
+            placed.clear();
             Rectangle rest = restOfPage();
             int top = 0;
             if (tools.isVisible()) {
@@ -197,7 +219,7 @@ final class RunningPage extends JPanel {
                 notice.setBounds(0, top, getWidth(), notice.getPreferredSize().height);
             }
             if (inspector.isVisible()) {
-                inspector.setBounds(cutRight(rest, inspectorSize, inspector.getPreferredSize().width));
+                inspector.setBounds(cutRight(rest, inspectorDivider, inspector.getPreferredSize().width));
             }
             if (modem.isVisible() && atRight) {
                 stackAtRight(rest);
@@ -209,17 +231,24 @@ final class RunningPage extends JPanel {
             }
             takeBottom(rest, busy);
             floor.setBounds(rest);
+            for (Divider divider : dividers) {
+                if (divider.isVisible() != placed.contains(divider)) {
+                    divider.setVisible(placed.contains(divider));
+                }
+            }
+        }
+
+        private void place(Divider divider, int x, int y, int width, int height) {
+            placed.add(divider);
+            divider.place(x, y, width, height);
         }
 
         /** The tone scope gets the height that VeriCommand does not need. */
         private void stackAtRight(Rectangle rest) {
-            Rectangle column = cutRight(rest, columnSize, Theme.px(COLUMN_UNITS));
-            int ordersHeight = lowerOrdersSize.pixels(
+            Rectangle column = cutRight(rest, columnDivider, Theme.px(COLUMN_UNITS));
+            int ordersHeight = lowerOrdersDivider.sized(
                     Math.min(column.height / 2, orders.getPreferredSize().height), column.height / 2);
-            dividers.add(
-                    new Rectangle(column.x, column.y + column.height - ordersHeight - gap(), column.width, gap()),
-                    lowerOrdersSize,
-                    ordersHeight);
+            place(lowerOrdersDivider, column.x, column.y + column.height - ordersHeight - gap(), column.width, gap());
             int modemHeight = column.height - gap() - ordersHeight;
             modem.setBounds(column.x, column.y, column.width, Math.max(0, modemHeight));
             orders.setBounds(column.x, column.y + modemHeight + gap(), column.width, ordersHeight);
@@ -227,12 +256,12 @@ final class RunningPage extends JPanel {
 
         private void rowAtBottom(Rectangle rest) {
             int own = Math.max(modem.getPreferredSize().height, orders.getPreferredSize().height);
-            int height = rowSize.pixels(own, rest.height - gap() - Theme.px(LEAST_FLOOR_UNITS.height));
+            int height = rowDivider.sized(own, rest.height - gap() - Theme.px(LEAST_FLOOR_UNITS.height));
             Rectangle row = cutBottom(rest, height);
-            dividers.add(new Rectangle(row.x, row.y - gap(), row.width, gap()), rowSize, height);
-            int ordersWidth = ordersSize.pixels(row.width - gap() - modemWidthInRow(row.width), row.width / 2);
+            place(rowDivider, row.x, row.y - gap(), row.width, gap());
+            int ordersWidth = ordersDivider.sized(row.width - gap() - modemWidthInRow(row.width), row.width / 2);
             int modemWidth = row.width - gap() - ordersWidth;
-            dividers.add(new Rectangle(row.x + modemWidth, row.y, gap(), row.height), ordersSize, ordersWidth);
+            place(ordersDivider, row.x + modemWidth, row.y, gap(), row.height);
             modem.setBounds(row.x, row.y, modemWidth, row.height);
             orders.setBounds(row.x + modemWidth + gap(), row.y, ordersWidth, row.height);
         }
@@ -243,10 +272,10 @@ final class RunningPage extends JPanel {
             }
         }
 
-        private Rectangle cutRight(Rectangle rest, PaneDividers.Size size, int own) {
-            int width = size.pixels(own, rest.width - gap() - Theme.px(LEAST_FLOOR_UNITS.width));
+        private Rectangle cutRight(Rectangle rest, Divider divider, int own) {
+            int width = divider.sized(own, rest.width - gap() - Theme.px(LEAST_FLOOR_UNITS.width));
             rest.width = Math.max(0, rest.width - width - gap());
-            dividers.add(new Rectangle(rest.x + rest.width, rest.y, gap(), rest.height), size, width);
+            place(divider, rest.x + rest.width, rest.y, gap(), rest.height);
             return new Rectangle(rest.x + rest.width + gap(), rest.y, width, rest.height);
         }
 

@@ -85,8 +85,8 @@ public final class SimRobotPanel extends JPanel {
         Theme.styled(floor, frame -> frame.setBackground(Theme.color(Ink.LINE)));
         timeline = new TimelinePanel(texts, operator);
         presentation = new PresentationView(language);
-        runningPage =
-                new RunningPage(tools, noticeRow, floor, busyNotice, modem, orders, timeline, inspector, presentation);
+        runningPage = new RunningPage(
+                texts, tools, noticeRow, floor, busyNotice, modem, orders, timeline, inspector, presentation);
         page.setOpaque(false);
         page.setBorder(Theme.padding(Theme.GRID));
         running.setOpaque(false);

@@ -14,6 +14,7 @@ import simgsm.ui.Lamp;
 import simgsm.ui.Theme;
 import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.TextLine;
+import vericommand.OrderCourse;
 import vericommand.VeriCommandSnapshot;
 
 /** VeriCommand's state: the keys received, the order in words, the verdict, the replies. */
@@ -27,19 +28,32 @@ public final class VeriCommandPanel extends JPanel {
     private final Keycaps keys;
     private final TextLine words = new TextLine("order.words", Theme::strong, Ink.TEXT);
     private final Lamp verdict;
+    private final Lamp course;
+    private final Locale language;
     private final ReplyLabels replies;
     private final TextLine reply = new TextLine("order.reply", Theme::small, Ink.QUIET).overTwoRows();
 
     public VeriCommandPanel(TextBundle texts, Locale language) {
         super(new BorderLayout());
         this.texts = texts;
+        this.language = language;
         setOpaque(false);
         keys = new Keycaps(texts.of("order.keys"));
         keys.setName("order.keys");
         verdict = new Lamp(texts.of("order.verdict"));
         verdict.setName("order.verdict");
+        course = new Lamp(texts.of("order.course"));
+        course.setName("order.course");
         replies = new ReplyLabels(language);
-        JPanel content = Arrange.column(6, from, keys, words, verdict, Arrange.spring(), replies, reply);
+        JPanel content = Arrange.column(
+                6,
+                from,
+                keys,
+                words,
+                Arrange.row(Theme.GRID, verdict, Arrange.growing(course)),
+                Arrange.spring(),
+                replies,
+                reply);
         card = new Card(texts.of("order.title"), content);
         add(card, BorderLayout.CENTER);
     }
@@ -65,10 +79,12 @@ public final class VeriCommandPanel extends JPanel {
             keys.show("?".repeat(order.keys().length()), 0);
             words.show("");
             verdict.show(StatusMark.HALF_DISC, Ink.QUIET, texts.of("order.hidden"));
+            course.setVisible(false);
         } else {
             keys.show(order.keys(), order.failingPosition());
             words.show(order.words());
             showVerdict(order);
+            showCourse(order.course());
         }
         replies.show(order.message() ? order.replies() : tones(line.tones()));
         reply.show(newest(order.replies()));
@@ -91,12 +107,10 @@ public final class VeriCommandPanel extends JPanel {
     private void showVerdict(VeriCommandSnapshot order) {
         switch (order.verdictWord()) {
             case "accepted" -> {
-                boolean going = order.underWay();
-                StatusMark mark = going ? StatusMark.ARROW : StatusMark.TICK;
                 String said = isCompact && !order.words().isEmpty() ? order.words() : order.verdictText();
-                verdict.show(mark, going ? Ink.ACCENT : Ink.GOOD, said);
+                verdict.show(StatusMark.TICK, Ink.TEXT, said);
             }
-            case VeriCommandSnapshot.STOPPED -> verdict.show(StatusMark.SQUARE, Ink.WARNING, order.verdictText());
+            case VeriCommandSnapshot.UNFINISHED -> verdict.show(StatusMark.SQUARE, Ink.WARNING, order.verdictText());
             case "refused" -> verdict.show(StatusMark.CROSS, Ink.WARNING, order.verdictText());
             case "invalid" -> verdict.show(StatusMark.CROSS, Ink.DANGER, order.verdictText());
             default -> {
@@ -104,6 +118,22 @@ public final class VeriCommandPanel extends JPanel {
                 verdict.show(
                         order.keys().isEmpty() ? StatusMark.RING : StatusMark.HALF_DISC, Ink.QUIET, texts.of(waiting));
             }
+        }
+    }
+
+    /** Beside the verdict, which tells only whether the order was accepted: what has become of it. */
+    private void showCourse(OrderCourse now) {
+        course.setVisible(now != OrderCourse.NONE);
+        String said = now.words(language);
+        switch (now) {
+            case NONE -> {}
+            case UNDER_WAY -> course.show(StatusMark.ARROW, Ink.ACCENT, said);
+            case EXECUTED -> course.show(StatusMark.DISC, Ink.GOOD, said);
+            case COLLISION -> course.show(StatusMark.BURST, Ink.DANGER, said);
+            case INFINITE_LOOP -> course.show(StatusMark.RING, Ink.DANGER, said);
+            case NOT_POSSIBLE -> course.show(StatusMark.CROSS, Ink.WARNING, said);
+            case STOPPED, BROKEN_OFF -> course.show(StatusMark.SQUARE, Ink.WARNING, said);
+            case CALL_ENDED -> course.show(StatusMark.SLASHED_RING, Ink.WARNING, said);
         }
     }
 

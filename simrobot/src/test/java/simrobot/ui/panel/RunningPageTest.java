@@ -23,7 +23,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.draw.Appearance;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.Divider;
 import simgsm.ui.Theme;
+import vericommand.OrderCourse;
 import vericommand.VeriCommandSnapshot;
 
 /** SimRobot's page in the sizes that the demo gives its window; the frame takes 4 by 28 pixels of them. */
@@ -127,7 +129,17 @@ class RunningPageTest {
     void aPresentationHasOnlyTheFloorAndOneLine() throws Exception {
         WindowBench bench = bench(Locale.ENGLISH, 1100, 800);
         VeriCommandSnapshot order = new VeriCommandSnapshot(
-                "5550100", false, true, true, "**#**20**", "forward 20 cm", "accepted", "", 0, List.of());
+                "5550100",
+                false,
+                true,
+                true,
+                "**#**20**",
+                "forward 20 cm",
+                "accepted",
+                "",
+                OrderCourse.UNDER_WAY,
+                0,
+                List.of());
         bench.lines = List.of(WindowBench.line("robot", true, true, order, "163"));
         bench.show();
         press(bench);
@@ -207,47 +219,90 @@ class RunningPageTest {
         assertEquals("Status: Collision, no", bench.spoken("status.collision"));
     }
 
-    // ---- dragged gaps
+    // ---- dividers
 
-    private static RunningPage page(WindowBench bench) {
-        return (RunningPage) SwingUtilities.getAncestorOfClass(RunningPage.class, bench.floor());
+    private static Divider divider(WindowBench bench, String id) {
+        return (Divider) bench.component("divider." + id);
     }
 
-    private static void mouse(Component page, int id, int x, int y, int clicks) {
+    private static void mouse(Component at, int id, int x, int y, int clicks) {
         int held = id == MouseEvent.MOUSE_RELEASED ? 0 : InputEvent.BUTTON1_DOWN_MASK;
-        page.dispatchEvent(new MouseEvent(page, id, 0, held, x, y, clicks, false, MouseEvent.BUTTON1));
+        at.dispatchEvent(new MouseEvent(at, id, 0, held, x, y, clicks, false, MouseEvent.BUTTON1));
     }
 
-    private static void drag(WindowBench bench, int x, int y, int toX, int toY) {
-        RunningPage page = page(bench);
-        mouse(page, MouseEvent.MOUSE_PRESSED, x, y, 1);
-        mouse(page, MouseEvent.MOUSE_DRAGGED, (x + toX) / 2, (y + toY) / 2, 1);
-        mouse(page, MouseEvent.MOUSE_DRAGGED, toX, toY, 1);
-        mouse(page, MouseEvent.MOUSE_RELEASED, toX, toY, 1);
+    private static void drag(WindowBench bench, String id, int dx, int dy) {
+        Divider divider = divider(bench, id);
+        mouse(divider, MouseEvent.MOUSE_PRESSED, 3, 3, 1);
+        mouse(divider, MouseEvent.MOUSE_DRAGGED, 3 + dx / 2, 3 + dy / 2, 1);
+        mouse(divider, MouseEvent.MOUSE_DRAGGED, 3 + dx, 3 + dy, 1);
+        mouse(divider, MouseEvent.MOUSE_RELEASED, 3 + dx, 3 + dy, 1);
         bench.resize(1100, 800).resize(1100, 800);
+    }
+
+    private static void press(WindowBench bench, String id, int key, int modifiers) {
+        Divider divider = divider(bench, id);
+        Object bound = divider.getInputMap().get(KeyStroke.getKeyStroke(key, modifiers));
+        divider.getActionMap().get(bound).actionPerformed(new ActionEvent(divider, 0, ""));
+        bench.resize(1100, 800).resize(1100, 800);
+    }
+
+    private static WindowBench inACall() throws Exception {
+        WindowBench bench = new WindowBench("demo.map", Locale.ENGLISH, "anna");
+        bench.lines = List.of(WindowBench.line("anna", true, false, WindowBench.noOrders(), ""));
+        return bench.show().resize(1100, 800).resize(1100, 800);
     }
 
     @Test
-    void theGapsBetweenThePartsAreDraggedAndADoubleClickPutsThemBack() throws Exception {
-        WindowBench bench = new WindowBench("demo.map", Locale.ENGLISH, "anna");
-        bench.lines = List.of(WindowBench.line("anna", true, false, WindowBench.noOrders(), ""));
-        bench.show().resize(1100, 800).resize(1100, 800);
+    void dividersAreDraggedAndADoubleClickPutsThemBack() throws Exception {
+        WindowBench bench = inACall();
         Component floor = bench.floor().getParent();
         int width = floor.getWidth();
         int height = floor.getHeight();
-        int right = floor.getX() + width + 4;
-        int below = floor.getY() + height + 4;
-        drag(bench, right, floor.getY() + 50, right - 60, floor.getY() + 50);
+        drag(bench, "inspector", -60, 0);
         assertEquals(width - 60, floor.getWidth(), 1);
-        drag(bench, floor.getX() + 90, below, floor.getX() + 90, below + 40);
+        drag(bench, "row", 0, 40);
         assertEquals(height + 40, floor.getHeight(), 1);
-        drag(bench, floor.getX() + 90, below + 40, floor.getX() + 90, 0);
+        drag(bench, "row", 0, -800);
         assertEquals(160, floor.getHeight(), 1, "the floor keeps its least height");
-        mouse(page(bench), MouseEvent.MOUSE_CLICKED, floor.getX() + 90, floor.getY() + 160 + 4, 2);
-        mouse(page(bench), MouseEvent.MOUSE_CLICKED, right - 60, floor.getY() + 50, 2);
+        mouse(divider(bench, "row"), MouseEvent.MOUSE_CLICKED, 3, 3, 2);
+        mouse(divider(bench, "inspector"), MouseEvent.MOUSE_CLICKED, 3, 3, 2);
         bench.resize(1100, 800).resize(1100, 800);
         assertEquals(width, floor.getWidth());
         assertEquals(height, floor.getHeight());
+    }
+
+    @Test
+    void dividersAreMovedByKeys() throws Exception {
+        WindowBench bench = inACall();
+        Component floor = bench.floor().getParent();
+        int width = floor.getWidth();
+        int height = floor.getHeight();
+        press(bench, "inspector", KeyEvent.VK_LEFT, 0);
+        press(bench, "inspector", KeyEvent.VK_UP, 0);
+        assertEquals(width - 16, floor.getWidth());
+        press(bench, "inspector", KeyEvent.VK_RIGHT, InputEvent.SHIFT_DOWN_MASK);
+        assertEquals(width - 15, floor.getWidth());
+        press(bench, "row", KeyEvent.VK_DOWN, 0);
+        assertEquals(height + 16, floor.getHeight());
+        press(bench, "row", KeyEvent.VK_HOME, 0);
+        assertEquals(160, floor.getHeight(), 1, "the floor keeps its least height");
+        press(bench, "row", KeyEvent.VK_END, 0);
+        assertTrue(floor.getHeight() > height + 16, "the modem has its least height");
+        press(bench, "row", KeyEvent.VK_ENTER, 0);
+        press(bench, "inspector", KeyEvent.VK_ENTER, 0);
+        assertEquals(width, floor.getWidth());
+        assertEquals(height, floor.getHeight());
+    }
+
+    @Test
+    void onlyDividersInAGapTakeTheFocus() throws Exception {
+        WindowBench bench = inACall();
+        assertTrue(divider(bench, "row").isVisible());
+        assertTrue(divider(bench, "orders").isVisible());
+        assertFalse(divider(bench, "column").isVisible());
+        bench.resize(1900, 1000).resize(1900, 1000);
+        assertFalse(divider(bench, "row").isVisible());
+        assertTrue(divider(bench, "column").isVisible());
     }
 
     /** At 1366x768 the demo gives the window so little height that list and sheet did not both have room. */

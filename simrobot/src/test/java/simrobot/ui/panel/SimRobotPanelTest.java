@@ -29,6 +29,7 @@ import simgsm.ui.NumberedLabel;
 import simgsm.ui.Theme;
 import simrobot.ui.TelephoneSnapshot;
 import vericommand.Instruction;
+import vericommand.OrderCourse;
 import vericommand.RobotStatus;
 import vericommand.VeriCommandSnapshot;
 
@@ -367,10 +368,13 @@ class SimRobotPanelTest {
                 "forward 20 cm",
                 "accepted",
                 "accepted",
+                OrderCourse.EXECUTED,
                 0,
                 List.of("3 Done: #**20."));
         WindowBench bench = bench(WindowBench.line("robot", true, false, order, ""));
         assertEquals("Message from 5550100", bench.spoken("order.from"));
+        assertEquals("Verdict: accepted", bench.spoken("order.verdict"));
+        assertEquals("Outcome: executed", bench.spoken("order.course"));
         assertEquals("3 Done: #**20.", bench.spoken("order.reply"));
         assertEquals("3 executed", bench.spoken("reply.3"));
     }

@@ -37,6 +37,7 @@ import simrobot.ui.floor.WorldView;
 import simrobot.world.MapWriter;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
+import vericommand.OrderCourse;
 import vericommand.Pose;
 import vericommand.VeriCommandSnapshot;
 
@@ -193,11 +194,12 @@ public final class WindowBench implements OperatorActions {
     }
 
     static VeriCommandSnapshot orders(String keys, String words, String verdict, String text, int fault) {
-        return new VeriCommandSnapshot("5550100", false, true, false, keys, words, verdict, text, fault, List.of());
+        return new VeriCommandSnapshot(
+                "5550100", false, true, false, keys, words, verdict, text, OrderCourse.NONE, fault, List.of());
     }
 
     static VeriCommandSnapshot noOrders() {
-        return new VeriCommandSnapshot("", false, false, false, "", "", "", "", 0, List.of());
+        return new VeriCommandSnapshot("", false, false, false, "", "", "", "", OrderCourse.NONE, 0, List.of());
     }
 
     // ---- what the operator did

@@ -4,12 +4,12 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JSplitPane;
 import simgsm.cells.radio.Propagation;
 import simgsm.cells.snapshot.MobileState;
 import simgsm.cells.snapshot.TownActions;
@@ -19,6 +19,8 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simgsm.ui.DividedPanel;
+import simgsm.ui.Divider;
 import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Theme;
 
@@ -37,7 +39,6 @@ public final class TownPanel extends JPanel {
     private final MobileCard mobile;
     private final PassingStrip strip;
     private final List<TowerRow> rows = new ArrayList<>();
-    private final JSplitPane split;
     private Optional<String> selected = Optional.empty();
     private TownSnapshot snapshot;
     private double shownZoom;
@@ -66,10 +67,13 @@ public final class TownPanel extends JPanel {
         JPanel mapSheet = new JPanel(new BorderLayout());
         mapSheet.setOpaque(false);
         mapSheet.add(map, BorderLayout.CENTER);
-        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, new Card(mapSheet), side(texts, town, first));
-        split.setResizeWeight(1);
-        split.setBorder(null);
-        split.setOpaque(false);
+        Divider divider = new Divider(
+                "divider.mobile",
+                texts.of("divider.mobile"),
+                Locale.forLanguageTag(texts.of("language.tag")),
+                LEAST_SIDE_UNITS);
+        JPanel split = new DividedPanel(
+                true, new Card(mapSheet), side(texts, town, first), divider, LEAST_MAP_UNITS, TownPanel::sideWidth);
         add(Arrange.column(MARGIN_UNITS, header, Arrange.growing(split), new Card(strip)), BorderLayout.CENTER);
         dress();
         show(first);
@@ -95,6 +99,10 @@ public final class TownPanel extends JPanel {
         scroll.setOpaque(false);
         scroll.getViewport().setOpaque(false);
         return scroll;
+    }
+
+    private static int sideWidth(int room) {
+        return Math.max(Theme.px(LEAST_SIDE_UNITS), Math.min(Theme.px(SIDE_UNITS), room - Theme.px(LEAST_MAP_UNITS)));
     }
 
     private void select(String number) {
@@ -132,7 +140,7 @@ public final class TownPanel extends JPanel {
     @Override
     public void updateUI() {
         super.updateUI();
-        if (split != null) {
+        if (strip != null) {
             dress();
         }
     }
@@ -143,10 +151,6 @@ public final class TownPanel extends JPanel {
         if (shownZoom != Theme.zoom()) {
             shownZoom = Theme.zoom();
             setPreferredSize(new Dimension(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height)));
-            split.getLeftComponent().setMinimumSize(new Dimension(Theme.px(LEAST_MAP_UNITS), 0));
-            split.getRightComponent().setMinimumSize(new Dimension(Theme.px(LEAST_SIDE_UNITS), 0));
-            split.getRightComponent().setPreferredSize(new Dimension(Theme.px(SIDE_UNITS), 0));
-            split.resetToPreferredSizes();
         }
     }
 }

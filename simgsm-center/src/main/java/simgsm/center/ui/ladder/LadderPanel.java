@@ -5,12 +5,12 @@ import java.awt.Dimension;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import java.util.Locale;
 import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JSplitPane;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
@@ -19,6 +19,8 @@ import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DividedPanel;
+import simgsm.ui.Divider;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -36,6 +38,9 @@ public final class LadderPanel extends JPanel {
     /** The ladder's share of the height above the message, until the user moves the divider. */
     private static final double LADDER_SHARE = 0.5;
 
+    /** Of ladder and message, where the divider is moved. */
+    private static final int LEAST_UNITS = 60;
+
     private final TextBundle texts;
     private final LadderModel model = new LadderModel();
     private final LadderCell cell = new LadderCell();
@@ -49,16 +54,13 @@ public final class LadderPanel extends JPanel {
     private final JButton clear;
     private final JButton undo;
     private final JButton save;
-    private final JSplitPane split;
+    private final DividedPanel split;
     private final LadderSaving saving;
     private Runnable whenChosen = () -> {};
     private List<String> terminals = List.of();
     private boolean isHeadingWanted = true;
     private boolean isDetailElsewhere;
-    private double share = LADDER_SHARE;
     /** Whether the divider has its place; until then, moves of it are the layout's. */
-    private boolean isPlaced;
-
     public LadderPanel(TextBundle texts) {
         super(new BorderLayout());
         this.texts = texts;
@@ -76,11 +78,14 @@ public final class LadderPanel extends JPanel {
         save = button("ladder.save", "window.ladder.save", Symbol.SAVE, this::save);
         new UserAction("ladder.undo.key", texts.of("window.ladder.undo"), this::unclear)
                 .bind(list, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_Z, InputEvent.CTRL_DOWN_MASK));
-        split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, listPane(), null);
-        split.setResizeWeight(LADDER_SHARE);
-        split.setBorder(null);
-        split.setOpaque(false);
-        split.addPropertyChangeListener(JSplitPane.DIVIDER_LOCATION_PROPERTY, moved -> dividerMoved());
+        Divider divider = new Divider(
+                "divider.message",
+                texts.of("divider.message"),
+                Locale.forLanguageTag(texts.of("window.language")),
+                LEAST_UNITS);
+        split = new DividedPanel(
+                false, listPane(), detail, divider, LEAST_UNITS, room -> (int) (room * (1 - LADDER_SHARE)));
+        split.showSecond(false);
         add(tools(), BorderLayout.NORTH);
         add(split, BorderLayout.CENTER);
         list.addListSelectionListener(event -> chosen(list.getSelectedIndex()));
@@ -260,21 +265,10 @@ public final class LadderPanel extends JPanel {
     /** Below the ladder once a message is selected. */
     private void placeDetail() {
         boolean isHere = !isDetailElsewhere && list.getSelectedIndex() >= 0;
-        if (isHere != (split.getBottomComponent() == detail)) {
-            isPlaced = false;
-            split.setBottomComponent(isHere ? detail : null);
-            dress();
-            split.setDividerLocation(share);
+        if (isHere != split.hasSecond()) {
+            split.showSecond(isHere);
             split.validate();
-            isPlaced = isHere;
             list.ensureIndexIsVisible(list.getSelectedIndex());
-        }
-    }
-
-    private void dividerMoved() {
-        int room = split.getHeight() - split.getDividerSize();
-        if (isPlaced && room > 0) {
-            share = Math.min(1, split.getDividerLocation() / (double) room);
         }
     }
 
@@ -308,7 +302,6 @@ public final class LadderPanel extends JPanel {
 
     private void dress() {
         heading.setFont(Theme.title());
-        split.setDividerSize(split.getBottomComponent() == null ? 0 : Theme.px(Theme.GRID));
         list.fit();
     }
 }
