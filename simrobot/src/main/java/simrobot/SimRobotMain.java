@@ -28,6 +28,7 @@ import simrobot.app.BatchRun;
 import simrobot.app.HeadlessReplay;
 import simrobot.app.ListeningPorts;
 import simrobot.app.ModemCheckRun;
+import simrobot.app.RecentWorlds;
 import simrobot.app.ReplayModel;
 import simrobot.app.RequestedBehaviours;
 import simrobot.app.RequestedRobots;
@@ -80,7 +81,9 @@ public final class SimRobotMain {
                     arguments.value("modem-check", LineAddress::parse).orElseThrow(), Program.standardOutput());
         }
         VeriCommandSettings settings = SimRobotOptions.settings(arguments);
-        World world = WorldFile.read(arguments.path("world"), WorldFile.resolution(arguments));
+        RecentWorlds recent = RecentWorlds.of(arguments);
+        Optional<Path> first = recent.first(given);
+        World world = WorldFile.read(first, WorldFile.resolution(arguments));
         if (arguments.has("print-world")) {
             WorldPrinter.print(world, Program.standardOutput());
             return ExitStatus.OK;
@@ -103,7 +106,8 @@ public final class SimRobotMain {
                         ProgramWindow.of(arguments, Optional.empty()),
                         built,
                         ports,
-                        WorldFile.find(arguments.path("world")));
+                        WorldFile.find(first),
+                        recent);
     }
 
     private static int replay(Arguments arguments)
@@ -143,7 +147,12 @@ public final class SimRobotMain {
     private record Built(Simulation simulation, SimRobot simRobot, Fleet fleet, RequestedBehaviours behaviours) {}
 
     private static int windowed(
-            Arguments arguments, ProgramWindow window, Built built, ListeningPorts opened, Path worldFile)
+            Arguments arguments,
+            ProgramWindow window,
+            Built built,
+            ListeningPorts opened,
+            Path worldFile,
+            RecentWorlds recent)
             throws UsageException, IOException, InterruptedException {
         Locale language = arguments.language();
         try (SessionRecording record = new SessionRecording(built.simRobot().simulation());
@@ -159,7 +168,8 @@ public final class SimRobotMain {
                 out.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
                 window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
             });
-            WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, new RefusalTexts(language));
+            WindowModel model =
+                    new WindowModel(simRobot, built.fleet(), ports, worldFile, recent, new RefusalTexts(language));
             model.setResolution(WorldFile.resolution(arguments));
             simRobot.start();
             ports.start();

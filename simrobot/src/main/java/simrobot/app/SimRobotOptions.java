@@ -43,7 +43,8 @@ public final class SimRobotOptions {
                 .value(
                         "world",
                         "FILE",
-                        "the world: ARIA .map, Saphira .wld, ROS map.yaml with PGM or PNG, or PNG (worlds/demo.map)")
+                        "the world: ARIA .map, Saphira .wld, ROS map.yaml with PGM or PNG, or PNG (worlds/demo.map;"
+                                + "\na window that you start yourself: the world chosen last)")
                 .value("resolution", "METRES", "the width of a pixel of --world FILE.png")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
                 .value("codec", "alaw|gsm", "how the modem's speech is coded; it understands both (alaw)")

@@ -17,7 +17,6 @@ import java.util.function.Predicate;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.speech.CallMonitor;
-import simrobot.bitmap.BitmapWorld;
 import simrobot.control.FileExports;
 import simrobot.control.Fleet;
 import simrobot.control.RobotEvent;
@@ -56,6 +55,7 @@ public final class WindowModel implements OperatorActions {
     private final List<Line> lines = new CopyOnWriteArrayList<>();
     private final ExecutorService worker = Executors.newSingleThreadExecutor(WindowModel::daemon);
     private final WorldFileWatch watch;
+    private final RecentWorlds recent;
     private volatile Path worldFile;
     private volatile OptionalDouble resolutionMeters = OptionalDouble.empty();
     private volatile String notice = "";
@@ -88,7 +88,14 @@ public final class WindowModel implements OperatorActions {
     }
 
     /** To be constructed before the start, for it listens to the robots. */
-    public WindowModel(SimRobot simRobot, Fleet fleet, ListeningPorts ports, Path worldFile, RefusalTexts refusals) {
+    public WindowModel(
+            SimRobot simRobot,
+            Fleet fleet,
+            ListeningPorts ports,
+            Path worldFile,
+            RecentWorlds recent,
+            RefusalTexts refusals) {
+        this.recent = recent;
         this.refusals = refusals;
         this.worldFile = worldFile;
         watch = new WorldFileWatch(worker, worldFile);
@@ -293,7 +300,16 @@ public final class WindowModel implements OperatorActions {
 
     @Override
     public void load(Path file) {
-        worker.execute(() -> read(file));
+        worker.execute(() -> {
+            if (read(file)) {
+                recent.add(file);
+            }
+        });
+    }
+
+    @Override
+    public List<Path> recentWorlds() {
+        return recent.files();
     }
 
     @Override
@@ -322,6 +338,7 @@ public final class WindowModel implements OperatorActions {
                 if (file.equals(worldFile)) {
                     watch.setCurrent(file);
                 }
+                recent.add(file);
                 answer.accept(Optional.empty());
             } catch (IOException unwritable) {
                 answer.accept(Optional.of(refusals.unwritable(file, unwritable)));
@@ -339,14 +356,14 @@ public final class WindowModel implements OperatorActions {
                 failure -> answer.accept(failure.map(why -> refusals.unwritable(file, why))));
     }
 
-    /** Loads a world; a file that cannot be read changes nothing and is reported. */
-    void read(Path file) {
-        read(file, owned -> true);
+    /** Loads a world; a file that cannot be read changes nothing and is reported. @return whether it could be read */
+    boolean read(Path file) {
+        return read(file, owned -> true);
     }
 
-    private void read(Path file, Predicate<Simulation> permitted) {
+    private boolean read(Path file, Predicate<Simulation> permitted) {
         try {
-            World world = BitmapWorld.read(file, resolutionMeters);
+            World world = WorldFile.read(Optional.of(file), resolutionMeters);
             simulation.withSimulation(owned -> {
                 if (!permitted.test(owned)) {
                     return;
@@ -360,8 +377,10 @@ public final class WindowModel implements OperatorActions {
                     tell(refusals.tooSmall(world.name()));
                 }
             });
+            return true;
         } catch (IOException unreadable) {
             tell(refusals.unreadable(file, unreadable));
+            return false;
         }
     }
 

@@ -1,6 +1,7 @@
 package simrobot.ui;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.dtmf.ToneExperiment;
@@ -68,6 +69,11 @@ public interface OperatorActions {
 
     /** Shows a message as {@link WindowSnapshot#notice}. */
     void tell(String message);
+
+    /** The worlds that the user has chosen lately, the newest first. */
+    default List<Path> recentWorlds() {
+        return List.of();
+    }
 
     /** Loads another world; errors are shown as a notice. */
     default void load(Path worldFile) {}

@@ -14,6 +14,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -55,6 +56,7 @@ class WindowModelTest {
     private SimulatedRobot robot;
     private WindowModel model;
     private Fleet fleet;
+    private final RecentWorlds recent = new RecentWorlds(Optional.empty());
     private final List<Placement> placements = new CopyOnWriteArrayList<>();
 
     @BeforeEach
@@ -90,6 +92,7 @@ class WindowModelTest {
                 fleet,
                 ListeningPorts.open(plain, simRobot),
                 WORLDS.resolve("empty.map"),
+                recent,
                 new RefusalTexts(language));
     }
 
@@ -207,6 +210,18 @@ class WindowModelTest {
         assertEquals("office.map", model.snapshot().worldFile().getFileName().toString());
         assertEquals("", model.snapshot().notice());
         assertEquals(9, robot.xMeters());
+    }
+
+    @Test
+    void aWorldThatTheUserLoadsIsAmongTheRecentOnes() throws Exception {
+        Path office = WORLDS.resolve("office.map").toAbsolutePath().normalize();
+        model.load(Files.writeString(folder.resolve("broken.map"), "2D-Map\nLINES\n1 2 3\n"));
+        model.load(office);
+        Path saved = folder.resolve("saved.map").toAbsolutePath();
+        CountDownLatch written = new CountDownLatch(1);
+        model.save(World.bare(), saved, refusal -> written.countDown());
+        written.await();
+        assertEquals(List.of(saved, office), model.recentWorlds());
     }
 
     @Test

@@ -62,6 +62,7 @@ class SimRobotTextsTest {
                     sources.indexOf('"' + key + '"') >= 0
                             || composed
                                     && sources.indexOf('"' + key.substring(5).replace(".word", "") + '"') >= 0
+                            || key.startsWith("world.about.") && sources.indexOf('"' + last + ".map\"") >= 0
                             || isOfTheEditor(key, last, sources)
                             || isStatus(last),
                     key);

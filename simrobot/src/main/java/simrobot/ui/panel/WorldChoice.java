@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -16,7 +17,10 @@ import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
+import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.ToolButtons;
@@ -65,11 +69,27 @@ public final class WorldChoice {
 
     public JPopupMenu menu() {
         JPopupMenu menu = new JPopupMenu();
-        for (Path neighbour : neighbours()) {
+        List<Path> neighbours = neighbours();
+        for (Path neighbour : neighbours) {
             String name = neighbour.getFileName().toString();
-            menu.add(new UserAction("world." + name, name, () -> operator.load(neighbour)));
+            String shown = ShippedWorlds.about(texts, neighbour)
+                    .map(about -> name + "  \u2013  " + about)
+                    .orElse(name);
+            menu.add(loading(neighbour, shown));
         }
         menu.addSeparator();
+        List<Path> recent = operator.recentWorlds().stream()
+                .filter(world -> !neighbours.contains(world))
+                .toList();
+        if (!recent.isEmpty()) {
+            menu.add(ComponentNames.name(
+                    Theme.label(texts.of("tool.world.recent"), Theme::small, Ink.QUIET),
+                    "world.recent",
+                    texts.of("tool.world.recent")));
+            recent.forEach(
+                    world -> menu.add(loading(world, texts.of("tool.world.in", world.getFileName(), folder(world)))));
+            menu.addSeparator();
+        }
         menu.add(edit);
         menu.add(new UserAction("world.new", texts.of("tool.world.new"), () -> editing.accept(true)));
         menu.addSeparator();
@@ -78,17 +98,36 @@ public final class WorldChoice {
         return menu;
     }
 
-    /** The worlds in the folder of this one; none when it cannot be read. */
+    private UserAction loading(Path world, String shown) {
+        return new UserAction("world." + world.getFileName(), shown, () -> operator.load(world));
+    }
+
+    /** The folder, from the user's own where it lies in that. */
+    private static String folder(Path world) {
+        Path home = Path.of(System.getProperty("user.home", ""));
+        Path folder = world.getParent();
+        return folder.startsWith(home) ? "~/" + home.relativize(folder) : folder.toString();
+    }
+
+    /** The worlds in the folder of this one, the shipped ones first; those that the program carries where there is no folder. */
     private List<Path> neighbours() {
         Path folder = file.toAbsolutePath().getParent();
-        if (folder == null) {
-            return List.of();
+        if (folder == null || !Files.exists(file)) {
+            return ShippedWorlds.NAMES.stream().map(file::resolveSibling).toList();
         }
         try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(WorldChoice::isWorld).sorted().limit(30).toList();
+            return files.filter(WorldChoice::isWorld)
+                    .sorted(Comparator.comparingInt(WorldChoice::rank).thenComparing(Comparator.naturalOrder()))
+                    .limit(30)
+                    .toList();
         } catch (IOException | UncheckedIOException unreadable) {
             return List.of();
         }
+    }
+
+    private static int rank(Path world) {
+        int rank = ShippedWorlds.NAMES.indexOf(world.getFileName().toString());
+        return rank < 0 ? ShippedWorlds.NAMES.size() : rank;
     }
 
     private static boolean isWorld(Path candidate) {

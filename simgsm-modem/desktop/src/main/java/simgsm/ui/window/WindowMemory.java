@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
@@ -35,7 +36,8 @@ public final class WindowMemory {
 
     private final Path folder;
 
-    WindowMemory(Path folder) {
+    /** What is kept in a folder; it is made when something is kept. */
+    public WindowMemory(Path folder) {
         this.folder = folder;
     }
 
@@ -111,7 +113,7 @@ public final class WindowMemory {
     }
 
     /** The memory that {@link #recall} has read for a window; empty where nothing is remembered. */
-    static Optional<WindowMemory> of(Arguments arguments) {
+    public static Optional<WindowMemory> of(Arguments arguments) {
         return arguments.has(NAME) && !arguments.has("fresh") ? Optional.of(ofUser()) : Optional.empty();
     }
 
@@ -144,8 +146,22 @@ public final class WindowMemory {
         write(ALL_WINDOWS, values);
     }
 
+    /** Keeps a list under a name that no window has; at most 99 items. */
+    public void keepList(String name, List<String> items) {
+        Map<String, String> values = new TreeMap<>();
+        for (int i = 0; i < items.size(); i++) {
+            values.put(String.format(Locale.ROOT, "%02d", i), items.get(i));
+        }
+        write(name, values);
+    }
+
+    /** A list as it was kept; empty if none was. */
+    public List<String> list(String name) {
+        return List.copyOf(read(name).values());
+    }
+
     /** Removes all that was remembered. */
-    void forget() {
+    public void forget() {
         try (Stream<Path> files = Files.list(folder)) {
             for (Path file :
                     files.filter(each -> each.toString().endsWith(ENDING)).toList()) {
