@@ -1,6 +1,5 @@
 package simgsm.air;
 
-import java.util.Locale;
 import java.util.random.RandomGenerator;
 
 /**
@@ -11,6 +10,8 @@ import java.util.random.RandomGenerator;
 public record Imei(String digits) implements MobileIdentity {
     /** Type allocation code of the suite's terminals, from the range reserved for tests. */
     private static final String TYPE_ALLOCATION_CODE = "00101750";
+
+    private static final int SERIAL_DIGITS = 6;
 
     public Imei {
         if (!digits.matches("[0-9]{15}")) {
@@ -35,7 +36,8 @@ public record Imei(String digits) implements MobileIdentity {
      * @param serialNumber 0 to 999999
      */
     public static Imei of(String typeAllocationCode, int serialNumber) {
-        String body = typeAllocationCode + String.format(Locale.ROOT, "%06d", serialNumber);
+        String serial = Integer.toString(serialNumber);
+        String body = typeAllocationCode + "0".repeat(SERIAL_DIGITS - serial.length()) + serial;
         return new Imei(body + luhnDigit(body));
     }
 

@@ -1,7 +1,9 @@
 package simgsm.state;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -29,11 +31,10 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
     /** One row: in {@code state}, {@code event} leads to {@code next} and performs {@code actions}. */
     public record Row<S, E, A>(S state, E event, S next, List<A> actions) {}
 
-    private record Key<S, E>(S state, E event) {}
-
     private final String name;
     private final S initial;
-    private final Map<Key<S, E>, Row<S, E, A>> rows = new LinkedHashMap<>();
+    private final List<Row<S, E, A>> rows = new ArrayList<>();
+    private final Map<S, Map<E, Row<S, E, A>>> rowsByState;
     private Function<S, String> stateText = Enum::name;
     private Function<E, String> eventText = Enum::name;
 
@@ -46,6 +47,7 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
     public StateTable(String name, S initial) {
         this.name = name;
         this.initial = initial;
+        this.rowsByState = new EnumMap<>(initial.getDeclaringClass());
     }
 
     /**
@@ -96,9 +98,12 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
     }
 
     private void add(Row<S, E, A> row) {
-        if (rows.putIfAbsent(new Key<>(row.state, row.event), row) != null) {
+        Map<E, Row<S, E, A>> rowsByEvent =
+                rowsByState.computeIfAbsent(row.state, state -> new EnumMap<>(row.event.getDeclaringClass()));
+        if (rowsByEvent.putIfAbsent(row.event, row) != null) {
             throw new IllegalArgumentException(name + ": two rows for " + row.event + " in " + row.state);
         }
+        rows.add(row);
     }
 
     public String name() {
@@ -111,18 +116,18 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
 
     /** The row for an event in a state; empty when the event is refused there. */
     public Optional<Row<S, E, A>> row(S state, E event) {
-        return Optional.ofNullable(rows.get(new Key<>(state, event)));
+        return Optional.ofNullable(rowsByState.getOrDefault(state, Map.of()).get(event));
     }
 
     /** All rows, in the order in which they were added. */
     public Collection<Row<S, E, A>> rows() {
-        return List.copyOf(rows.values());
+        return List.copyOf(rows);
     }
 
     /** The states that can directly follow a state, itself included where a row keeps it. */
     public Set<S> successors(S state) {
         Set<S> next = EnumSet.noneOf(initial.getDeclaringClass());
-        rows.values().stream().filter(row -> row.state == state).forEach(row -> next.add(row.next));
+        rows.stream().filter(row -> row.state == state).forEach(row -> next.add(row.next));
         return next;
     }
 
@@ -147,7 +152,7 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
 
     private Map<List<S>, Set<E>> arrows() {
         Map<List<S>, Set<E>> arrows = new LinkedHashMap<>();
-        for (Row<S, E, A> row : rows.values()) {
+        for (Row<S, E, A> row : rows) {
             if (row.state != row.next) {
                 arrows.computeIfAbsent(Arrays.asList(row.state, row.next), ends -> new LinkedHashSet<>())
                         .add(row.event);

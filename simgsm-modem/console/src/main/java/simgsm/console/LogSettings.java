@@ -51,13 +51,16 @@ final class LogSettings {
     }
 
     private static final class OneLine extends Formatter {
-        private static final DateTimeFormatter TIME =
-                DateTimeFormatter.ofPattern("HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
+        /** Made for the first record: most runs write none. */
+        private DateTimeFormatter time;
 
         @Override
         public String format(LogRecord record) {
+            if (time == null) {
+                time = DateTimeFormatter.ofPattern("HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
+            }
             String thrown = record.getThrown() == null ? "" : " (" + record.getThrown() + ")";
-            return TIME.format(Instant.ofEpochMilli(record.getMillis())) + " " + record.getLevel() + " "
+            return time.format(Instant.ofEpochMilli(record.getMillis())) + " " + record.getLevel() + " "
                     + record.getLoggerName() + ": " + formatMessage(record) + thrown + "\n";
         }
     }

@@ -14,7 +14,7 @@ public final class Options {
     private final String summary;
     private final Map<String, Option> options = new LinkedHashMap<>();
     private int maxArguments;
-    private String commands = "";
+    private CommandTable<?> commands;
 
     /**
      * @param usage a command line, as {@code java -jar simgsm-phone.jar --number N [options]}
@@ -48,7 +48,7 @@ public final class Options {
 
     /** Adds the console's commands to the help. */
     public Options commands(CommandTable<?> table) {
-        commands = "\nConsole commands, with --headless:\n" + table.reference();
+        commands = table;
         return this;
     }
 
@@ -135,7 +135,10 @@ public final class Options {
                         describe(text, "    --" + option.name, option.value == null ? "" : option.value, option.help));
         describe(text, "-h, --help", "", "print this and end");
         describe(text, "-V, --version", "", "print the version and end");
-        return text.append(commands).toString();
+        if (commands != null) {
+            text.append("\nConsole commands, with --headless:\n").append(commands.reference());
+        }
+        return text.toString();
     }
 
     /** Appends a name, its value and a text in two columns. */

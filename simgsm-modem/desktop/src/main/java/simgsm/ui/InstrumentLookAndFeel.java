@@ -104,26 +104,27 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         defaults.put(key, plain ? color : new ColorUIResource(color));
     }
 
-    /** Multiplies Nimbus's content margins by the zoom. */
-    private void margins() {
+    /** Multiplies Nimbus's content margins, and the sizes of the buttons in combo boxes, spinners and scroll bars, by the zoom. */
+    private void zoom() {
         for (Object key : defaults.keySet().toArray()) {
-            boolean margin = key.toString().endsWith(".contentMargins") || key.equals("ComboBox.padding");
-            if (margin && defaults.get(key) instanceof Insets in) {
-                defaults.put(
-                        key,
-                        new InsetsUIResource(scaled(in.top), scaled(in.left), scaled(in.bottom), scaled(in.right)));
+            String name = key.toString();
+            if (name.endsWith(".contentMargins") || name.equals("ComboBox.padding")) {
+                if (defaults.get(key) instanceof Insets in) {
+                    defaults.put(
+                            key,
+                            new InsetsUIResource(scaled(in.top), scaled(in.left), scaled(in.bottom), scaled(in.right)));
+                }
+            } else if (isButtonSize(name) && defaults.get(key) instanceof Integer size) {
+                defaults.put(key, scaled(size));
             }
         }
     }
 
-    /** Multiplies the sizes of the buttons in combo boxes, spinners and scroll bars by the zoom. */
-    private void arrowButtons() {
-        for (Object key : defaults.keySet().toArray()) {
-            if (key.toString().matches(".*(arrowButton|Spinner\\.(next|previous)Button)\"\\.size|ArrowButton\\.size")
-                    && defaults.get(key) instanceof Integer size) {
-                defaults.put(key, scaled(size));
-            }
-        }
+    private static boolean isButtonSize(String name) {
+        return name.endsWith("arrowButton\".size")
+                || name.endsWith("Spinner.nextButton\".size")
+                || name.endsWith("Spinner.previousButton\".size")
+                || name.endsWith("ArrowButton.size");
     }
 
     private static int scaled(int distance) {
@@ -133,8 +134,7 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
     private void sizes() {
         // four tabs side by side in the centre's window at 1280x720, in Spanish too
         defaults.put("TabbedPane:TabbedPaneTab.contentMargins", new InsetsUIResource(2, 5, 3, 5));
-        margins();
-        arrowButtons();
+        zoom();
         defaults.put("defaultFont", new FontUIResource(Theme.base()));
         defaults.put("CheckBox.icon", new ToggleIcon(FlatPainter.Kind.CHECK));
         defaults.put("RadioButton.icon", new ToggleIcon(FlatPainter.Kind.RADIO));

@@ -28,6 +28,11 @@ public final class Contacts {
             return;
         }
         knownVersion = book.version();
+        if (book.entries().isEmpty()) {
+            sorted = List.of();
+            names = Map.of();
+            return; // The collator's rules take milliseconds to read.
+        }
         Collator order = Collator.getInstance(Locale.ROOT);
         sorted = book.entries().entrySet().stream()
                 .map(entry -> new NamedNumber(
