@@ -110,18 +110,18 @@ final class SuiteWindows {
         return caller.handset().snapshot();
     }
 
-    /** The forms of a window: the centre's tabs and a chosen message, the phone's open scope, the robot as it is. */
+    /** The forms of a window: the centre's tabs and a chosen message, the phone's scope and events, the robot as it is. */
     static List<String> forms(Which which) {
         return switch (which) {
-            case PHONE -> List.of("closed", "scope");
+            case PHONE -> List.of("closed", "scope", "events");
             case ROBOT -> List.of("plain");
             case CENTER -> List.of("tab 0", "tab 1", "tab 2", "tab 3", "message");
         };
     }
 
     static void take(JComponent window, String form) {
-        if (form.equals("scope")) {
-            ((AbstractButton) ComponentNames.find(window, "scope.switch").orElseThrow()).doClick(0);
+        if (form.equals("scope") || form.equals("events")) {
+            ((AbstractButton) ComponentNames.find(window, form + ".switch").orElseThrow()).doClick(0);
         } else if (form.startsWith("tab")) {
             tabs(window).setSelectedIndex(form.charAt(form.length() - 1) - '0');
         } else if (form.equals("message")) {

@@ -12,6 +12,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.ReadingField;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 
@@ -25,10 +26,10 @@ final class PassingPanel extends JPanel {
     private static final int AREA_AND_PORT_COLUMNS = 10;
 
     private final TextBundle texts;
-    private final JTextField incoming = field();
-    private final JTextField intermediate = field();
-    private final JTextField outgoing = field();
-    private final JTextField message = field();
+    private final JTextField incoming = new ReadingField(NUMBER_COLUMNS);
+    private final JTextField intermediate = new ReadingField(NUMBER_COLUMNS);
+    private final JTextField outgoing = new ReadingField(NUMBER_COLUMNS);
+    private final JTextField message = new ReadingField(NUMBER_COLUMNS);
     private final JLabel firstArrow = new JLabel(Symbol.RIGHT.icon());
     private final JLabel secondArrow = new JLabel(Symbol.RIGHT.icon());
     private final JComponent numbers;
@@ -54,12 +55,6 @@ final class PassingPanel extends JPanel {
         name("tel.outgoing", outgoing, "window.tel.outgoing");
         name("message", message, "window.message");
         dress();
-    }
-
-    private static JTextField field() {
-        JTextField field = new JTextField(NUMBER_COLUMNS);
-        field.setEditable(false);
-        return field;
     }
 
     private void name(String name, JTextField field, String key) {

@@ -51,6 +51,7 @@ public final class Handset {
     private final Mailbox mailbox;
     private final CallLog log = new CallLog();
     private final CallHistory history;
+    private final HandsetLog events;
     private final Contacts contacts;
     private final PhoneImage image;
     private final ScreenNavigation screens;
@@ -99,7 +100,7 @@ public final class Handset {
         this.own = own;
         this.settings = settings;
         this.listener = listener;
-        Consumer<String> sent = run -> listener.accept(new HandsetEvent.KeysSent(run));
+        Consumer<String> sent = run -> report(new HandsetEvent.KeysSent(run));
         keysInBand = new KeySender(sent);
         keysSignalled = new SignalledKeySender(() -> station, sent);
         audio = new HandsetAudio(output, this::keySender, tones, this::toneHeard);
@@ -107,6 +108,7 @@ public final class Handset {
         mailbox = new Mailbox(wallClock);
         history = new CallHistory(log, wallClock);
         contacts = new Contacts(phoneBook);
+        events = new HandsetLog(wallClock, contacts::nameOf);
         image = new PhoneImage(phoneBook, log, mailbox);
         screens = new ScreenNavigation(mailbox, log, contacts, () -> this.settings, this::about);
         home = new HomeKeys(screens);
@@ -235,8 +237,7 @@ public final class Handset {
     public Optional<Refusal> play(short[] samples) {
         Optional<Refusal> refusal = call.refusalOfKeys();
         if (refusal.isEmpty()) {
-            audio.play(
-                    samples, () -> listener.accept(new HandsetEvent.SoundPlayed(samples.length / SAMPLES_PER_MILLI)));
+            audio.play(samples, () -> report(new HandsetEvent.SoundPlayed(samples.length / SAMPLES_PER_MILLI)));
         }
         return refusal;
     }
@@ -545,8 +546,7 @@ public final class Handset {
             deferred.add(event);
         } else {
             follow(event);
-            changed();
-            listener.accept(event);
+            report(event);
             checkSettled();
         }
     }
@@ -556,7 +556,7 @@ public final class Handset {
             followCall(ofCall);
         } else if (event instanceof StationEvent.KeysRefused refused) {
             screens.note(Note.Kind.KEYS_REFUSED, String.valueOf(refused.cause().code()));
-            listener.accept(new HandsetEvent.KeysNotSent(audio.dropKeys(), refused.cause()));
+            report(new HandsetEvent.KeysNotSent(audio.dropKeys(), refused.cause()));
         } else if (event instanceof StationEvent.OfKey ofKey) {
             keysSignalled.accept(ofKey);
         } else if (event instanceof StationEvent.OfMessage message) {
@@ -581,8 +581,13 @@ public final class Handset {
 
     private void toneHeard(DtmfKey key) {
         call.toneHeard(key);
+        report(new HandsetEvent.ToneHeard(key));
+    }
+
+    private void report(StationEvent event) {
+        events.accept(event);
         changed();
-        listener.accept(new HandsetEvent.ToneHeard(key));
+        listener.accept(event);
     }
 
     private boolean isPowered() {
@@ -607,6 +612,7 @@ public final class Handset {
                 settings,
                 audio.sounding(),
                 audio.trace(),
-                audio.isAudible());
+                audio.isAudible(),
+                events.entries());
     }
 }

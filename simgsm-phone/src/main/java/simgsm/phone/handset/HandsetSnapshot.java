@@ -26,6 +26,7 @@ import simgsm.station.StationSnapshot;
  * @param missed calls that the user has not looked at
  * @param sounding the key whose tone sounds now
  * @param audible whether there is a sound device
+ * @param log what just happened, oldest first
  */
 public record HandsetSnapshot(
         Msisdn own,
@@ -44,7 +45,8 @@ public record HandsetSnapshot(
         UserSettings settings,
         Optional<DtmfKey> sounding,
         ToneTrace trace,
-        boolean audible) {
+        boolean audible,
+        List<HandsetLog.Entry> log) {
 
     public List<StoredMessage> in(MessageFolder folder) {
         return switch (folder) {

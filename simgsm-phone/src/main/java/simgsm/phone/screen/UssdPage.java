@@ -1,8 +1,5 @@
 package simgsm.phone.screen;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import simgsm.phone.screen.KeyIntent.Simple;
@@ -49,13 +46,7 @@ final class UssdPage extends ScreenPage {
 
     /** How a service stands, in words. */
     private TextPage answerPage(ServiceStatus status) {
-        List<Words> lines = new ArrayList<>();
-        lines.add(Words.of(
-                status.isActive()
-                        ? "service.active"
-                        : status.isRegistered() ? "service.registered" : "service.inactive"));
-        status.forwardedTo().ifPresent(number -> lines.add(Words.of("service.to", names.apply(number))));
-        return TextPage.of(stack, Words.of("service." + status.service().name().toLowerCase(Locale.ROOT)), () -> lines);
+        return TextPage.of(stack, ServiceWords.title(status), () -> ServiceWords.lines(status, names));
     }
 
     private void show() {

@@ -4,6 +4,7 @@ import java.util.Locale;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
+import simgsm.air.RpCause;
 import simgsm.console.TextBundle;
 import simgsm.phone.store.StoredMessage;
 
@@ -13,6 +14,11 @@ final class CauseText {
 
     /** The reason for the end of a call. */
     static String of(TextBundle texts, Cause cause) {
+        return of(texts, cause.code(), cause.title());
+    }
+
+    /** The reason why a message was not sent. */
+    static String of(TextBundle texts, RpCause cause) {
         return of(texts, cause.code(), cause.title());
     }
 

@@ -17,7 +17,6 @@ import simgsm.ui.Theme;
 final class HandsetLayout implements LayoutManager2 {
     static final double WIDTH = 320;
     static final double CLOSED_HEIGHT = 624;
-    static final double OPEN_HEIGHT = 1000;
 
     private static final double PAD_TOP = 232;
 
@@ -26,12 +25,15 @@ final class HandsetLayout implements LayoutManager2 {
     static final Rectangle2D SIGNAL = new Rectangle2D.Double(270, 16, 26, 18);
     static final Rectangle2D LCD = new Rectangle2D.Double(20, 44, 280, 180);
     static final Rectangle2D PAD = new Rectangle2D.Double(112, PAD_TOP, 96, 96);
-    static final Rectangle2D SCOPE_SWITCH = new Rectangle2D.Double(20, 580, 150, 28);
-    static final Rectangle2D SOUND = new Rectangle2D.Double(180, 580, 120, 28);
-    /** The background of the scope. */
-    static final Rectangle2D SCREEN = new Rectangle2D.Double(20, 610, 280, 368);
+    static final Rectangle2D SCOPE_SWITCH = new Rectangle2D.Double(20, 580, 96, 28);
+    static final Rectangle2D EVENTS_SWITCH = new Rectangle2D.Double(120, 580, 76, 28);
+    static final Rectangle2D SOUND = new Rectangle2D.Double(200, 580, 100, 28);
+
+    private static final double FOLD_TOP = 610;
+    private static final double FOLD_BELOW = 8;
 
     static final Rectangle2D SCOPE = new Rectangle2D.Double(30, 620, 260, 350);
+    static final Rectangle2D EVENTS = new Rectangle2D.Double(26, 616, 268, 120);
 
     private static final double KEY_TOP = 336;
     private static final double KEY_WIDTH = 88;
@@ -48,18 +50,23 @@ final class HandsetLayout implements LayoutManager2 {
     private static final double LOWER_HEIGHT = 26;
 
     private final Map<Component, Rectangle2D> places = new HashMap<>();
-    private boolean open;
+    private HandsetFold fold = HandsetFold.NONE;
 
-    void setOpen(boolean nowOpen) {
-        open = nowOpen;
+    void setFold(HandsetFold next) {
+        fold = next;
     }
 
-    boolean isOpen() {
-        return open;
+    HandsetFold fold() {
+        return fold;
     }
 
     double height() {
-        return open ? OPEN_HEIGHT : CLOSED_HEIGHT;
+        return CLOSED_HEIGHT + fold.heightUnits();
+    }
+
+    /** The background of what is open. */
+    Rectangle2D screen() {
+        return new Rectangle2D.Double(20, FOLD_TOP, 280, fold.heightUnits() - FOLD_BELOW);
     }
 
     static double heightOf(PhoneKey key) {

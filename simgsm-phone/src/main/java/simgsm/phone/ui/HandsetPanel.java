@@ -3,11 +3,14 @@ package simgsm.phone.ui;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Window;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.geom.Rectangle2D;
 import java.time.Clock;
 import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
+import javax.swing.Action;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -28,7 +31,7 @@ import simgsm.ui.UserAction;
 import simgsm.ui.scope.ToneScopePanel;
 import simgsm.ui.window.Display;
 
-/** The handset: display, keys, and a tone scope that folds open below. Scales as a whole with the panel. */
+/** The handset: display, keys, and below them the tone scope or the events, folded open. Scales as a whole with the panel. */
 public final class HandsetPanel extends JPanel {
     private final HandsetLayout layout = new HandsetLayout();
     private final Locale language;
@@ -37,7 +40,9 @@ public final class HandsetPanel extends JPanel {
     private final Lamp link;
     private final SignalBars signal;
     private final ToneScopePanel scope;
+    private final EventsPanel events;
     private final JButton scopeSwitch;
+    private final JButton eventsSwitch;
     private final JLabel sound = new JLabel();
     private final Map<PhoneKey, PhoneKeyButton> keys = new EnumMap<>(PhoneKey.class);
     private HandsetSnapshot shown;
@@ -65,27 +70,40 @@ public final class HandsetPanel extends JPanel {
             add(button, HandsetLayout.placeOf(key));
         }
         scope = new ToneScopePanel(language, controls::tryOut);
-        scope.setVisible(false);
         add(scope, HandsetLayout.SCOPE);
         scopeSwitch =
-                new JButton(new UserAction("scope.switch", texts.of("scope.open"), () -> setScopeOpen(!isScopeOpen())));
-        scopeSwitch.setContentAreaFilled(false);
-        scopeSwitch.setHorizontalAlignment(JButton.LEADING);
-        scopeSwitch.setRequestFocusEnabled(false);
-        add(ComponentNames.name(scopeSwitch, "scope.switch", texts.of("scope.open")), HandsetLayout.SCOPE_SWITCH);
+                foldSwitch(new UserAction("scope.switch", texts.of("scope.open"), () -> toggle(HandsetFold.SCOPE)));
+        add(scopeSwitch, HandsetLayout.SCOPE_SWITCH);
+        events = new EventsPanel(texts, new WordsText(texts, clock.getZone()));
+        add(events, HandsetLayout.EVENTS);
+        UserAction goToEvents = new UserAction("events.switch", texts.of("events.title"), this::goToEvents)
+                .onKey(this, KeyEvent.VK_2, InputEvent.ALT_DOWN_MASK);
+        eventsSwitch =
+                foldSwitch(new UserAction("events.switch", texts.of("events.title"), () -> toggle(HandsetFold.EVENTS)));
+        eventsSwitch.setToolTipText((String) goToEvents.getValue(Action.SHORT_DESCRIPTION));
+        add(eventsSwitch, HandsetLayout.EVENTS_SWITCH);
         sound.setHorizontalAlignment(JLabel.TRAILING);
         add(ComponentNames.name(sound, "sound", texts.of("sound.off")), HandsetLayout.SOUND);
         Keyboard.install(this, controls);
-        setScopeOpen(false);
+        open(HandsetFold.NONE);
         dress();
         shown = null;
         show(first);
+    }
+
+    private static JButton foldSwitch(UserAction action) {
+        JButton button = new JButton(action);
+        button.setContentAreaFilled(false);
+        button.setHorizontalAlignment(JButton.LEADING);
+        button.setRequestFocusEnabled(false);
+        return ComponentNames.name(button, action.id(), action.name());
     }
 
     /** Shows a newer snapshot. */
     public void show(HandsetSnapshot snapshot) {
         lcd.show(snapshot);
         scope.show(snapshot.trace());
+        events.show(snapshot.log());
         if (shown == null || !snapshot.station().equals(shown.station())) {
             link.show(linkState(snapshot.station()), language);
             signal.show(snapshot.station().signalBars(SignalBars.BARS));
@@ -129,14 +147,19 @@ public final class HandsetPanel extends JPanel {
         return station.rejectCause().isPresent() ? LinkState.REFUSED : LinkState.SEARCHING;
     }
 
-    public boolean isScopeOpen() {
-        return layout.isOpen();
+    HandsetFold fold() {
+        return layout.fold();
     }
 
-    /** Opens or closes the tone scope; the window that holds the panel changes its height accordingly. */
+    /** Opens or closes the tone scope. */
     public void setScopeOpen(boolean open) {
+        setFold(open ? HandsetFold.SCOPE : HandsetFold.NONE);
+    }
+
+    /** Opens or closes what is below the keys; the window that holds the panel changes its height accordingly. */
+    void setFold(HandsetFold next) {
         double before = layout.height();
-        setOpen(open);
+        open(next);
         Window window = SwingUtilities.getWindowAncestor(this);
         if (window != null && before != layout.height() && getWidth() > 0) {
             double scale = Math.min(getWidth() / HandsetLayout.WIDTH, getHeight() / before);
@@ -147,17 +170,29 @@ public final class HandsetPanel extends JPanel {
         repaint();
     }
 
-    /** Opens the tone scope in a window that has the height for it. */
-    void showScope() {
-        setOpen(true);
+    /** Opens it in a window that has the height for it. */
+    void open(HandsetFold next) {
+        layout.setFold(next);
+        scope.setVisible(next == HandsetFold.SCOPE);
+        events.setVisible(next == HandsetFold.EVENTS);
+        scopeSwitch.setIcon((next == HandsetFold.SCOPE ? Symbol.UP : Symbol.DOWN).icon(12));
+        eventsSwitch.setIcon((next == HandsetFold.EVENTS ? Symbol.UP : Symbol.DOWN).icon(12));
     }
 
-    private void setOpen(boolean open) {
-        layout.setOpen(open);
-        scope.setVisible(open);
-        scopeSwitch.setText(texts.of(open ? "scope.close" : "scope.open"));
-        scopeSwitch.setIcon((open ? Symbol.UP : Symbol.DOWN).icon(12));
-        scopeSwitch.getAccessibleContext().setAccessibleName(scopeSwitch.getText());
+    private void toggle(HandsetFold wanted) {
+        setFold(fold() == wanted ? HandsetFold.NONE : wanted);
+    }
+
+    /** Opens the events and goes there; from there it goes back to the phone and closes them. */
+    private void goToEvents() {
+        if (events.hasFocusInside()) {
+            setFold(HandsetFold.NONE);
+            requestFocusInWindow();
+        } else {
+            setFold(HandsetFold.EVENTS);
+            validate();
+            events.focus();
+        }
     }
 
     @Override
@@ -170,13 +205,13 @@ public final class HandsetPanel extends JPanel {
 
     private void dress() {
         setBackground(Theme.color(Ink.SURFACE));
-        for (JLabel label : new JLabel[] {sound}) {
-            label.setFont(Theme.small());
-            label.setForeground(Theme.color(Ink.QUIET));
+        sound.setFont(Theme.small());
+        sound.setForeground(Theme.color(Ink.QUIET));
+        for (JButton button : new JButton[] {scopeSwitch, eventsSwitch}) {
+            button.setFont(Theme.small());
+            button.setForeground(Theme.color(Ink.QUIET));
+            button.setBorder(Theme.padding(2));
         }
-        scopeSwitch.setFont(Theme.small());
-        scopeSwitch.setForeground(Theme.color(Ink.QUIET));
-        scopeSwitch.setBorder(Theme.padding(2));
     }
 
     @Override
@@ -188,7 +223,7 @@ public final class HandsetPanel extends JPanel {
             body(g, unit);
             brand(g, unit);
             pad(g, unit);
-            if (isScopeOpen()) {
+            if (fold() != HandsetFold.NONE) {
                 screen(g, unit);
             }
         } finally {
@@ -218,7 +253,7 @@ public final class HandsetPanel extends JPanel {
     }
 
     private void screen(Graphics2D g, double unit) {
-        Rectangle2D box = layout.onPanel(this, HandsetLayout.SCREEN);
+        Rectangle2D box = layout.onPanel(this, layout.screen());
         var sheet = Drawing.round(box.getX(), box.getY(), box.getWidth(), box.getHeight(), Theme.CARD_RADIUS * unit);
         g.setColor(Theme.color(Ink.CARD));
         g.fill(sheet);

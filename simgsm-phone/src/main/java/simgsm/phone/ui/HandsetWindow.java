@@ -21,7 +21,7 @@ public final class HandsetWindow {
     private final Supplier<HandsetSnapshot> snapshots;
     private final HandsetControls controls;
     private final Consumer<Locale> speak;
-    private boolean isScopeOpen;
+    private HandsetFold fold = HandsetFold.NONE;
 
     /**
      * A window without content yet.
@@ -45,9 +45,7 @@ public final class HandsetWindow {
         HandsetSnapshot first = snapshots.get();
         TextBundle texts = bundles.apply(language);
         HandsetView view = new HandsetView(texts, language, Clock.systemDefaultZone(), first, controls, speak);
-        if (isScopeOpen) {
-            view.panel().showScope();
-        }
+        view.panel().open(fold);
         SnapshotPoller<HandsetSnapshot> newest = new SnapshotPoller<>(snapshots, view::show);
         Timer clock = new Timer(SECOND_MILLIS, event -> view.lookAtClock());
         newest.start();
@@ -62,7 +60,7 @@ public final class HandsetWindow {
                 Runnable::run,
                 view::requestFocusInWindow,
                 () -> {
-                    isScopeOpen = view.panel().isScopeOpen();
+                    fold = view.panel().fold();
                     newest.stop();
                     clock.stop();
                 });

@@ -3,6 +3,8 @@ package simgsm.phone.ui;
 /** One line of text with its cursor, in the largest type in which it fits. */
 final class LcdLine {
     private static final double[] SIZES = {28, 20, 15};
+    /** In front of the text and behind it, where it goes on. */
+    private static final String CUT = "\u2026";
 
     private LcdLine() {}
 
@@ -18,11 +20,20 @@ final class LcdLine {
         }
         var font = pen.mono(size, true);
         double letter = pen.width(font, "0");
-        int fits = (int) (room / letter);
+        boolean isCut = pen.width(font, text) > room;
+        int fits = (int) (room / letter) - (isCut ? 2 : 0);
         int first = Math.max(0, Math.min(caret, text.length()) - fits);
-        String shown = text.substring(first, Math.min(text.length(), first + fits));
-        pen.left(shown, font, LcdPen.MARGIN, baseline);
-        double x = LcdPen.MARGIN + pen.width(font, shown.substring(0, Math.min(shown.length(), caret - first)));
+        int end = Math.min(text.length(), first + fits);
+        double left = LcdPen.MARGIN;
+        if (first > 0) {
+            pen.left(CUT, font, left, baseline);
+            left += letter;
+        }
+        pen.left(text.substring(first, end), font, left, baseline);
+        if (end < text.length()) {
+            pen.left(CUT, font, left + (end - first + 0.4) * letter, baseline);
+        }
+        double x = left + pen.width(font, text.substring(first, Math.min(end, caret)));
         if (pending) {
             pen.fill(x - letter, baseline + 3, letter, 2);
         } else {

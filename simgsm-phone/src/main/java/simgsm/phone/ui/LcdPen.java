@@ -59,6 +59,11 @@ final class LcdPen {
         left(Drawing.fitted(font, text, room * unit), font, x, baseline);
     }
 
+    /** The text, cut in front with an ellipsis where it is wider than the room. */
+    String fittedEnd(String text, Font font, double room) {
+        return Drawing.fittedEnd(font, text, room * unit);
+    }
+
     void right(String text, Font font, double x, double baseline) {
         g.setFont(font);
         Drawing.rightAligned(g, text, x * unit, baseline * unit);

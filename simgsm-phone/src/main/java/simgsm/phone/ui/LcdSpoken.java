@@ -92,7 +92,7 @@ final class LcdSpoken {
         }
         String meaning = call.tone()
                 .flatMap(ToneMeaning::textKey)
-                .map(key -> " " + texts.of("lcd.meaning", texts.of(key)))
+                .map(key -> " (" + texts.of("lcd.meaning", texts.of(key)) + ")")
                 .orElse("");
         String tone = call.tone().map(key -> ", " + key.symbol()).orElse("");
         String waiting = call.waiting()

@@ -151,8 +151,9 @@ final class LcdWriting {
         }
         if (isAsked) {
             var typed = pen.mono(18, true);
-            pen.left(ussd.reply(), typed, LcdPen.MARGIN, USSD_TOP + USSD_BOTTOM - 4);
-            caret(pen, LcdPen.MARGIN + pen.width(typed, ussd.reply()), USSD_TOP + USSD_BOTTOM - 4, false);
+            String reply = pen.fittedEnd(ussd.reply(), typed, room - 4);
+            pen.left(reply, typed, LcdPen.MARGIN, USSD_TOP + USSD_BOTTOM - 4);
+            caret(pen, LcdPen.MARGIN + pen.width(typed, reply), USSD_TOP + USSD_BOTTOM - 4, false);
         }
     }
 

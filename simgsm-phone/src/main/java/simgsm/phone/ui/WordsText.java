@@ -4,6 +4,8 @@ import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
+import simgsm.air.Cause;
+import simgsm.air.RpCause;
 import simgsm.console.TextBundle;
 import simgsm.phone.screen.Words;
 
@@ -31,6 +33,12 @@ final class WordsText {
     private Object argument(Object value) {
         if (value instanceof Words inner) {
             return of(inner);
+        }
+        if (value instanceof Cause cause) {
+            return CauseText.of(texts, cause);
+        }
+        if (value instanceof RpCause cause) {
+            return CauseText.of(texts, cause);
         }
         return value instanceof Instant instant ? dayAndTime(instant) : value;
     }

@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.Set;
 import javax.swing.AbstractButton;
 import javax.swing.ButtonModel;
+import javax.swing.JTextArea;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -178,6 +179,39 @@ class HandsetPanelTest {
         bench.bench.handset.press(simgsm.dtmf.DtmfKey.sequence("5"));
         bench.bench.speechMillis(80);
         assertTrue(PanelBench.count(bench.paint(1), Ink.ACCENT) > quiet + 300);
+    }
+
+    @Test
+    void theEventsFoldOpenInPlaceOfTheScopeAndFollow() {
+        PanelBench bench = new PanelBench(Bench.connected(), Locale.ENGLISH);
+        ((AbstractButton) bench.find("scope.switch")).doClick(0);
+        ((AbstractButton) bench.find("events.switch")).doClick(0);
+        assertFalse(bench.find("scope").isVisible());
+        bench.bench.farEndPlays('6');
+        bench.paint(1);
+        JTextArea events = (JTextArea) bench.find("events");
+        assertEquals("12:00  heard 6: executing", lastLineOf(events));
+        bench.bench.farEndPlays('3');
+        bench.paint(1);
+        assertEquals("12:00  heard 3: executed", lastLineOf(events));
+        assertEquals(events.getDocument().getLength(), events.getCaretPosition());
+    }
+
+    @Test
+    void whoReadsAnEarlierEventStaysThereWhenMoreHappens() {
+        PanelBench bench = new PanelBench(Bench.connected(), SPANISH);
+        bench.bench.farEndPlays('6');
+        bench.paint(1);
+        JTextArea events = (JTextArea) bench.find("events");
+        events.setCaretPosition(3);
+        bench.bench.farEndPlays('3');
+        bench.paint(1);
+        assertEquals("12:00  o\u00eddo 3: ejecutada", lastLineOf(events));
+        assertEquals(3, events.getCaretPosition());
+    }
+
+    private static String lastLineOf(JTextArea area) {
+        return area.getText().substring(area.getText().lastIndexOf('\n') + 1);
     }
 
     @Test

@@ -1,0 +1,137 @@
+package simgsm.phone.handset;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import simgsm.air.Msisdn;
+import simgsm.phone.screen.ServiceWords;
+import simgsm.phone.screen.Words;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.UssdEnding;
+
+/** What just happened, in words and in the order of time: the newest {@value #CAPACITY} events that concern the user. */
+public final class HandsetLog {
+    static final int CAPACITY = 300;
+
+    /** An event. @param words for the user, in the phone's language when they are shown */
+    public record Entry(Instant at, Words words) {}
+
+    private final InstantSource wallClock;
+    private final UnaryOperator<String> names;
+    private final Deque<Entry> entries = new ArrayDeque<>();
+    private List<Entry> published = List.of();
+    private boolean isPublished = true;
+
+    /** @param names the name of a number */
+    HandsetLog(InstantSource wallClock, UnaryOperator<String> names) {
+        this.wallClock = wallClock;
+        this.names = names;
+    }
+
+    /** Oldest first; the same list until the next event. */
+    List<Entry> entries() {
+        if (!isPublished) {
+            published = List.copyOf(entries);
+            isPublished = true;
+        }
+        return published;
+    }
+
+    private void add(String key, Object... arguments) {
+        if (entries.size() == CAPACITY) {
+            entries.removeFirst();
+        }
+        entries.addLast(new Entry(wallClock.instant(), Words.of(key, arguments)));
+        isPublished = false;
+    }
+
+    /** Adds what the user is to know of the event. */
+    void accept(StationEvent event) {
+        if (event instanceof StationEvent.StationRegistered registered) {
+            add("log.registered", registered.number().digits());
+        } else if (event instanceof StationEvent.StationUnregistered) {
+            add("log.unregistered");
+        } else if (event instanceof StationEvent.OfCall call) {
+            acceptCall(call);
+        } else if (event instanceof HandsetEvent ofHandset) {
+            acceptHandset(ofHandset);
+        } else if (event instanceof StationEvent.OfSubmittedMessage message) {
+            acceptSubmitted(message);
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
+            add("log.message", names.apply(message.from()), message.text());
+        } else if (event instanceof StationEvent.BroadcastReceived broadcast) {
+            add("log.broadcast", String.valueOf(broadcast.channel()), broadcast.text());
+        } else if (event instanceof StationEvent.OfUssd ofUssd) {
+            acceptUssd(ofUssd);
+        }
+    }
+
+    private void acceptCall(StationEvent.OfCall event) {
+        if (event instanceof StationEvent.Calling calling) {
+            add("log.calling", names.apply(calling.number().digits()));
+        } else if (event instanceof StationEvent.CalledPartyAlerted) {
+            add("lcd.call.alerting");
+        } else if (event instanceof StationEvent.Ringing ringing) {
+            add("log.ringing", party(ringing.from()));
+        } else if (event instanceof StationEvent.Connected connected) {
+            add("log.connected", party(connected.peer()));
+        } else if (event instanceof StationEvent.CallWaits waits) {
+            add("lcd.waiting", party(waits.from()));
+        } else if (event instanceof StationEvent.WaitingCallEnded) {
+            add("log.waiting_over");
+        } else if (event instanceof StationEvent.CallHeld held) {
+            add("lcd.held", party(held.peer()));
+        } else if (event instanceof StationEvent.CallRetrieved retrieved) {
+            add("log.retrieved", party(retrieved.peer()));
+        } else if (event instanceof StationEvent.HeldCallEnded) {
+            add("log.held_over");
+        } else if (event instanceof StationEvent.HoldRefused) {
+            add("note.refused");
+        } else if (event instanceof StationEvent.Released released) {
+            add("log.released", released.cause());
+        }
+    }
+
+    private Object party(Optional<Msisdn> number) {
+        return number.<Object>map(it -> names.apply(it.digits())).orElse(Words.of("lcd.unknown"));
+    }
+
+    private void acceptHandset(HandsetEvent event) {
+        if (event instanceof HandsetEvent.KeysSent sent) {
+            add("log.keys", sent.keys());
+        } else if (event instanceof HandsetEvent.KeysNotSent refused) {
+            add("note.keys_refused", String.valueOf(refused.cause().code()));
+        } else if (event instanceof HandsetEvent.ToneHeard heard) {
+            String key = String.valueOf(heard.key().symbol());
+            ToneMeaning.textKey(heard.key())
+                    .ifPresentOrElse(
+                            meaning -> add("log.tone", key, Words.of(meaning)), () -> add("log.tone.plain", key));
+        }
+    }
+
+    private void acceptSubmitted(StationEvent.OfSubmittedMessage event) {
+        if (event instanceof StationEvent.MessageSent sent) {
+            add("log.message.sent", names.apply(sent.to().digits()));
+        } else if (event instanceof StationEvent.MessageFailed failed) {
+            add("log.message.failed", names.apply(failed.to().digits()), failed.cause());
+        } else if (event instanceof StationEvent.MessageDelivered delivered) {
+            add("log.message.delivered", names.apply(delivered.to().digits()));
+        } else if (event instanceof StationEvent.MessageUndelivered lost) {
+            add("log.message.undelivered", names.apply(lost.to().digits()));
+        }
+    }
+
+    private void acceptUssd(StationEvent.OfUssd event) {
+        if (event instanceof StationEvent.UssdReceived text) {
+            add("log.network", text.text());
+        } else if (event instanceof StationEvent.ServiceAnswered answer) {
+            add("log.service", ServiceWords.title(answer.status()), ServiceWords.state(answer.status()));
+        } else if (event instanceof StationEvent.UssdEnded end && end.how() != UssdEnding.COMPLETED) {
+            add("log.service.none");
+        }
+    }
+}

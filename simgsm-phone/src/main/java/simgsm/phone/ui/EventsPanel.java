@@ -1,0 +1,93 @@
+package simgsm.phone.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Insets;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.stream.Collectors;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.phone.handset.HandsetLog;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+
+/**
+ * What just happened, a line for each event, to be read by the arrows and copied. Digits, Enter and Escape stay keys of the
+ * phone.
+ */
+final class EventsPanel extends JPanel {
+    private final WordsText words;
+    private final JTextArea area = new JTextArea();
+    private List<HandsetLog.Entry> shown = List.of();
+
+    EventsPanel(TextBundle texts, WordsText words) {
+        super(new BorderLayout());
+        this.words = words;
+        setOpaque(false);
+        ComponentNames.name(area, "events", texts.of("events.title"));
+        area.getAccessibleContext().setAccessibleDescription(texts.of("events.hint"));
+        area.setEditable(false);
+        area.setLineWrap(true);
+        area.setWrapStyleWord(true);
+        // Without a keymap a typed digit goes on to the phone.
+        area.setKeymap(null);
+        for (int key : new int[] {KeyEvent.VK_ENTER, KeyEvent.VK_ESCAPE, KeyEvent.VK_BACK_SPACE}) {
+            area.getInputMap().put(KeyStroke.getKeyStroke(key, 0), "none");
+        }
+        JScrollPane pane = new JScrollPane(area);
+        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        add(pane);
+        dress();
+    }
+
+    /** Adds what is new. A reader at the end stays there. */
+    void show(List<HandsetLog.Entry> entries) {
+        if (entries == shown) {
+            return;
+        }
+        int known = shown.size();
+        boolean hasGrown = known > 0 && entries.size() > known && entries.get(known - 1) == shown.get(known - 1);
+        boolean isAtEnd = area.getCaretPosition() == area.getDocument().getLength();
+        String added = (hasGrown ? entries.subList(known, entries.size()) : entries)
+                .stream().map(this::line).collect(Collectors.joining("\n"));
+        shown = entries;
+        if (hasGrown) {
+            area.append("\n" + added);
+        } else {
+            area.setText(added);
+        }
+        if (isAtEnd || !hasGrown) {
+            area.setCaretPosition(area.getDocument().getLength());
+        }
+    }
+
+    private String line(HandsetLog.Entry entry) {
+        return words.time(entry.at()) + "  " + words.of(entry.words());
+    }
+
+    void focus() {
+        area.requestFocusInWindow();
+    }
+
+    boolean hasFocusInside() {
+        return area.isFocusOwner();
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (area != null) {
+            dress();
+        }
+    }
+
+    private void dress() {
+        area.setFont(Theme.base());
+        area.setForeground(Theme.color(Ink.TEXT));
+        area.setMargin(new Insets(Theme.px(4), Theme.px(6), Theme.px(4), Theme.px(6)));
+    }
+}

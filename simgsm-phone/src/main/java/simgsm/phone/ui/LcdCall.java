@@ -1,0 +1,139 @@
+package simgsm.phone.ui;
+
+import java.util.Locale;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
+import simgsm.phone.handset.CallSnapshot;
+import simgsm.phone.handset.HandsetSnapshot;
+import simgsm.phone.screen.CallPhase;
+import simgsm.phone.screen.KeyMode;
+import simgsm.phone.store.CallRecord;
+import simgsm.station.StationSnapshot;
+import simgsm.ui.GraphicsCanvas;
+import simgsm.ui.scope.CodecText;
+
+/** The display in a call, while a call is held, and after its end. */
+final class LcdCall {
+    private static final double HINT_BASELINE = 151;
+    private static final double KEYED_BASELINE = 113;
+    private static final double HEARD_BASELINE = 135;
+    private static final double CODEC_SIZE = 11;
+    private static final double CODEC_GAP = 6;
+
+    private final TextBundle texts;
+    private final Locale language;
+    private final LcdKeys keys;
+
+    LcdCall(TextBundle texts, Locale language) {
+        this.texts = texts;
+        this.language = language;
+        keys = new LcdKeys(texts);
+    }
+
+    /** There is only a call that is held. */
+    void held(LcdPen pen, HandsetSnapshot phone) {
+        pen.left(texts.of("lcd.on_hold"), pen.sans(13, true), LcdPen.MARGIN, 53);
+        String number = phone.call().held().orElseThrow();
+        String party = number.isEmpty() ? texts.of("lcd.unknown") : phone.nameOf(number);
+        pen.left(party, pen.sans(20, true), LcdPen.MARGIN, 83, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
+        pen.hint(texts.of("lcd.hint.held"), HINT_BASELINE);
+    }
+
+    void ended(LcdPen pen, HandsetSnapshot phone) {
+        CallSnapshot call = phone.call();
+        pen.centred(texts.of("lcd.ended"), pen.sans(14, true), 66);
+        pen.centred(CauseText.of(texts, call.ended().orElseThrow()), pen.sans(13, false), 88);
+        pen.ink(Ink.LCD_QUIET);
+        String line = phone.nameOf(call.number()) + (call.seconds() > 0 ? "   " + time(call.seconds()) : "");
+        pen.centred(line.strip(), pen.mono(13, false), 112);
+        pen.ink(Ink.LCD_INK);
+        keys.heard(pen, call.heard(), HEARD_BASELINE, true);
+    }
+
+    void call(LcdPen pen, HandsetSnapshot phone) {
+        CallSnapshot call = phone.call();
+        String phase = texts.of("lcd.call." + call.phase().name().toLowerCase(Locale.ROOT));
+        symbolOf(call.phase())
+                .draw(
+                        new GraphicsCanvas(pen.graphics()),
+                        19 * pen.unit(),
+                        48 * pen.unit(),
+                        6 * pen.unit(),
+                        Ink.LCD_INK);
+        pen.left(phase, pen.sans(13, true), 32, 53, 150);
+        if (call.phase() == CallPhase.CONNECTED) {
+            String time = time(call.seconds());
+            double edge = LcdPen.WIDTH - LcdPen.MARGIN;
+            pen.right(time, pen.mono(14, true), edge, 53);
+            double from = 32 + pen.width(pen.sans(13, true), phase);
+            codec(pen, phone.station(), from, edge - pen.width(pen.mono(14, true), time));
+        }
+        party(pen, phone);
+        if (call.phase() == CallPhase.CONNECTED) {
+            keys.keyed(pen, call.keyed(), KEYED_BASELINE);
+            boolean hasSecond = call.waiting().isPresent() || call.held().isPresent();
+            keys.heard(pen, call.heard(), HEARD_BASELINE, !hasSecond);
+        }
+        if (call.waiting().isPresent()) {
+            second(pen, phone, "lcd.waiting", call.waiting().get());
+        } else if (call.held().isPresent()) {
+            second(pen, phone, "lcd.held", call.held().get());
+        } else if (call.heard().isEmpty() || call.phase() != CallPhase.CONNECTED) {
+            pen.hint(texts.of(hintKey(phone)), HINT_BASELINE);
+        }
+    }
+
+    /** The name of the other party above its number, or the number alone. */
+    private void party(LcdPen pen, HandsetSnapshot phone) {
+        String number = phone.call().number();
+        String name = phone.nameOf(number);
+        double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN;
+        if (number.isEmpty()) {
+            pen.left(texts.of("lcd.unknown"), pen.sans(20, true), LcdPen.MARGIN, 83, room);
+        } else if (name.equals(number)) {
+            pen.left(number, pen.mono(25, true), LcdPen.MARGIN, 83, room);
+        } else {
+            pen.left(name, pen.sans(20, true), LcdPen.MARGIN, 76, room);
+            pen.ink(Ink.LCD_QUIET);
+            pen.left(number, pen.mono(13, false), LcdPen.MARGIN, 92, room);
+            pen.ink(Ink.LCD_INK);
+        }
+    }
+
+    /** The other party, in inverse video. @param key of the bundle: does it wait, or is it held? */
+    private void second(LcdPen pen, HandsetSnapshot phone, String key, String number) {
+        String party = number.isEmpty() ? texts.of("lcd.unknown") : phone.nameOf(number);
+        pen.inverse(texts.of(key, party), pen.sans(12, true), LcdPen.MARGIN, 155, 15);
+    }
+
+    private static String hintKey(HandsetSnapshot phone) {
+        CallPhase phase = phone.call().phase();
+        return phase == CallPhase.CONNECTED && phone.settings().keyMode() == KeyMode.SIGNALLED
+                ? "lcd.hint.call.signalled"
+                : "lcd.hint.call." + phase.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** The codec, centred in the free space of the line. */
+    private void codec(LcdPen pen, StationSnapshot station, double from, double to) {
+        String words = CodecText.of(station.codec(), station.heardCodec(), language);
+        double natural = pen.width(pen.sans(CODEC_SIZE, false), words);
+        double room = to - from - 2 * CODEC_GAP;
+        var font = pen.sans(Math.min(CODEC_SIZE, CODEC_SIZE * room / natural), false);
+        pen.ink(Ink.LCD_QUIET);
+        pen.left(words, font, (from + to - pen.width(font, words)) / 2, 53);
+        pen.ink(Ink.LCD_INK);
+    }
+
+    private static StatusMark symbolOf(CallPhase phase) {
+        return switch (phase) {
+            case CONNECTED -> StatusMark.DISC;
+            case RINGING -> StatusMark.DIAMOND;
+            default -> StatusMark.HALF_DISC;
+        };
+    }
+
+    private static String time(int seconds) {
+        return CallRecord.duration(seconds);
+    }
+}

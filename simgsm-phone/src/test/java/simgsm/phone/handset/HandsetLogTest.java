@@ -1,0 +1,85 @@
+package simgsm.phone.handset;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import simgsm.air.Cause;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.Words;
+import simgsm.sim.SimPhoneBook;
+import simgsm.station.context.StationEvent;
+
+/** What just happened, as the user is to read it. */
+class HandsetLogTest {
+    private static List<String> logged(Bench bench) {
+        return bench.snapshot().log().stream()
+                .map(entry -> shown(entry.words()))
+                .toList();
+    }
+
+    private static String shown(Words words) {
+        return words.arguments().stream()
+                .map(argument -> argument instanceof Words inner ? shown(inner) : argument.toString())
+                .collect(
+                        Collectors.joining(" ", words.key() + (words.arguments().isEmpty() ? "" : " "), ""));
+    }
+
+    @Test
+    void aCallWithAnOrderIsToldFromItsBeginningToItsEnd() {
+        Bench bench = new Bench();
+        bench.phoneBook.write(1, new SimPhoneBook.Entry("5550200", "Robot"));
+        bench.handset.dial(new Msisdn("5550200"));
+        bench.handset.accept(new StationEvent.CalledPartyAlerted());
+        bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550200"))));
+        bench.farEndPlays('1');
+        bench.handset.press(DtmfKey.sequence("**#**20**"));
+        bench.speechMillis(2200);
+        bench.farEndPlays('6');
+        bench.farEndPlays('9');
+        bench.handset.accept(new StationEvent.Released(Cause.NORMAL_CALL_CLEARING));
+        assertEquals(
+                List.of(
+                        "log.calling Robot",
+                        "lcd.call.alerting",
+                        "log.connected Robot",
+                        "log.tone 1 tone.1",
+                        "log.keys **#**20**",
+                        "log.tone 6 tone.6",
+                        "log.tone.plain 9",
+                        "log.released NORMAL_CALL_CLEARING"),
+                logged(bench));
+    }
+
+    @Test
+    void messagesAndCodesAreTold() {
+        Bench bench = new Bench();
+        bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
+        bench.handset.accept(new StationEvent.UssdReceived("your number: 5550100", false));
+        assertEquals(List.of("log.message 5550200 3 Done", "log.network your number: 5550100"), logged(bench));
+    }
+
+    @Test
+    void theListStaysTheSameUntilTheNextEvent() {
+        Bench bench = new Bench();
+        bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
+        List<HandsetLog.Entry> before = bench.snapshot().log();
+        bench.handset.accept(new StationEvent.StationChanged());
+        assertSame(before, bench.snapshot().log());
+    }
+
+    @Test
+    void theOldestEventsMakeRoomForNewOnes() {
+        Bench bench = new Bench();
+        for (int i = 0; i <= HandsetLog.CAPACITY; i++) {
+            bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", String.valueOf(i)));
+        }
+        List<String> log = logged(bench);
+        assertEquals(HandsetLog.CAPACITY, log.size());
+        assertEquals("log.message 5550200 1", log.get(0));
+    }
+}
