@@ -72,6 +72,44 @@ class AtCommandsTest {
         assertTrue(modem.say("AT+CLAC").contains("AT+CMGS"));
     }
 
+    /** The network keeps forwarding and call waiting; M2 itself takes one call. */
+    @Test
+    void servicesOfTheNetworkAreSetAndAskedFor() {
+        modem.say("AT+CMEE=1");
+        probe("""
+                AT+CCFC=?                  -> +CCFC: (0-5)|OK
+                AT+CCFC=0,2                -> +CCFC: 0,7|OK
+                AT+CCFC=0,3,"5550299",145  -> OK
+                AT+CCFC=0,2                -> +CCFC: 1,1,"+5550299",145|OK
+                AT+CCFC=0,0                -> OK
+                AT+CCFC=0,2                -> +CCFC: 0,1,"+5550299",145|OK
+                AT+CCFC=0,1,,,1            -> OK
+                AT+CCFC=4,4                -> OK
+                AT+CCFC=0,2,,,7            -> +CCFC: 0,7|OK
+                AT+CCFC=5,3,"+5550299"     -> OK
+                AT+CCFC=1,2                -> +CCFC: 1,1,"+5550299",145|OK
+                AT+CCFC=2,4                -> OK
+                AT+CCFC=2,2                -> +CCFC: 0,7|OK
+                AT+CCFC=3,2                -> +CCFC: 1,1,"+5550299",145|OK
+                AT+CCFC=0,1                -> +CME ERROR: 3
+                AT+CCFC=4,2                -> +CME ERROR: 3
+                AT+CCFC=0,3                -> +CME ERROR: 50
+                AT+CCFC=0,3,"abc"          -> +CME ERROR: 50
+                AT+CCFC=6,2                -> +CME ERROR: 50
+                AT+CCFC=0,5                -> +CME ERROR: 50
+                AT+CCFC=0                  -> +CME ERROR: 50
+                AT+CCFC=0,2,,,2            -> +CME ERROR: 4
+                AT+CCFC=0,2;+CREG?         -> +CCFC: 0,7|+CREG: 0,1|OK
+                AT+CCWA=1                  -> OK
+                AT+CCWA?                   -> +CCWA: 1|OK
+                AT+CCWA=1,2                -> +CCWA: 0,7|OK
+                AT+CCWA=1,1                -> +CME ERROR: 4
+                AT+CLIR?                   -> +CLIR: 0,0|OK
+                AT+CLIR=0                  -> OK
+                AT+CLIR=1                  -> +CME ERROR: 4
+                """);
+    }
+
     @Test
     void networkIndicatorsAndClockAnswer() {
         probe("""

@@ -60,7 +60,8 @@ class LayeringTest {
             simgsm.modem             : simgsm.air simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.modem.at          : simgsm.timer
             simgsm.modem.at.state    : simgsm.octets simgsm.air simgsm.sim simgsm.sms simgsm.station.context
-            simgsm.modem.at.command  : simgsm.modem simgsm.modem.at.state simgsm.octets simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
+            simgsm.modem.at.sms      : simgsm.modem.at simgsm.modem.at.state simgsm.octets simgsm.air simgsm.sms
+            simgsm.modem.at.command  : simgsm.modem simgsm.modem.at.state simgsm.modem.at.sms simgsm.ss simgsm.octets simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
             simgsm.modem.at.port     : simgsm.timer simgsm.net simgsm.station simgsm.station.context simgsm.modem.at.command
             simgsm.modem.client      : simgsm.octets simgsm.net simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.dtmf simgsm.station simgsm.station.call simgsm.station.context simgsm.modem
             simgsm.tools.audio       : simgsm.speech
@@ -70,7 +71,7 @@ class LayeringTest {
             simgsm.phone.store       : simgsm.air simgsm.sim simgsm.station.context
             simgsm.phone.screen      : simgsm.air simgsm.sim simgsm.ss simgsm.dtmf simgsm.speech simgsm.draw simgsm.station.context simgsm.phone.store
             simgsm.phone.handset     : simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
-            simgsm.phone.ui          : simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.store simgsm.phone.screen simgsm.phone.handset
+            simgsm.phone.ui          : simgsm.ss simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.store simgsm.phone.screen simgsm.phone.handset
             simgsm.phone             : simgsm.octets simgsm.modem.at.command simgsm.modem.at.port simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.store simgsm.phone.screen simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim simgsm.ss
             simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
@@ -277,6 +278,7 @@ class LayeringTest {
         "simgsm.modem",
         "simgsm.modem.at",
         "simgsm.modem.at.state",
+        "simgsm.modem.at.sms",
         "simgsm.modem.at.command",
         "simgsm.modem.client",
         "simgsm.center.bsc..",

@@ -44,8 +44,18 @@ public class UssdTest {
         phone.say("ussd *43#").expect("service", "code", "43", "state", "active");
         phone.say("ussd *#43#").expect("service", "code", "43", "state", "active");
         phone.say("ussd #43#").expect("service", "code", "43", "state", "inactive");
+        phone.say("ussd *#30#").expect("service", "code", "30", "state", "active");
+        phone.say("ussd *#31#").expect("service", "code", "31", "state", "inactive");
+        phone.say("ussd *31#").expect("ussd-failed", "cause", "16");
+        phone.say("ussd *21#").expect("ussd-failed", "cause", "17");
         phone.say("ussd *#33#").expect("ussd-failed", "cause", "21");
         phone.say("ussd *999#").expect("ussd-failed", "cause", "36");
+    }
+
+    @Test
+    void thePhoneTellsItsOwnIdentity() {
+        RunningProgram phone = scenario.phone("5550102", "--imei", "490154203237518");
+        phone.say("ussd *#06#").expect("imei", "number", "490154203237518");
     }
 
     @Test

@@ -65,25 +65,15 @@ final class Phone implements HandsetAccess, AutoCloseable {
         handset.attach(station);
         handset.setChannels(settings.channels());
         data = settings.data().isPresent()
-                ? Optional.of(
-                        new PhoneData(settings.data().get(), settings.identity().number()))
+                ? Optional.of(PhoneData.take(
+                        settings.data().get(), settings.identity().number()))
                 : Optional.empty();
         if (data.isPresent()) {
             Map<String, String> kept = new TreeMap<>(data.get().read());
             kept.keySet().removeAll(settings.given());
             handset.restore(kept)
                     .forEach(key -> LOG.log(Level.WARNING, "--data: {0} is not understood and left out", key));
-        }
-    }
-
-    /** Writes what has changed to the folder of {@code --data}; not on the owner thread. */
-    void save() {
-        if (data.isPresent()) {
-            try {
-                data.get().write(ask(Handset::texts));
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
+            handset.keepBy(data.get()::write);
         }
     }
 
@@ -142,7 +132,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     @Override
     public void close() {
         thread.close();
-        data.ifPresent(kept -> kept.write(handset.texts()));
+        data.ifPresent(PhoneData::close);
         recorder.close();
         output.close();
     }

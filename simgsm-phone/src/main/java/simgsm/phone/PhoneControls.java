@@ -11,7 +11,6 @@ import simgsm.phone.ui.HandsetControls;
 final class PhoneControls implements HandsetControls {
     private static final long TICK_MILLIS = 20;
     private static final long SOUND_CHECK_SECONDS = 1;
-    private static final long SAVE_SECONDS = 5;
 
     private final Phone phone;
     private final ScheduledExecutorService ticks = Executors.newSingleThreadScheduledExecutor(task -> {
@@ -27,7 +26,6 @@ final class PhoneControls implements HandsetControls {
         perform((handset, now) -> handset.whenTimeIsWanted(this::tickWhileWanted));
         ticks.scheduleAtFixedRate(
                 () -> phone.execute(phone.handset()::checkSoundDevice), 1, SOUND_CHECK_SECONDS, TimeUnit.SECONDS);
-        ticks.scheduleWithFixedDelay(phone::save, SAVE_SECONDS, SAVE_SECONDS, TimeUnit.SECONDS);
     }
 
     @Override

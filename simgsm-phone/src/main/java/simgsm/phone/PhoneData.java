@@ -13,17 +13,29 @@ import java.util.Map;
 import java.util.Properties;
 import java.util.TreeMap;
 import simgsm.air.Msisdn;
+import simgsm.console.FolderLock;
 
-/** The file of {@code --data}: what one phone keeps from run to run, as Java's properties in UTF-8. */
-final class PhoneData {
+/**
+ * The file of {@code --data}: what one phone keeps from run to run, as Java's properties in UTF-8. Phones of other numbers may
+ * use the folder at the same time.
+ */
+final class PhoneData implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(PhoneData.class.getName());
 
     private final Path file;
     private Map<String, String> known = Map.of();
 
-    /** @throws IOException if the folder cannot be made */
-    PhoneData(Path folder, Msisdn number) throws IOException {
-        file = Files.createDirectories(folder).resolve("phone-" + number + ".properties");
+    private final FolderLock lock;
+
+    private PhoneData(FolderLock lock, String name) {
+        this.lock = lock;
+        file = lock.folder().resolve(name + ".properties");
+    }
+
+    /** @throws IOException naming the folder if it cannot be made, or if a phone of that number uses it */
+    static PhoneData take(Path folder, Msisdn number) throws IOException {
+        String name = "phone-" + number;
+        return new PhoneData(FolderLock.take(folder, name + ".lock", "another phone " + number), name);
     }
 
     /** @throws IOException naming a file that is there and cannot be read */
@@ -43,8 +55,11 @@ final class PhoneData {
         return texts;
     }
 
-    /** Writes what has changed since the last call, in one step. A disk that is full costs the newest changes only. */
-    synchronized void write(Map<String, String> texts) {
+    /**
+     * Writes what has changed since the last call, in one step: whoever kills the program leaves the file as it was before
+     * or as it is after. A disk that is full costs the newest changes only.
+     */
+    void write(Map<String, String> texts) {
         if (texts.equals(known)) {
             return;
         }
@@ -56,10 +71,15 @@ final class PhoneData {
             try (OutputStream out = Files.newOutputStream(next)) {
                 properties.store(out, null);
             }
-            Files.move(next, file, StandardCopyOption.REPLACE_EXISTING);
+            Files.move(next, file, StandardCopyOption.ATOMIC_MOVE);
             known = Map.copyOf(texts);
         } catch (IOException e) {
             LOG.log(Level.WARNING, "--data: {0} cannot be written: {1}", file, e.getMessage());
         }
+    }
+
+    @Override
+    public void close() {
+        lock.close();
     }
 }

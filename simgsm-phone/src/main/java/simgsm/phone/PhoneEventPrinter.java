@@ -135,6 +135,8 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
         } else if (event instanceof HandsetEvent.KeysNotSent refused) {
             console.error("press: the network refuses the keys " + refused.keys() + ", cause "
                     + refused.cause().code() + ", " + refused.cause().title());
+        } else if (event instanceof HandsetEvent.ImeiShown shown) {
+            console.emit(Event.of("imei").with("number", shown.imei()));
         } else if (event instanceof HandsetEvent.SoundPlayed played) {
             console.emit(Event.of("played").with("millis", played.millis()));
         } else if (event instanceof HandsetEvent.ToneHeard heard) {

@@ -43,10 +43,13 @@ class PhoneDataTest {
     }
 
     private Bench again(Bench before) throws IOException {
-        PhoneData data = new PhoneData(folder, OWN);
-        data.write(before.handset.texts());
+        try (PhoneData data = PhoneData.take(folder, OWN)) {
+            data.write(before.handset.texts());
+        }
         Bench after = new Bench();
-        assertEquals(List.of(), after.handset.restore(new PhoneData(folder, OWN).read()));
+        try (PhoneData data = PhoneData.take(folder, OWN)) {
+            assertEquals(List.of(), after.handset.restore(data.read()));
+        }
         return after;
     }
 
@@ -94,12 +97,51 @@ class PhoneDataTest {
     @Test
     void aFileThatIsNoTextIsNamed() throws IOException {
         Files.write(folder.resolve("phone-5550100.properties"), new byte[] {'a', '=', (byte) 0xff, (byte) 0xfe});
-        IOException error = assertThrows(IOException.class, () -> new PhoneData(folder, OWN).read());
-        assertTrue(error.getMessage().contains("phone-5550100.properties"), error.getMessage());
+        try (PhoneData data = PhoneData.take(folder, OWN)) {
+            IOException error = assertThrows(IOException.class, data::read);
+            assertTrue(error.getMessage().contains("phone-5550100.properties"), error.getMessage());
+        }
     }
 
     @Test
     void aPhoneThatIsNewHasNothing() throws IOException {
-        assertEquals(Map.of(), new PhoneData(folder.resolve("new"), OWN).read());
+        try (PhoneData data = PhoneData.take(folder.resolve("new"), OWN)) {
+            assertEquals(Map.of(), data.read());
+        }
+    }
+
+    @Test
+    void aSecondPhoneOfTheNumberIsRefusedByTheFoldersName() throws IOException {
+        try (PhoneData first = PhoneData.take(folder, OWN)) {
+            IOException refusal = assertThrows(IOException.class, () -> PhoneData.take(folder, OWN));
+            assertEquals("another phone 5550100 holds the data directory " + folder, refusal.getMessage());
+            assertEquals(Map.of(), first.read());
+        }
+        PhoneData.take(folder, OWN).close();
+    }
+
+    @Test
+    void aPhoneOfAnotherNumberMayUseTheSameFolder() throws IOException {
+        try (PhoneData first = PhoneData.take(folder, OWN);
+                PhoneData second = PhoneData.take(folder, new Msisdn("5550101"))) {
+            first.write(Map.of("name.0001", "1\tfirst"));
+            second.write(Map.of("name.0001", "1\tsecond"));
+            assertEquals(Map.of("name.0001", "1\tfirst"), first.read());
+        }
+    }
+
+    /** Each change is kept at once, and nothing is written while nothing changes. */
+    @Test
+    void eachChangeIsKeptBeforeItsEventIsReported() {
+        Bench bench = new Bench();
+        List<String> course = bench.events;
+        bench.handset.keepBy(texts -> course.add("kept " + texts.size()));
+        bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
+        bench.handset.accept(new StationEvent.StationChanged());
+        bench.phoneBook.write(1, new SimPhoneBook.Entry("5550200", "Robot"));
+        bench.handset.readInbox();
+        bench.handset.readInbox();
+        bench.key("12");
+        assertEquals(List.of("kept 5", "kept 6", "sms 5550200 3 Done", "kept 7", "kept 7"), course);
     }
 }

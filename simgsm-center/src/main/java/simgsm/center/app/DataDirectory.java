@@ -1,31 +1,20 @@
 package simgsm.center.app;
 
 import java.io.IOException;
-import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
-import java.nio.channels.OverlappingFileLockException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
+import simgsm.console.FolderLock;
 
 /** The directory of messages and subscribers. One process at a time owns it, by a file lock that ends with the process. */
 public final class DataDirectory implements AutoCloseable {
     private static final String LOCK_FILE = "lock";
     private static final String OURS = "simgsm";
 
-    private final Path path;
-    private final FileChannel channel;
-    private final FileLock lock;
+    private final FolderLock lock;
 
-    private DataDirectory(Path path, FileChannel channel, FileLock lock) {
-        this.path = path;
-        this.channel = channel;
+    private DataDirectory(FolderLock lock) {
         this.lock = lock;
     }
 
@@ -35,46 +24,7 @@ public final class DataDirectory implements AutoCloseable {
      * @throws IOException naming the directory if it cannot be made or another process holds it
      */
     static DataDirectory take(Path directory) throws IOException {
-        Path path = directory.toAbsolutePath().normalize();
-        try {
-            Files.createDirectories(path);
-        } catch (IOException e) {
-            throw new IOException("cannot make the data directory " + path + ": " + reason(e), e);
-        }
-        FileChannel channel = open(path);
-        FileLock lock = tryLock(channel);
-        if (lock == null) {
-            channel.close();
-            throw new IOException("another centre holds the data directory " + path);
-        }
-        return new DataDirectory(path, channel, lock);
-    }
-
-    private static FileChannel open(Path path) throws IOException {
-        try {
-            return FileChannel.open(path.resolve(LOCK_FILE), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        } catch (IOException e) {
-            throw new IOException("cannot write in the data directory " + path + ": " + reason(e), e);
-        }
-    }
-
-    /** A reason in words, where the exception's message is only the path. */
-    private static String reason(IOException e) {
-        if (e instanceof FileAlreadyExistsException) {
-            return "there is a file of that name";
-        }
-        if (e instanceof AccessDeniedException) {
-            return "access denied";
-        }
-        return e instanceof NoSuchFileException ? "no such folder" : e.getMessage();
-    }
-
-    private static FileLock tryLock(FileChannel channel) throws IOException {
-        try {
-            return channel.tryLock();
-        } catch (OverlappingFileLockException e) {
-            return null;
-        }
+        return new DataDirectory(FolderLock.take(directory, LOCK_FILE, "another centre"));
     }
 
     /** {@code $XDG_DATA_HOME/simgsm} if that is set to an absolute path, else the platform's usual directory. */
@@ -100,17 +50,11 @@ public final class DataDirectory implements AutoCloseable {
     }
 
     Path path() {
-        return path;
+        return lock.folder();
     }
 
-    /** The lock file stays: removing it would let a third process lock a file that a second one is about to open. */
     @Override
     public void close() {
-        try {
-            lock.release();
-            channel.close();
-        } catch (IOException e) {
-            // The process is ending, and the lock with it.
-        }
+        lock.close();
     }
 }

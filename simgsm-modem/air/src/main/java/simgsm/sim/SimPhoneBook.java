@@ -18,6 +18,7 @@ public final class SimPhoneBook {
 
     private final Map<Integer, Entry> entries = new TreeMap<>();
     private int version;
+    private Runnable whenChanged = () -> {};
 
     /** An empty book. */
     public SimPhoneBook() {}
@@ -30,6 +31,16 @@ public final class SimPhoneBook {
     /** Counts the changes. */
     public int version() {
         return version;
+    }
+
+    /** Runs the action after each change. */
+    public void whenChanged(Runnable action) {
+        whenChanged = action;
+    }
+
+    private void changed() {
+        version++;
+        whenChanged.run();
     }
 
     /** The first free place. */
@@ -51,11 +62,11 @@ public final class SimPhoneBook {
                     + MOST_DIGITS + " digits and " + MOST_LETTERS + " letters at most");
         }
         entries.put(place, entry);
-        version++;
+        changed();
     }
 
     public void erase(int place) {
         entries.remove(place);
-        version++;
+        changed();
     }
 }

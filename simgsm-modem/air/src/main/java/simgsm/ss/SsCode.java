@@ -12,7 +12,19 @@ public enum SsCode implements Coded {
     FORWARDING_ON_BUSY(0x29, "67"),
     FORWARDING_ON_NO_REPLY(0x2a, "61"),
     FORWARDING_ON_NOT_REACHABLE(0x2b, "62"),
+    /** CLIP: the caller's number is shown. */
+    CALLING_LINE_PRESENTATION(0x11, "30"),
+    /** CLIR: one's own number is hidden from those who are called. */
+    CALLING_LINE_RESTRICTION(0x12, "31"),
+    /** COLP: the number that answers is shown to the caller. */
+    CONNECTED_LINE_PRESENTATION(0x13, "76"),
+    /** COLR: one's own number is hidden from callers. */
+    CONNECTED_LINE_RESTRICTION(0x14, "77"),
     CALL_WAITING(0x41, "43");
+
+    private static final int GROUP = 0xf0;
+    private static final int LINE_IDENTIFICATION = 0x10;
+    private static final int FORWARDING = 0x20;
 
     private static final List<SsCode> CONDITIONAL =
             List.of(FORWARDING_ON_BUSY, FORWARDING_ON_NO_REPLY, FORWARDING_ON_NOT_REACHABLE);
@@ -36,7 +48,12 @@ public enum SsCode implements Coded {
     }
 
     public boolean isForwarding() {
-        return this != CALL_WAITING;
+        return (code & GROUP) == FORWARDING;
+    }
+
+    /** Whether it is about numbers that are shown or hidden, which the network alone sets. */
+    public boolean isLineIdentification() {
+        return (code & GROUP) == LINE_IDENTIFICATION;
     }
 
     /** The services of a group; a single service alone. */

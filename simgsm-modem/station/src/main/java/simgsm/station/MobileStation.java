@@ -94,6 +94,7 @@ public final class MobileStation implements StationCommands {
         snapshot = current();
     }
 
+    @Override
     public StationIdentity identity() {
         return context.identity();
     }

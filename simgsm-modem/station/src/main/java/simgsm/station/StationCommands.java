@@ -5,8 +5,9 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
+import simgsm.station.context.StationIdentity;
 
-/** What the user of a station can do with it. All but {@link #snapshot} are called on the owner thread. */
+/** What the user of a station can do with it. All but {@link #identity} and {@link #snapshot} are called on the owner thread. */
 public interface StationCommands {
     void powerOn();
 
@@ -87,6 +88,9 @@ public interface StationCommands {
 
     /** Codes speech so from the next call on. */
     void setCodec(SpeechCodec.Kind codec);
+
+    /** What SIM and equipment hold. */
+    StationIdentity identity();
 
     /** The current state; may be called from any thread. */
     StationSnapshot snapshot();

@@ -43,6 +43,8 @@ import simgsm.station.context.StationEvent;
 public final class Handset {
     private static final int KEY_MILLIS = 100;
     private static final int SAMPLES_PER_MILLI = 8;
+    /** Shows the IMEI, without the network (TS 22.030, 6.7.2). */
+    private static final String IMEI_CODE = "*#06#";
 
     private final Msisdn own;
     private final Consumer<StationEvent> listener;
@@ -67,6 +69,8 @@ public final class Handset {
     private UserSettings settings;
     private boolean ringIsSilent;
     private volatile HandsetSnapshot snapshot;
+    private Consumer<Map<String, String>> keep = texts -> {};
+    private UserSettings keptSettings;
 
     /** With European tones and an empty phone book. */
     public Handset(
@@ -110,6 +114,7 @@ public final class Handset {
         contacts = new Contacts(phoneBook);
         events = new HandsetLog(wallClock, contacts::nameOf);
         image = new PhoneImage(phoneBook, log, mailbox);
+        phoneBook.whenChanged(this::changed);
         screens = new ScreenNavigation(mailbox, log, contacts, () -> this.settings, this::about);
         home = new HomeKeys(screens);
     }
@@ -122,6 +127,7 @@ public final class Handset {
         StationSnapshot now = station.snapshot();
         List<Words> lines = new ArrayList<>();
         lines.add(Words.of("about.own", own.digits()));
+        lines.add(Words.of("about.imei", station.identity().imei().digits()));
         lines.add(Words.of("about.network", now.networkName()));
         now.cell()
                 .ifPresent(cell -> lines.add(Words.of(
@@ -150,6 +156,20 @@ public final class Handset {
         }
         changed();
         return wrong;
+    }
+
+    /** Gives what is kept for the next run to this receiver, now and whenever it has changed, before its event is reported. */
+    public void keepBy(Consumer<Map<String, String>> receiver) {
+        keep = receiver;
+        keep.accept(texts());
+    }
+
+    private void keepChanges() {
+        boolean isChanged = image.hasChanged() | !settings.equals(keptSettings);
+        keptSettings = settings;
+        if (isChanged) {
+            keep.accept(texts());
+        }
     }
 
     /** Sets the station, once, before anything else. */
@@ -200,6 +220,10 @@ public final class Handset {
         if (!isPowered()) {
             return Optional.of(Refusal.SWITCHED_OFF);
         }
+        if (text.equals(IMEI_CODE)) {
+            showImei();
+            return Optional.empty();
+        }
         if (!UssdText.fits(text)) {
             return Optional.of(text.isEmpty() ? Refusal.EMPTY_TEXT : Refusal.USSD_TOO_LONG);
         }
@@ -210,6 +234,13 @@ public final class Handset {
             changed();
         }
         return isSent ? Optional.empty() : Optional.of(Refusal.USSD_UNDER_WAY);
+    }
+
+    private void showImei() {
+        String imei = station.identity().imei().digits();
+        home.clear();
+        screens.showImei(imei);
+        report(new HandsetEvent.ImeiShown(imei));
     }
 
     /** Queues keys of 100 ms; before the call is connected they wait. */
@@ -344,6 +375,9 @@ public final class Handset {
         } else if (screens.isHome()) {
             endTones();
             perform(home.press(key, situation()));
+            if (home.typed().equals(IMEI_CODE)) {
+                showImei();
+            }
         } else {
             perform(screens.press(key, nowNanos));
         }
@@ -595,6 +629,10 @@ public final class Handset {
     }
 
     private void changed() {
+        if (station == null) {
+            return;
+        }
+        keepChanges();
         snapshot = new HandsetSnapshot(
                 own,
                 station.snapshot(),

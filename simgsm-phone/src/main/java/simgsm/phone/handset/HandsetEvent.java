@@ -12,6 +12,9 @@ public sealed interface HandsetEvent extends StationEvent.OfTerminal {
     /** The network refuses signalled keys. @param keys those that were not sent */
     record KeysNotSent(String keys, Cause cause) implements HandsetEvent {}
 
+    /** The user has keyed the code that shows the equipment's identity. @param imei 15 digits */
+    record ImeiShown(String imei) implements HandsetEvent {}
+
     /** The last sample of a played sound has been sent. */
     record SoundPlayed(int millis) implements HandsetEvent {}
 

@@ -105,6 +105,8 @@ public final class HandsetLog {
             add("log.keys", sent.keys());
         } else if (event instanceof HandsetEvent.KeysNotSent refused) {
             add("note.keys_refused", String.valueOf(refused.cause().code()));
+        } else if (event instanceof HandsetEvent.ImeiShown shown) {
+            add("log.imei", shown.imei());
         } else if (event instanceof HandsetEvent.ToneHeard heard) {
             String key = String.valueOf(heard.key().symbol());
             ToneMeaning.textKey(heard.key())

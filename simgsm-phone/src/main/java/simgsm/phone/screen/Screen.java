@@ -114,7 +114,7 @@ public sealed interface Screen {
             KEYS_REFUSED,
             /** The network does not know the code. */
             USSD_UNKNOWN,
-            /** The network refused; the detail is the error's name in the standard. */
+            /** The network refused; the detail is the error's code, empty if it said none. */
             USSD_REFUSED,
             USSD_NO_SERVICE,
             USSD_NO_ANSWER

@@ -97,6 +97,11 @@ public final class ScreenNavigation {
         return stack.open(TextPage.of(stack, Words.of("menu.about"), about));
     }
 
+    /** Shows the equipment's identity. */
+    public void showImei(String imei) {
+        stack.open(TextPage.of(stack, Words.plain("IMEI"), () -> List.of(Words.plain(imei))));
+    }
+
     public KeyIntent open(MessageFolder folder) {
         return messages.open(folder);
     }

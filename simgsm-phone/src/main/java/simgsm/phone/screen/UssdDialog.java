@@ -62,7 +62,9 @@ final class UssdDialog {
                         ? new Screen.Note(Screen.Note.Kind.USSD_UNKNOWN, "")
                         : new Screen.Note(
                                 Screen.Note.Kind.USSD_REFUSED,
-                                end.error().map(SsError::title).orElse(""));
+                                end.error()
+                                        .map(error -> String.valueOf(error.code()))
+                                        .orElse(""));
             case NO_SERVICE -> new Screen.Note(Screen.Note.Kind.USSD_NO_SERVICE, "");
             default -> new Screen.Note(Screen.Note.Kind.USSD_NO_ANSWER, "");
         };

@@ -106,7 +106,10 @@ public final class Mailbox {
     }
 
     private void replace(MessageFolder folder, UnaryOperator<StoredMessage> next) {
-        folders.put(folder, in(folder).stream().map(next).toList());
+        List<StoredMessage> replaced = in(folder).stream().map(next).toList();
+        if (!replaced.equals(in(folder))) {
+            folders.put(folder, replaced);
+        }
     }
 
     /** A message of the outbox. */

@@ -28,11 +28,26 @@ public final class PhoneImage {
     private final SimPhoneBook book;
     private final CallLog log;
     private final Mailbox mailbox;
+    private List<?> known = List.of();
 
     public PhoneImage(SimPhoneBook book, CallLog log, Mailbox mailbox) {
         this.book = book;
         this.log = log;
         this.mailbox = mailbox;
+    }
+
+    /** Whether something has changed since the last call. */
+    public boolean hasChanged() {
+        List<?> now = List.of(
+                book.version(),
+                log.records(),
+                mailbox.in(MessageFolder.INBOX),
+                mailbox.in(MessageFolder.OUTBOX),
+                mailbox.in(MessageFolder.DRAFTS),
+                mailbox.in(MessageFolder.BROADCASTS));
+        boolean isNew = !now.equals(known);
+        known = now;
+        return isNew;
     }
 
     /** All that is kept now. */

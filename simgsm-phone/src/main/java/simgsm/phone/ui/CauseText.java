@@ -6,7 +6,9 @@ import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.console.TextBundle;
+import simgsm.phone.screen.Screen;
 import simgsm.phone.store.StoredMessage;
+import simgsm.ss.SsError;
 
 /** Cause texts: from the bundle if it has one, else the title in the standard. */
 final class CauseText {
@@ -20,6 +22,17 @@ final class CauseText {
     /** The reason why a message was not sent. */
     static String of(TextBundle texts, RpCause cause) {
         return of(texts, cause.code(), cause.title());
+    }
+
+    /** A notice for the user. */
+    static String ofNote(TextBundle texts, Screen.Note note) {
+        String detail = note.detail();
+        if (note.kind() == Screen.Note.Kind.USSD_REFUSED && !detail.isEmpty()) {
+            int code = Integer.parseInt(detail);
+            detail = of(
+                    texts, "ss.", code, SsError.ofCode(code).map(SsError::title).orElse(""));
+        }
+        return texts.of("note." + note.kind().name().toLowerCase(Locale.ROOT), detail);
     }
 
     /** The reason for the rejection of a registration. */
@@ -46,7 +59,11 @@ final class CauseText {
     }
 
     private static String of(TextBundle texts, int code, String title) {
-        String key = "cause." + code;
+        return of(texts, "cause.", code, title);
+    }
+
+    private static String of(TextBundle texts, String family, int code, String title) {
+        String key = family + code;
         String words = texts.of(key);
         return words.equals(key) ? title + " (" + code + ")" : words;
     }

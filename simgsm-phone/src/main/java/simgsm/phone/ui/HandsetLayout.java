@@ -25,9 +25,7 @@ final class HandsetLayout implements LayoutManager2 {
     static final Rectangle2D SIGNAL = new Rectangle2D.Double(270, 16, 26, 18);
     static final Rectangle2D LCD = new Rectangle2D.Double(20, 44, 280, 180);
     static final Rectangle2D PAD = new Rectangle2D.Double(112, PAD_TOP, 96, 96);
-    static final Rectangle2D SCOPE_SWITCH = new Rectangle2D.Double(20, 580, 96, 28);
-    static final Rectangle2D EVENTS_SWITCH = new Rectangle2D.Double(120, 580, 76, 28);
-    static final Rectangle2D SOUND = new Rectangle2D.Double(200, 580, 100, 28);
+    static final Rectangle2D FOOT = new Rectangle2D.Double(20, 580, 280, 28);
 
     private static final double FOLD_TOP = 610;
     private static final double FOLD_BELOW = 8;

@@ -11,8 +11,6 @@ import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
 import javax.swing.Action;
-import javax.swing.JButton;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
@@ -25,7 +23,6 @@ import simgsm.ui.Drawing;
 import simgsm.ui.Lamp;
 import simgsm.ui.LinkState;
 import simgsm.ui.SignalBars;
-import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.scope.ToneScopePanel;
@@ -41,9 +38,7 @@ public final class HandsetPanel extends JPanel {
     private final SignalBars signal;
     private final ToneScopePanel scope;
     private final EventsPanel events;
-    private final JButton scopeSwitch;
-    private final JButton eventsSwitch;
-    private final JLabel sound = new JLabel();
+    private final HandsetFoot foot;
     private final Map<PhoneKey, PhoneKeyButton> keys = new EnumMap<>(PhoneKey.class);
     private HandsetSnapshot shown;
 
@@ -71,32 +66,18 @@ public final class HandsetPanel extends JPanel {
         }
         scope = new ToneScopePanel(language, controls::tryOut);
         add(scope, HandsetLayout.SCOPE);
-        scopeSwitch =
-                foldSwitch(new UserAction("scope.switch", texts.of("scope.open"), () -> toggle(HandsetFold.SCOPE)));
-        add(scopeSwitch, HandsetLayout.SCOPE_SWITCH);
         events = new EventsPanel(texts, new WordsText(texts, clock.getZone()));
         add(events, HandsetLayout.EVENTS);
-        UserAction goToEvents = new UserAction("events.switch", texts.of("events.title"), this::goToEvents)
+        foot = new HandsetFoot(texts, this::toggle);
+        add(foot, HandsetLayout.FOOT);
+        UserAction goToEvents = new UserAction("events.go", texts.of("events.title"), this::goToEvents)
                 .onKey(this, KeyEvent.VK_2, InputEvent.ALT_DOWN_MASK);
-        eventsSwitch =
-                foldSwitch(new UserAction("events.switch", texts.of("events.title"), () -> toggle(HandsetFold.EVENTS)));
-        eventsSwitch.setToolTipText((String) goToEvents.getValue(Action.SHORT_DESCRIPTION));
-        add(eventsSwitch, HandsetLayout.EVENTS_SWITCH);
-        sound.setHorizontalAlignment(JLabel.TRAILING);
-        add(ComponentNames.name(sound, "sound", texts.of("sound.off")), HandsetLayout.SOUND);
+        foot.setToolTip(HandsetFold.EVENTS, (String) goToEvents.getValue(Action.SHORT_DESCRIPTION));
         Keyboard.install(this, controls);
         open(HandsetFold.NONE);
-        dress();
+        setBackground(Theme.color(Ink.SURFACE));
         shown = null;
         show(first);
-    }
-
-    private static JButton foldSwitch(UserAction action) {
-        JButton button = new JButton(action);
-        button.setContentAreaFilled(false);
-        button.setHorizontalAlignment(JButton.LEADING);
-        button.setRequestFocusEnabled(false);
-        return ComponentNames.name(button, action.id(), action.name());
     }
 
     /** Shows a newer snapshot. */
@@ -121,9 +102,7 @@ public final class HandsetPanel extends JPanel {
             keys.get(PhoneKey.SOFT_RIGHT).setMeaning(soft(snapshot.softKeys().right()));
         }
         if (shown == null || snapshot.audible() != shown.audible()) {
-            sound.setIcon((snapshot.audible() ? Symbol.SPEAKER : Symbol.SPEAKER_OFF).icon());
-            sound.setText(snapshot.audible() ? "" : texts.of("sound.off"));
-            sound.setToolTipText(texts.of(snapshot.audible() ? "sound.on" : "sound.off"));
+            foot.showSound(snapshot.audible());
         }
         shown = snapshot;
     }
@@ -175,8 +154,7 @@ public final class HandsetPanel extends JPanel {
         layout.setFold(next);
         scope.setVisible(next == HandsetFold.SCOPE);
         events.setVisible(next == HandsetFold.EVENTS);
-        scopeSwitch.setIcon((next == HandsetFold.SCOPE ? Symbol.UP : Symbol.DOWN).icon(12));
-        eventsSwitch.setIcon((next == HandsetFold.EVENTS ? Symbol.UP : Symbol.DOWN).icon(12));
+        foot.show(next);
     }
 
     private void toggle(HandsetFold wanted) {
@@ -198,20 +176,7 @@ public final class HandsetPanel extends JPanel {
     @Override
     public void updateUI() {
         super.updateUI();
-        if (sound != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
         setBackground(Theme.color(Ink.SURFACE));
-        sound.setFont(Theme.small());
-        sound.setForeground(Theme.color(Ink.QUIET));
-        for (JButton button : new JButton[] {scopeSwitch, eventsSwitch}) {
-            button.setFont(Theme.small());
-            button.setForeground(Theme.color(Ink.QUIET));
-            button.setBorder(Theme.padding(2));
-        }
     }
 
     @Override

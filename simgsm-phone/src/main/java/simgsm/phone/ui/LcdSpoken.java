@@ -51,7 +51,7 @@ final class LcdSpoken {
                     : ussd.text() + " " + ussd.reply();
         }
         if (screen instanceof Screen.Note note) {
-            return texts.of("note." + note.kind().name().toLowerCase(Locale.ROOT), note.detail());
+            return CauseText.ofNote(texts, note);
         }
         return home(phone);
     }

@@ -1,7 +1,6 @@
 package simgsm.phone.ui;
 
 import java.util.List;
-import java.util.Locale;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetSnapshot;
@@ -158,7 +157,6 @@ final class LcdWriting {
     }
 
     void note(LcdPen pen, Screen.Note note) {
-        String key = "note." + note.kind().name().toLowerCase(Locale.ROOT);
-        LcdLists.middle(pen, texts.of(key, note.detail()));
+        LcdLists.middle(pen, CauseText.ofNote(texts, note));
     }
 }

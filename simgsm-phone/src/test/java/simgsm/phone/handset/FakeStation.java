@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.air.Cause;
+import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
@@ -15,6 +16,7 @@ import simgsm.station.StationCommands;
 import simgsm.station.StationSnapshot;
 import simgsm.station.call.MobileCallState;
 import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
 
 /** A station that does at once what a real one does in the end, and remembers what it was asked. */
 public final class FakeStation implements StationCommands {
@@ -49,6 +51,11 @@ public final class FakeStation implements StationCommands {
         inCall = false;
         ringing = false;
         listener.accept(new StationEvent.Released(cause));
+    }
+
+    @Override
+    public StationIdentity identity() {
+        return StationIdentity.ofOpenNumber(new Msisdn("5550100"), new Imei("490154203237518"), "SimGSM phone");
     }
 
     @Override

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.phone.screen.Screen;
 import simgsm.phone.screen.Screen.Ussd.Phase;
+import simgsm.phone.screen.Words;
 import simgsm.ss.SsError;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.UssdEnding;
@@ -46,6 +47,18 @@ class HandsetUssdTest {
         assertEquals(
                 new Screen.Ussd(Phase.ANSWERED, "5550100", ""), bench.snapshot().screen());
         bench.tap(PhoneKey.OK);
+        assertEquals(new Screen.Home(), bench.snapshot().screen());
+    }
+
+    @Test
+    void theLastKeyOfItsCodeShowsTheImeiWithoutTheNetwork() {
+        key("*#06#");
+        assertEquals(
+                new Screen.Details(Words.plain("IMEI"), List.of(Words.plain("490154203237518"))),
+                bench.snapshot().screen());
+        assertEquals(List.of(), bench.station.asked);
+        assertEquals("", bench.snapshot().typed());
+        bench.tap(PhoneKey.SOFT_RIGHT);
         assertEquals(new Screen.Home(), bench.snapshot().screen());
     }
 
@@ -100,7 +113,7 @@ class HandsetUssdTest {
         request();
         ended(UssdEnding.REFUSED, Optional.of(SsError.FACILITY_NOT_SUPPORTED));
         assertEquals(
-                new Screen.Note(Screen.Note.Kind.USSD_REFUSED, "facility not supported"),
+                new Screen.Note(Screen.Note.Kind.USSD_REFUSED, "21"),
                 bench.snapshot().screen());
     }
 

@@ -19,7 +19,10 @@ import simgsm.ss.SsError;
 import simgsm.ss.SsOperation;
 import simgsm.ss.SsProblem;
 
-/** Operations on a subscriber's call forwarding and call waiting (TS 23.082, 1.1; TS 23.083, 1.1). */
+/**
+ * Operations on a subscriber's call forwarding and call waiting (TS 23.082, 1.1; TS 23.083, 1.1), and what is asked of line
+ * identification (TS 23.081).
+ */
 final class ServiceProcedures {
     private static final Set<SsOperation> OPERATIONS = Set.of(
             SsOperation.REGISTER_SS,
@@ -27,6 +30,12 @@ final class ServiceProcedures {
             SsOperation.ACTIVATE_SS,
             SsOperation.DEACTIVATE_SS,
             SsOperation.INTERROGATE_SS);
+
+    /** Numbers are shown to all, and nobody hides one. */
+    private static final Set<SsCode> SHOWN =
+            Set.of(SsCode.CALLING_LINE_PRESENTATION, SsCode.CONNECTED_LINE_PRESENTATION);
+
+    private static final int SHOWN_ALWAYS = ServiceStatus.PROVISIONED | ServiceStatus.ACTIVE;
 
     private final boolean callWaiting;
     private final Consumer<Subscriber> changed;
@@ -60,9 +69,7 @@ final class ServiceProcedures {
         if (service.isEmpty()) {
             return new ReturnError(invoke.id(), SsError.FACILITY_NOT_SUPPORTED);
         }
-        Optional<SsError> error = service.get().isForwarding()
-                ? forward(subscriber, operation, service.get(), argument.forwardedTo())
-                : setWaiting(subscriber.services(), operation);
+        Optional<SsError> error = perform(subscriber, operation, service.get(), argument);
         if (error.isPresent()) {
             return new ReturnError(invoke.id(), error.get());
         }
@@ -71,6 +78,20 @@ final class ServiceProcedures {
         }
         ServiceStatus status = status(subscriber.services(), service.get());
         return new ReturnResult(invoke.id(), operation, status.encode(operation));
+    }
+
+    private static Optional<SsError> perform(
+            Subscriber subscriber, SsOperation operation, SsCode service, SsArgument argument) {
+        if (service.isForwarding()) {
+            return forward(subscriber, operation, service, argument.forwardedTo());
+        }
+        if (service.isLineIdentification()) {
+            // TS 23.081: these are interrogated alone.
+            return operation == SsOperation.INTERROGATE_SS
+                    ? Optional.empty()
+                    : Optional.of(SsError.ILLEGAL_SS_OPERATION);
+        }
+        return setWaiting(subscriber.services(), operation);
     }
 
     private static Optional<SsError> forward(
@@ -120,6 +141,9 @@ final class ServiceProcedures {
         if (service == SsCode.CALL_WAITING) {
             int active = services.hasCallWaiting(callWaiting) ? ServiceStatus.ACTIVE : 0;
             return new ServiceStatus(service, ServiceStatus.PROVISIONED | active, Optional.empty());
+        }
+        if (service.isLineIdentification()) {
+            return new ServiceStatus(service, SHOWN.contains(service) ? SHOWN_ALWAYS : 0, Optional.empty());
         }
         ServiceStatus first = services.status(service.members().get(0));
         return new ServiceStatus(service, first.flags(), first.forwardedTo());

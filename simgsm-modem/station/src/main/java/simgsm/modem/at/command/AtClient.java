@@ -3,6 +3,7 @@ package simgsm.modem.at.command;
 import java.util.function.Consumer;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.AtSession;
+import simgsm.modem.at.state.ClientSettings;
 
 /** One connected client: its dialogue and what it has set. */
 public final class AtClient {

@@ -25,6 +25,7 @@ public final class AtModem {
     private final Submissions submissions;
     private final PhoneBooks books;
     private final UssdCodes ussd;
+    private final ServiceAnswers services;
 
     /** @param wallClock for AT+CCLK */
     public AtModem(AtTerminal terminal, InstantSource wallClock) {
@@ -33,6 +34,7 @@ public final class AtModem {
         books = new PhoneBooks(terminal.identity().number(), terminal.phoneBook());
         keys = new KeyCodes(this);
         ussd = new UssdCodes(this);
+        services = new ServiceAnswers(terminal);
         calls = new CallCodes(this);
         network = new NetworkCodes(this);
         messages = new MessageCodes(this);
@@ -64,7 +66,9 @@ public final class AtModem {
         } else if (event instanceof StationEvent.KeysRefused) {
             calls.keysRefused();
         } else if (event instanceof StationEvent.OfUssd ofUssd) {
-            ussd.accept(ofUssd);
+            if (!services.accept(ofUssd)) {
+                ussd.accept(ofUssd);
+            }
         } else if (event instanceof StationEvent.OfSubmittedMessage submitted) {
             submissions.accept(submitted);
         } else if (event instanceof StationEvent.OfMessage message) {
@@ -96,6 +100,10 @@ public final class AtModem {
 
     CallCodes calls() {
         return calls;
+    }
+
+    ServiceAnswers services() {
+        return services;
     }
 
     KeyCodes keys() {

@@ -8,6 +8,7 @@ import java.util.function.Predicate;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.modem.at.AddressType;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.station.call.MobileCallState;
@@ -155,12 +156,7 @@ final class CallCodes {
     }
 
     private static String address(String number) {
-        return number.isEmpty() ? "" : ",\"" + number + "\"," + typeOf(number);
-    }
-
-    /** Type of address (TS 24.008, 10.5.4.7): 145 international, 129 unknown. */
-    static int typeOf(String number) {
-        return number.startsWith("+") ? 145 : 129;
+        return number.isEmpty() ? "" : ",\"" + number + "\"," + AddressType.of(number);
     }
 
     static String international(Optional<Msisdn> number) {
@@ -263,7 +259,7 @@ final class CallCodes {
             client.report(AtResult.RING);
         }
         if (client.settings().showsCaller) {
-            client.report("+CLIP: \"" + number + "\"," + typeOf(number) + ",,,," + (number.isEmpty() ? 1 : 0));
+            client.report("+CLIP: \"" + number + "\"," + AddressType.of(number) + ",,,," + (number.isEmpty() ? 1 : 0));
         }
     }
 
@@ -275,7 +271,9 @@ final class CallCodes {
         if (isIncoming) {
             modem.books().answered(number);
         } else {
-            reportTo(client -> client.settings().showsConnectedNumber, "+COLP: \"" + number + "\"," + typeOf(number));
+            reportTo(
+                    client -> client.settings().showsConnectedNumber,
+                    "+COLP: \"" + number + "\"," + AddressType.of(number));
         }
     }
 
@@ -331,7 +329,9 @@ final class CallCodes {
 
     private void reportWaiting(StationEvent.CallWaits call) {
         String caller = international(call.from());
-        reportTo(client -> client.settings().showsWaiting, "+CCWA: \"" + caller + "\"," + typeOf(caller) + "," + VOICE);
+        reportTo(
+                client -> client.settings().showsWaiting,
+                "+CCWA: \"" + caller + "\"," + AddressType.of(caller) + "," + VOICE);
     }
 
     private void reportTo(Predicate<AtClient> wish, String line) {

@@ -69,6 +69,7 @@ final class CallCommands {
                 .test("(0-2)")
                 .set(CallCommands::ussd);
         codes(table);
+        ServiceCommands.addTo(table);
         keys(table);
     }
 
@@ -82,15 +83,11 @@ final class CallCommands {
                 .test("(0,1)")
                 .execute((client, request) -> client.settings().namesRingKind = false)
                 .set((client, request) -> client.settings().namesRingKind = flag(request));
-        table.add("+CCWA", "0|1[,0-2[,1]]", "+CCWA with the number of a waiting caller (0); mode 2 asks")
-                .read((client, request) -> request.answer(client.settings().showsWaiting ? 1 : 0))
-                .test("(0,1)")
-                .set(CallCommands::callWaiting);
         table.add("+COLP", "0|1", "+COLP with the number that has answered (0)")
                 .read((client, request) -> request.answer(client.settings().showsConnectedNumber ? 1 : 0, 1))
                 .test("(0,1)")
                 .set((client, request) -> client.settings().showsConnectedNumber = flag(request));
-        for (String name : new String[] {"+CLIR", "+CSSN", "+CVHU", "+CSTA", "+CR", "+CMOD", "+CBST"}) {
+        for (String name : new String[] {"+CSSN", "+CVHU", "+CSTA", "+CR", "+CMOD", "+CBST"}) {
             table.add(name, "...", "accepted, without effect")
                     .read((client, request) -> request.answer(name.equals("+CSTA") ? 145 : 0))
                     .test("(0,1)")
@@ -216,16 +213,6 @@ final class CallCommands {
             }
         } catch (IllegalArgumentException tooLong) {
             throw new AtException(CmeError.TEXT_TOO_LONG);
-        }
-    }
-
-    private static void callWaiting(AtClient client, AtRequest request) throws AtException {
-        AtParameters parameters = request.parameters().atMost(3);
-        client.settings().showsWaiting = parameters.number(0, 0, 1, client.settings().showsWaiting ? 1 : 0) == 1;
-        int mode = parameters.number(1, 0, 2, 1);
-        parameters.number(2, 1, 255, 1);
-        if (mode == 2) {
-            request.answer(client.modem().terminal().hasCallWaiting() ? 1 : 0, 1);
         }
     }
 

@@ -14,6 +14,8 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
+import simgsm.modem.at.sms.PduText;
+import simgsm.modem.at.sms.TextMode;
 import simgsm.modem.at.state.SimMemory;
 import simgsm.octets.OctetString;
 import simgsm.sms.CellBroadcastPage;

@@ -13,6 +13,8 @@ import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmsError;
+import simgsm.modem.at.sms.PduText;
+import simgsm.modem.at.sms.TextSubmit;
 import simgsm.modem.at.state.SimMemory;
 import simgsm.octets.OctetString;
 import simgsm.sms.SubmitTpdu;

@@ -7,6 +7,7 @@ import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmsError;
+import simgsm.modem.at.state.ClientSettings;
 import simgsm.modem.at.state.SimMemory;
 import simgsm.sms.ChannelList;
 

@@ -3,6 +3,7 @@ package simgsm.modem.at.command;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import simgsm.modem.at.AddressType;
 import simgsm.modem.at.AtCommandTable;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
@@ -77,7 +78,7 @@ final class PhoneBookCommands {
         request.answer(
                 place,
                 AtRequest.quoted(entry.number()),
-                CallCodes.typeOf(entry.number()),
+                AddressType.of(entry.number()),
                 AtRequest.quoted(set.encode(entry.name())));
     }
 
@@ -121,7 +122,7 @@ final class PhoneBookCommands {
 
     private static SimPhoneBook.Entry entry(AtClient client, AtParameters parameters) throws AtException {
         String number = client.settings().characterSet.decodeNumber(parameters.text(1));
-        boolean international = parameters.number(2, 128, 255, CallCodes.typeOf(number)) == CallCodes.typeOf("+");
+        boolean international = parameters.number(2, 128, 255, AddressType.of(number)) == AddressType.INTERNATIONAL;
         if (!number.matches("\\+?[0-9*#]*")) {
             throw new AtException(CmeError.INVALID_DIAL_STRING);
         }

@@ -1,4 +1,4 @@
-package simgsm.modem.at.command;
+package simgsm.modem.at.sms;
 
 import java.util.Locale;
 import simgsm.air.Direction;
@@ -20,7 +20,7 @@ import simgsm.sms.TpduCodec;
  *
  * @param serviceCenter as written, or the modem's own
  */
-record PduText(Msisdn serviceCenter, OctetString tpdu) {
+public record PduText(Msisdn serviceCenter, OctetString tpdu) {
     private static final int INTERNATIONAL = 0x91;
     private static final int TYPE_MASK = 0x03;
     private static final int SUBMIT = 0x01;
@@ -35,7 +35,7 @@ record PduText(Msisdn serviceCenter, OctetString tpdu) {
      * @param length octets of the transfer unit, as announced in the command
      * @throws AtException with 304 for digits that are no message
      */
-    static PduText parse(byte[] entered, int length, Msisdn ownServiceCenter) throws AtException {
+    public static PduText parse(byte[] entered, int length, Msisdn ownServiceCenter) throws AtException {
         StringBuilder digits = new StringBuilder();
         for (byte character : entered) {
             if (character > ' ') {
@@ -61,13 +61,13 @@ record PduText(Msisdn serviceCenter, OctetString tpdu) {
     }
 
     /** The unit of a received or stored message. */
-    static Tpdu decode(OctetString tpdu) throws ProtocolViolation {
+    public static Tpdu decode(OctetString tpdu) throws ProtocolViolation {
         boolean isSubmit = (tpdu.octet(0) & TYPE_MASK) == SUBMIT;
         return TpduCodec.decode(tpdu, isSubmit ? Direction.UPLINK : Direction.DOWNLINK);
     }
 
     /** The receiver of a SUBMIT. @throws AtException with 304 for another unit, or an address that is no number */
-    Msisdn receiver() throws AtException {
+    public Msisdn receiver() throws AtException {
         try {
             if (TpduCodec.decode(tpdu, Direction.UPLINK) instanceof SubmitTpdu submit) {
                 return submit.destination().number().orElseThrow(() -> new IllegalArgumentException("no number"));
@@ -79,7 +79,7 @@ record PduText(Msisdn serviceCenter, OctetString tpdu) {
     }
 
     /** The receiver of a COMMAND (TS 23.040, 9.2.2.4). @throws AtException with 304 for another unit */
-    Msisdn commandReceiver() throws AtException {
+    public Msisdn commandReceiver() throws AtException {
         try {
             MessageReader in = new MessageReader(tpdu);
             if ((in.octet("first octet") & TYPE_MASK) != COMMAND) {
@@ -95,12 +95,12 @@ record PduText(Msisdn serviceCenter, OctetString tpdu) {
     }
 
     /** Octets of the unit alone. */
-    int length() {
+    public int length() {
         return tpdu.length();
     }
 
     /** In capitals, with the service centre. */
-    String digits() {
+    public String digits() {
         OctetWriter address = new OctetWriter().octet(INTERNATIONAL);
         SemiOctets.write(address, serviceCenter.digits(), 0);
         OctetString center = address.toOctetString();

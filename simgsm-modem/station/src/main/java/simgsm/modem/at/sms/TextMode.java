@@ -1,8 +1,9 @@
-package simgsm.modem.at.command;
+package simgsm.modem.at.sms;
 
 import java.util.List;
 import java.util.Locale;
 import simgsm.air.Msisdn;
+import simgsm.modem.at.state.ClientSettings;
 import simgsm.modem.at.state.ModemClock;
 import simgsm.modem.at.state.SimMemory;
 import simgsm.octets.OctetString;
@@ -19,17 +20,17 @@ import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
 
 /** Messages in text mode (TS 27.005, 3.1 and 3.4), for one client. */
-final class TextMode {
+public final class TextMode {
     private final ClientSettings settings;
     private final Msisdn serviceCenter;
 
-    TextMode(ClientSettings settings, Msisdn serviceCenter) {
+    public TextMode(ClientSettings settings, Msisdn serviceCenter) {
         this.settings = settings;
         this.serviceCenter = serviceCenter;
     }
 
     /** A line of +CMGL, after its name. */
-    String listed(int index, SimMemory.Status status, OctetString octets, Tpdu tpdu) {
+    public String listed(int index, SimMemory.Status status, OctetString octets, Tpdu tpdu) {
         String begin = index + "," + quoted(status.words()) + ",";
         if (tpdu instanceof DeliverTpdu deliver) {
             String more =
@@ -46,7 +47,7 @@ final class TextMode {
     }
 
     /** A message of +CMGR, after its name. */
-    String read(SimMemory.Status status, OctetString octets, Tpdu tpdu) {
+    public String read(SimMemory.Status status, OctetString octets, Tpdu tpdu) {
         String begin = quoted(status.words()) + ",";
         if (tpdu instanceof DeliverTpdu deliver) {
             return begin + delivered(octets, deliver);
@@ -64,7 +65,7 @@ final class TextMode {
     }
 
     /** A message as +CMT has it, and +CMGR after the status. */
-    String delivered(OctetString octets, DeliverTpdu deliver) {
+    public String delivered(OctetString octets, DeliverTpdu deliver) {
         String more = settings.showsHeader
                 ? "," + type(deliver.originator()) + "," + octets.octet(0) + "," + deliver.protocolIdentifier() + ","
                         + deliver.userData().coding().octet() + center() + length(deliver.userData())
@@ -74,14 +75,14 @@ final class TextMode {
     }
 
     /** A status report as +CDS has it. */
-    String report(OctetString octets, StatusReportTpdu report) {
+    public String report(OctetString octets, StatusReportTpdu report) {
         return octets.octet(0) + "," + report.reference() + "," + address(report.recipient()) + ","
                 + type(report.recipient()) + "," + stamp(report.timestamp()) + "," + stamp(report.discharged()) + ","
                 + report.status();
     }
 
     /** A page as +CBM has it. */
-    String page(CellBroadcastPage page) {
+    public String page(CellBroadcastPage page) {
         return page.serial().value() + "," + page.messageIdentifier() + ","
                 + page.coding().octet() + ","
                 + page.page() + "," + page.pages() + "\r\n"

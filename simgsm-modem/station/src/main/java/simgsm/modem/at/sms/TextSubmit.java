@@ -1,12 +1,14 @@
-package simgsm.modem.at.command;
+package simgsm.modem.at.sms;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Optional;
 import simgsm.air.Septets;
+import simgsm.modem.at.AddressType;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.CmsError;
+import simgsm.modem.at.state.ClientSettings;
 import simgsm.octets.OctetString;
 import simgsm.sms.Alphabet;
 import simgsm.sms.DataCodingScheme;
@@ -18,7 +20,7 @@ import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
 
 /** A message that is entered in text mode: its receiver, and what +CSMP says about the rest. */
-final class TextSubmit {
+public final class TextSubmit {
     private static final int ISDN = 1;
     private static final int REJECT_DUPLICATES = 0x04;
     private static final int VALIDITY_RELATIVE = 0x10;
@@ -34,12 +36,12 @@ final class TextSubmit {
     }
 
     /** @param parameters number and type of address */
-    static TextSubmit to(ClientSettings settings, AtParameters parameters) throws AtException {
+    public static TextSubmit to(ClientSettings settings, AtParameters parameters) throws AtException {
         return new TextSubmit(settings, address(settings, parameters, 0));
     }
 
     /** A stored message for another receiver. @param index of number and type */
-    static SubmitTpdu readdressed(ClientSettings settings, SubmitTpdu stored, AtParameters parameters, int index)
+    public static SubmitTpdu readdressed(ClientSettings settings, SubmitTpdu stored, AtParameters parameters, int index)
             throws AtException {
         return new SubmitTpdu(
                 stored.rejectDuplicates(),
@@ -52,13 +54,13 @@ final class TextSubmit {
                 stored.userData());
     }
 
-    static OctetString octets(SubmitTpdu submit) {
+    public static OctetString octets(SubmitTpdu submit) {
         return TpduCodec.encode(submit);
     }
 
     private static SmsAddress address(ClientSettings settings, AtParameters parameters, int index) throws AtException {
         String number = settings.characterSet.decodeNumber(parameters.text(index));
-        int type = parameters.number(index + 1, 128, 255, CallCodes.typeOf(number));
+        int type = parameters.number(index + 1, 128, 255, AddressType.of(number));
         String digits = number.startsWith("+") ? number.substring(1) : number;
         try {
             SmsAddress address = new SmsAddress(type >> 4 & 0x07, ISDN, digits);
@@ -72,7 +74,7 @@ final class TextSubmit {
     }
 
     /** The message with this text; its reference is set when it is sent. */
-    SubmitTpdu message(byte[] entered) throws AtException {
+    public SubmitTpdu message(byte[] entered) throws AtException {
         int first = settings.submitFirstOctet;
         boolean hasValidity = (first & VALIDITY_RELATIVE) != 0;
         try {

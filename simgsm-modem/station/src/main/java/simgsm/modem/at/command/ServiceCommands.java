@@ -1,0 +1,141 @@
+package simgsm.modem.at.command;
+
+import java.util.List;
+import simgsm.air.Msisdn;
+import simgsm.modem.at.AddressType;
+import simgsm.modem.at.AtCommandTable;
+import simgsm.modem.at.AtException;
+import simgsm.modem.at.AtParameters;
+import simgsm.modem.at.AtRequest;
+import simgsm.modem.at.AtResult;
+import simgsm.modem.at.CmeError;
+import simgsm.ss.ServiceStatus;
+import simgsm.ss.SsCode;
+
+/** Supplementary services that the network keeps: forwarding, call waiting, hidden numbers (TS 27.007, 7.7, 7.11, 7.12). */
+final class ServiceCommands {
+    /** By the reason's number. */
+    private static final List<SsCode> REASONS = List.of(
+            SsCode.FORWARDING_UNCONDITIONAL,
+            SsCode.FORWARDING_ON_BUSY,
+            SsCode.FORWARDING_ON_NO_REPLY,
+            SsCode.FORWARDING_ON_NOT_REACHABLE,
+            SsCode.ALL_FORWARDING,
+            SsCode.ALL_CONDITIONAL_FORWARDING);
+
+    /** How a user types the procedures 0 to 4: deactivate, activate, ask, register, erase. */
+    private static final List<String> PROCEDURES = List.of("#", "*", "*#", "**", "##");
+
+    private static final int QUERY = 2;
+    private static final int REGISTER = 3;
+    private static final int VOICE = 1;
+    /** Voice, data and fax: what a command without a class means. */
+    private static final int ALL_CLASSES = 7;
+
+    private static final int MOST_CLASSES = 255;
+    private static final int MOST_TYPE = 255;
+    private static final int MOST_PARAMETERS = 8;
+    private static final int MOST_SECONDS = 30;
+    /** The number is hidden in the next calls. */
+    private static final int INVOKED = 1;
+
+    private ServiceCommands() {}
+
+    static void addTo(AtCommandTable<AtClient> table) {
+        table.add(
+                        "+CCFC",
+                        "0-5,0-4[,\"number\"[,type[,class]]]",
+                        "call forwarding: reason (0 all calls, 1 busy, 2 no reply, 3 not reachable, 4 all, 5 all conditions)"
+                                + " and mode (0 deactivates, 1 activates, 2 asks, 3 registers, 4 erases); 2 answers +CCFC: status,class[,number,type]")
+                .test("(0-5)")
+                .setFor(ServiceCommands::forward);
+        table.add(
+                        "+CCWA",
+                        "0|1[,0-2[,class]]",
+                        "+CCWA with the number of a waiting caller (0); mode 0 deactivates call waiting, 1 activates it, 2 asks the network")
+                .read((client, request) -> request.answer(client.settings().showsWaiting ? 1 : 0))
+                .test("(0,1)")
+                .setFor(ServiceCommands::callWaiting);
+        table.add("+CLIR", "0|2", "one's own number is shown; the network hides none, so that 1 is refused")
+                .read((client, request) -> request.answer(0, 0))
+                .test("(0,2)")
+                .set((client, request) -> {
+                    if (request.parameters().atMost(1).number(0, 0, 2) == INVOKED) {
+                        throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
+                    }
+                });
+    }
+
+    private static AtResult forward(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(MOST_PARAMETERS);
+        SsCode reason = REASONS.get(parameters.number(0, 0, REASONS.size() - 1));
+        int mode = parameters.number(1, 0, PROCEDURES.size() - 1);
+        int type = parameters.number(3, 0, MOST_TYPE, AddressType.UNKNOWN);
+        checkClass(parameters.number(4, 1, MOST_CLASSES, ALL_CLASSES));
+        parameters.number(7, 1, MOST_SECONDS, 1);
+        String number = mode == REGISTER ? "*" + number(parameters, type) : "";
+        String code = PROCEDURES.get(mode) + reason.typed() + number + "#";
+        return client.modem().services().ask(request, code, status -> {
+            if (mode == QUERY) {
+                request.answer(forwarding(status));
+            }
+        });
+    }
+
+    private static String number(AtParameters parameters, int type) throws AtException {
+        String text = parameters.text(2);
+        String number = type == AddressType.INTERNATIONAL && !text.startsWith("+") ? "+" + text : text;
+        try {
+            Msisdn.parse(number);
+        } catch (IllegalArgumentException notANumber) {
+            throw parameters.refused();
+        }
+        return number;
+    }
+
+    /** The network forwards calls of speech; there are no others. */
+    private static void checkClass(int classes) throws AtException {
+        if ((classes & VOICE) == 0) {
+            throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
+        }
+    }
+
+    private static String forwarding(ServiceStatus status) {
+        int active = status.isActive() ? 1 : 0;
+        return status.forwardedTo()
+                .map(number -> active + "," + VOICE + "," + AtRequest.quoted(number) + "," + AddressType.of(number))
+                .orElse(active + "," + ALL_CLASSES);
+    }
+
+    private static AtResult callWaiting(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(3);
+        boolean shows = parameters.number(0, 0, 1, client.settings().showsWaiting ? 1 : 0) == 1;
+        int classes = parameters.number(2, 1, MOST_CLASSES, ALL_CLASSES);
+        if (parameters.given(1).isEmpty()) {
+            client.settings().showsWaiting = shows;
+            return AtResult.OK;
+        }
+        int mode = parameters.number(1, 0, QUERY);
+        checkClass(classes);
+        client.settings().showsWaiting = shows;
+        if (!client.modem().terminal().hasCallWaiting()) {
+            return withoutWaiting(request, mode);
+        }
+        String code = PROCEDURES.get(mode) + SsCode.CALL_WAITING.typed() + "#";
+        return client.modem().services().ask(request, code, status -> {
+            if (mode == QUERY) {
+                request.answer(status.isActive() ? 1 : 0, status.isActive() ? VOICE : ALL_CLASSES);
+            }
+        });
+    }
+
+    /** A terminal that takes one call has nothing to ask the network for. */
+    private static AtResult withoutWaiting(AtRequest request, int mode) throws AtException {
+        if (mode == QUERY) {
+            request.answer(0, ALL_CLASSES);
+        } else if (mode != 0) {
+            throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
+        }
+        return AtResult.OK;
+    }
+}

@@ -1,0 +1,49 @@
+package simgsm.modem.at.state;
+
+import simgsm.sms.ChannelList;
+
+/** What one client has set; each connection begins with these values, and ATZ and AT&F restore them. */
+public final class ClientSettings {
+    public CharacterSet characterSet = CharacterSet.IRA;
+
+    // Calls.
+    public boolean showsCaller;
+    public boolean namesRingKind;
+    public boolean showsWaiting;
+    public boolean showsConnectedNumber;
+    /** ATX: below 3 a busy line is reported as NO CARRIER. */
+    public int callProgress = 4;
+    /** S0: rings after which a call is answered, 0 for never. */
+    public int ringsBeforeAnswer;
+    /** VTD, in 0.1 s; 0 for the modem's own 100 ms. */
+    public int keyTenths;
+
+    // Keys heard.
+    public boolean reportsKeys;
+    public int equalKeysMillis;
+    public boolean reportsKeyMillis;
+
+    // Network.
+    public int registrationMode;
+    public int packetRegistrationMode;
+    public int operatorFormat;
+    public boolean reportsIndicators;
+    public int ussdMode;
+
+    // Messages.
+    public boolean textMode;
+    public boolean showsHeader;
+    public boolean acknowledges;
+    public int indicationMode;
+    public int deliverMode;
+    public int broadcastMode;
+    public int reportMode;
+    public int bufferMode;
+    public ChannelList channels = ChannelList.ALL;
+    public int submitFirstOctet = 17;
+    public int submitValidity = 167;
+    public int submitProtocol;
+    public int submitCoding;
+
+    public String phoneBook = "SM";
+}
