@@ -60,6 +60,9 @@ public enum Layer3Type {
     ASSIGNMENT_COMMAND(6, 0x2e, Way.DOWN, AssignmentCommand.class, "Assignment Command"),
     ASSIGNMENT_COMPLETE(6, 0x29, Way.UP, AssignmentComplete.class, "Assignment Complete"),
     ASSIGNMENT_FAILURE(6, 0x2f, Way.UP, AssignmentFailure.class, "Assignment Failure"),
+    CHANNEL_MODE_MODIFY(6, 0x10, Way.DOWN, ChannelModeModify.class, "Channel Mode Modify"),
+    CHANNEL_MODE_MODIFY_ACKNOWLEDGE(
+            6, 0x17, Way.UP, ChannelModeModifyAcknowledge.class, "Channel Mode Modify Acknowledge"),
     MEASUREMENT_REPORT(6, 0x15, Way.UP, MeasurementReport.class, "Measurement Report"),
     CHANNEL_RELEASE(6, 0x0d, Way.DOWN, ChannelRelease.class, "Channel Release"),
     RR_STATUS(6, 0x12, Way.BOTH, RrStatus.class, "RR Status"),

@@ -10,6 +10,9 @@ public sealed interface RadioResource extends Layer3Message {
     /** RR cause of normal events (TS 44.018, 10.5.2.31). */
     int NORMAL_EVENT = 0;
 
+    /** Channel mode (TS 44.018, 10.5.2.6): signalling only. */
+    int SIGNALLING_ONLY = 0x00;
+
     /** Channel mode: speech, full rate version 1. */
     int SPEECH_FULL_RATE = 0x01;
 
@@ -77,6 +80,20 @@ public sealed interface RadioResource extends Layer3Message {
         public AssignmentCommand {
             Bounds.check("power level", powerLevel, 0, 31);
             Bounds.checkOctet("channel mode", channelMode);
+        }
+    }
+
+    /** Changes the mode of the channel on which the mobile is. @param mode (TS 44.018, 10.5.2.6) */
+    record ChannelModeModify(ChannelDescription channel, int mode) implements RadioResource {
+        public ChannelModeModify {
+            Bounds.checkOctet("channel mode", mode);
+        }
+    }
+
+    /** @param mode that the mobile uses from now on: the old one if it does not have the other (TS 44.018, 3.4.6.1.3) */
+    record ChannelModeModifyAcknowledge(ChannelDescription channel, int mode) implements RadioResource {
+        public ChannelModeModifyAcknowledge {
+            Bounds.checkOctet("channel mode", mode);
         }
     }
 

@@ -23,6 +23,10 @@ final class RadioResourceCodec {
         } else if (message instanceof AssignmentCommand command) {
             out.string(command.channel().encode()).octet(command.powerLevel());
             out.octet(CHANNEL_MODE).octet(command.channelMode());
+        } else if (message instanceof ChannelModeModify modify) {
+            out.string(modify.channel().encode()).octet(modify.mode());
+        } else if (message instanceof ChannelModeModifyAcknowledge acknowledge) {
+            out.string(acknowledge.channel().encode()).octet(acknowledge.mode());
         } else if (message instanceof AssignmentComplete complete) {
             out.octet(complete.cause());
         } else if (message instanceof AssignmentFailure failure) {
@@ -52,6 +56,9 @@ final class RadioResourceCodec {
 
     private static RadioResource readFixed(Layer3Type type, MessageReader in) throws ProtocolViolation {
         RadioResource message = switch (type) {
+            case CHANNEL_MODE_MODIFY -> new ChannelModeModify(ChannelDescription.read(in), in.octet("channel mode"));
+            case CHANNEL_MODE_MODIFY_ACKNOWLEDGE ->
+                new ChannelModeModifyAcknowledge(ChannelDescription.read(in), in.octet("channel mode"));
             case ASSIGNMENT_COMPLETE -> new AssignmentComplete(in.octet("RR cause"));
             case ASSIGNMENT_FAILURE -> new AssignmentFailure(in.octet("RR cause"));
             case HANDOVER_COMPLETE -> new HandoverComplete(in.octet("RR cause"));

@@ -164,6 +164,8 @@ public final class Examples {
             up(new RrStatus(97), "061261"),
             down(new AssignmentCommand(TRAFFIC, 15, RadioResource.SPEECH_FULL_RATE), "062e0a40640f6301"),
             up(new AssignmentComplete(0), "062900"),
+            down(new ChannelModeModify(TRAFFIC, RadioResource.SPEECH_FULL_RATE), "06100a406401"),
+            up(new ChannelModeModifyAcknowledge(TRAFFIC, RadioResource.SIGNALLING_ONLY), "06170a406400"),
             up(new AssignmentFailure(0x6f), "062f6f"),
             down(
                     new HandoverCommand(

@@ -10,6 +10,7 @@ import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.RadioResource.AssignmentCommand;
 import simgsm.air.RadioResource.CellDescription;
+import simgsm.air.RadioResource.ChannelModeModify;
 import simgsm.air.RadioResource.HandoverCommand;
 import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.tower.TowerChannel;
@@ -28,9 +29,11 @@ final class ChannelChange {
     /** HANDOVER ACCESS bursts in a synchronised cell. */
     private static final int SYNCHRONISED_ACCESSES = 4;
 
-    private static final int FREQUENCY_NOT_IMPLEMENTED = 10;
-    private static final int CHANNEL_UNACCEPTABLE = 0x09;
+    // RR causes (TS 44.018, 10.5.2.31).
     private static final int TIMER_EXPIRED = 3;
+    private static final int MODE_UNACCEPTABLE = 9;
+    private static final int FREQUENCY_NOT_IMPLEMENTED = 10;
+    private static final int UNSPECIFIED = 0x6f;
 
     private final Mobile mobile;
     private final MobileNetwork network;
@@ -41,6 +44,9 @@ final class ChannelChange {
     private TowerChannel target;
 
     private int targetTower = IdleSelection.NONE;
+    /** Of the channel on which the mobile is. */
+    private int mode;
+
     private int cause;
     private Timer next;
     private Timer limit;
@@ -49,6 +55,16 @@ final class ChannelChange {
         this.mobile = mobile;
         this.network = network;
         this.timers = timers;
+    }
+
+    /** The mobile comes onto its first channel. */
+    void begin() {
+        mode = RadioResource.SIGNALLING_ONLY;
+    }
+
+    /** Terminals have signalling and GSM 06.10. */
+    private static boolean isSupported(int channelMode) {
+        return channelMode == RadioResource.SIGNALLING_ONLY || channelMode == RadioResource.SPEECH_FULL_RATE;
     }
 
     static OctetString encoded(RadioResource message) {
@@ -75,28 +91,48 @@ final class ChannelChange {
             handover = command;
             mobile.fire(MobileRadioEvent.HANDOVER_COMMAND);
             return true;
+        } else if (message instanceof ChannelModeModify modify) {
+            modifyMode(modify);
+            return true;
         }
         return false;
+    }
+
+    /** A mode that the terminal does not have leaves the old one (TS 44.018, 3.4.6.1.3). */
+    private void modifyMode(ChannelModeModify modify) {
+        if (isSupported(modify.mode())) {
+            mode = modify.mode();
+        }
+        mobile.current().send(0, encoded(new RadioResource.ChannelModeModifyAcknowledge(modify.channel(), mode)));
     }
 
     // Assignment.
 
     void beginAssignment() {
         mobile.passed(PassingStep.Kind.ASSIGNMENT_COMMAND, mobile.cell(), "", 0);
+        if (!isSupported(assignment.channelMode())) {
+            cause = MODE_UNACCEPTABLE;
+            mobile.fire(MobileRadioEvent.CHANGE_FAILED);
+            return;
+        }
+        cause = UNSPECIFIED;
+        next = timers.start(TUNING_NANOS, this::arriveByAssignment);
+    }
+
+    /** Only now the mobile hears whether the channel is there. */
+    private void arriveByAssignment() {
         target = mobile.current()
                 .tower()
                 .channel(assignment.channel().channel())
-                .filter(active -> !active.isUsed())
+                .filter(TowerChannel::isAwaiting)
                 .orElse(null);
-        cause = CHANNEL_UNACCEPTABLE;
-        next = timers.start(
-                TUNING_NANOS,
-                () -> mobile.fire(target == null ? MobileRadioEvent.CHANGE_FAILED : MobileRadioEvent.ARRIVED));
+        mobile.fire(target == null ? MobileRadioEvent.CHANGE_FAILED : MobileRadioEvent.ARRIVED);
     }
 
     void completeAssignment() {
         TowerChannel old = mobile.current();
         old.forsake(false);
+        mode = assignment.channelMode();
         mobile.take(target);
         target.establish(mobile.user(), null);
         target.send(0, encoded(new RadioResource.AssignmentComplete(RadioResource.NORMAL_EVENT)));
@@ -121,6 +157,11 @@ final class ChannelChange {
                         ? network.towers().get(found.getAsInt()).tower().name()
                         : "",
                 handover.reference());
+        if (!isSupported(handover.channelMode().orElse(mode))) {
+            cause = MODE_UNACCEPTABLE;
+            mobile.fire(MobileRadioEvent.CHANGE_FAILED);
+            return;
+        }
         if (found.isEmpty()) {
             cause = FREQUENCY_NOT_IMPLEMENTED;
             next = timers.start(TUNING_NANOS, () -> mobile.fire(MobileRadioEvent.CHANGE_FAILED));
@@ -176,6 +217,7 @@ final class ChannelChange {
     void completeHandover() {
         String from = mobile.cell();
         mobile.current().forsake(false);
+        mode = handover.channelMode().orElse(mode);
         mobile.take(target);
         target.establish(mobile.user(), null);
         target.send(0, encoded(new RadioResource.HandoverComplete(RadioResource.NORMAL_EVENT)));
@@ -190,7 +232,9 @@ final class ChannelChange {
             target.forsake(false);
         }
         TowerChannel old = mobile.current();
-        old.establish(mobile.user(), null);
+        if (cause != MODE_UNACCEPTABLE) {
+            old.establish(mobile.user(), null);
+        }
         old.send(0, encoded(new RadioResource.HandoverFailure(cause)));
         mobile.passed(PassingStep.Kind.HANDOVER_FAILURE, mobile.cell(), to, cause);
         network.happened(new MobileEvent.HandedOver(mobile, mobile.cell(), to, OptionalInt.of(cause)));

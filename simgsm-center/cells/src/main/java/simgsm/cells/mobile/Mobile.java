@@ -328,7 +328,7 @@ public final class Mobile {
         BaseStation tower = requests.tower();
         requests.end();
         Optional<TowerChannel> assigned =
-                tower.channel(granted.channel().channel()).filter(active -> !active.isUsed());
+                tower.channel(granted.channel().channel()).filter(TowerChannel::isAwaiting);
         if (assigned.isEmpty()) {
             LOG.log(Level.DEBUG, "{0}: {1} is not active", this, granted.channel());
             machine.fire(MobileRadioEvent.CHANNEL_LOST);
@@ -337,6 +337,7 @@ public final class Mobile {
         int timeout = tower.cell().map(cell -> cell.radioLinkTimeout()).orElse(32);
         counter = new RadioLinkCounter(timeout);
         uplinkCounter = new RadioLinkCounter(timeout);
+        change.begin();
         take(assigned.get());
         passed(PassingStep.Kind.IMMEDIATE_ASSIGNMENT, cell(), "", granted.timingAdvance());
         channel.establish(receiver, firstMessage);

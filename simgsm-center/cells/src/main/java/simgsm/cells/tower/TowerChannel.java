@@ -16,6 +16,7 @@ import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource.MeasurementReport;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
+import simgsm.timer.RateLimit;
 import simgsm.timer.Timers;
 
 /** An active dedicated channel of a tower: its link layer, measurements and speech. */
@@ -40,6 +41,10 @@ public final class TowerChannel {
     private static final int NY1 = 10;
     private static final int NUMBERS = 256;
     private static final int RTP_GSM = 3;
+    /** Packets of the controller that are passed on: twice the rate of a call; more are dropped. */
+    private static final int SPEECH_PER_SECOND = 100;
+    /** What arrives at once after a stall of 4 s. */
+    private static final int SPEECH_AT_ONCE = 200;
 
     private final BaseStation tower;
     private final Timers timers;
@@ -57,6 +62,7 @@ public final class TowerChannel {
     /** Null while there is no speech connection. */
     private SpeechSocket speech;
 
+    private final RateLimit speechRate = new RateLimit(SPEECH_PER_SECOND, SPEECH_AT_ONCE);
     private boolean isClosed;
 
     TowerChannel(BaseStation tower, Timers timers, RslPdu activated) throws ProtocolViolation {
@@ -84,9 +90,9 @@ public final class TowerChannel {
         return !isClosed;
     }
 
-    /** Whether a mobile is on the channel. */
-    public boolean isUsed() {
-        return user != null;
+    /** Whether a mobile may come onto the channel: it is active, and no mobile is on it. */
+    public boolean isAwaiting() {
+        return user == null && !isClosed;
     }
 
     /** Whether a mobile that is handed over here knows its timing advance. */
@@ -202,7 +208,7 @@ public final class TowerChannel {
     }
 
     private void speechReceived(byte[] rtp) {
-        if (user != null && isEstablished) {
+        if (user != null && isEstablished && speechRate.take(timers.nowNanos())) {
             user.speechArrived(this, rtp);
         }
     }
@@ -227,8 +233,11 @@ public final class TowerChannel {
 
     // From the mobile.
 
-    /** The mobile comes onto the channel with SABM. @param layer3 the message in it; null for none */
+    /** The mobile comes onto the channel with SABM; no tower hears it if the channel is released. @param layer3 null for none */
     public void establish(ChannelUser newUser, OctetString layer3) {
+        if (isClosed) {
+            return;
+        }
         user = newUser;
         isEstablished = true;
         RslPdu indication = RslPdu.of(RslType.ESTABLISH_INDICATION, number, SIGNALLING);

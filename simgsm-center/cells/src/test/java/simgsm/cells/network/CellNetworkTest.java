@@ -226,7 +226,7 @@ class CellNetworkTest {
         scene.pass(100 * MILLI);
 
         scene.west.discardReports();
-        assertEquals("062f09", scene.west.expectLayer3());
+        assertEquals("062f6f", scene.west.expectLayer3());
     }
 
     @Test

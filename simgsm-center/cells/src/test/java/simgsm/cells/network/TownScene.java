@@ -309,11 +309,15 @@ final class TownScene {
         west.activate(TCH, 1, Optional.empty());
         west.down(SDCCH, new AssignmentCommand(new ChannelDescription(TCH, 2, 100), 5, 1));
         pass(100 * MILLI);
+        connectSpeechAfterAssignment();
+        return terminal;
+    }
+
+    void connectSpeechAfterAssignment() throws ProtocolViolation {
         west.discardReports();
         west.expect(RslType.ESTABLISH_INDICATION);
         assertEquals("062900", west.expectLayer3());
         connectSpeech(west, TCH);
-        return terminal;
     }
 
     void connectSpeech(Controller tower, ChannelNumber channel) {
