@@ -13,6 +13,10 @@ public enum BscTimer {
     T3103(5),
     /** ASSIGNMENT COMMAND is not followed by ASSIGNMENT COMPLETE or ASSIGNMENT FAILURE. */
     T10(6),
+    /** CHANNEL MODE MODIFY is not acknowledged by the mobile; X13 of osmo-bsc. */
+    MODE_OF_MOBILE(5),
+    /** MODE MODIFY REQUEST is not answered by the tower; X14 of osmo-bsc. */
+    MODE_OF_TOWER(5),
     /** After CHANNEL RELEASE the tower has not confirmed that the radio links are down. */
     T3109(5),
     /** From the end of the radio links to the end of the channel, so that the mobile has left it. */

@@ -23,6 +23,10 @@ public final class ConnectionTable {
         DEDICATED,
         /** So it is, and waits for a traffic channel. */
         QUEUED,
+        /** CHANNEL MODE MODIFY is sent, for speech on a traffic channel that carries signalling. */
+        CHANGING_MODE,
+        /** The mobile has acknowledged it; MODE MODIFY REQUEST is sent to the tower. */
+        CHANGING_CHANNEL,
         /** The traffic channel is being activated. */
         PREPARING_ASSIGNMENT,
         /** ASSIGNMENT COMMAND is sent; layer 3 waits. */
@@ -42,6 +46,12 @@ public final class ConnectionTable {
         MOBILE_ARRIVED,
         T3101_EXPIRED,
         ASSIGN,
+        /** The channel itself can carry speech. */
+        MODIFY,
+        MODE_ACCEPTED,
+        /** The mobile or the tower does not have the mode, or does not answer. */
+        MODE_REFUSED,
+        MODE_UNANSWERED,
         QUEUE,
         T11_EXPIRED,
         /** No call needs a traffic channel any more. */
@@ -65,6 +75,9 @@ public final class ConnectionTable {
         ACTIVATE_TARGET,
         COMMAND_ASSIGNMENT,
         COMMAND_HANDOVER,
+        COMMAND_MODE,
+        MODIFY_CHANNEL,
+        CREATE_SPEECH,
         /** The target becomes the connection's channel. */
         SWITCH,
         SEND_WAITING,
@@ -79,7 +92,7 @@ public final class ConnectionTable {
 
     /** The mobile is on its channel and layer 3 flows. */
     private static final Set<ConnectionState> FLOWING =
-            EnumSet.of(DEDICATED, QUEUED, PREPARING_ASSIGNMENT, PREPARING_HANDOVER);
+            EnumSet.of(DEDICATED, QUEUED, CHANGING_MODE, CHANGING_CHANNEL, PREPARING_ASSIGNMENT, PREPARING_HANDOVER);
 
     public static final StateTable<ConnectionState, ConnectionEvent, ConnectionAction> ROWS =
             new StateTable<>("radio connection", ACCESS);
@@ -87,6 +100,7 @@ public final class ConnectionTable {
     static {
         access();
         assignment();
+        mode();
         handover();
         end();
     }
@@ -112,6 +126,18 @@ public final class ConnectionTable {
                 .on(ASSIGNING, T10_EXPIRED, ENDED, ABANDON_TARGET, ABANDON_CHANNEL, TELL_LOST);
     }
 
+    /** TS 44.018, 3.4.6. */
+    private static void mode() {
+        ROWS.on(DEDICATED, MODIFY, CHANGING_MODE, COMMAND_MODE)
+                .on(CHANGING_MODE, MODE_ACCEPTED, CHANGING_CHANNEL, MODIFY_CHANNEL)
+                .on(CHANGING_CHANNEL, CHANNEL_ACTIVE, DEDICATED, CREATE_SPEECH)
+                .on(
+                        EnumSet.of(CHANGING_MODE, CHANGING_CHANNEL),
+                        EnumSet.of(MODE_REFUSED, MODE_UNANSWERED),
+                        DEDICATED,
+                        REFUSE_SPEECH);
+    }
+
     private static void handover() {
         ROWS.on(EnumSet.of(DEDICATED, QUEUED), HANDOVER, PREPARING_HANDOVER, ACTIVATE_TARGET)
                 .on(PREPARING_HANDOVER, CHANNEL_ACTIVE, HANDING_OVER, COMMAND_HANDOVER)
@@ -122,7 +148,7 @@ public final class ConnectionTable {
     }
 
     private static void end() {
-        ROWS.on(EnumSet.of(DEDICATED, QUEUED), RELEASE, ENDED, RELEASE_CHANNEL)
+        ROWS.on(EnumSet.of(DEDICATED, QUEUED, CHANGING_MODE, CHANGING_CHANNEL), RELEASE, ENDED, RELEASE_CHANNEL)
                 .on(
                         EnumSet.of(PREPARING_ASSIGNMENT, PREPARING_HANDOVER),
                         RELEASE,

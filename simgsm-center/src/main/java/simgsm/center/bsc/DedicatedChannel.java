@@ -65,6 +65,8 @@ final class DedicatedChannel {
     private boolean isSapi3Opening;
     private RadioConnection user;
     private Purpose purpose;
+    private boolean isForSpeech;
+    private boolean isChangingMode;
     private int accessDelay;
     private int handoverReference;
     private HandoverDecision decision;
@@ -114,9 +116,11 @@ final class DedicatedChannel {
     void activate(RadioConnection connection, Purpose why, int delay, int reference) {
         user = connection;
         purpose = why;
+        isForSpeech = why != Purpose.IMMEDIATE_ASSIGNMENT;
+        isChangingMode = false;
         accessDelay = delay;
         handoverReference = reference;
-        decision = number.kind().isSpeech() ? tower.settings().handover().decision() : null;
+        decision = canCarrySpeech() ? tower.settings().handover().decision() : null;
         machine.fire(ChannelEvent.ACTIVATE);
     }
 
@@ -130,9 +134,28 @@ final class DedicatedChannel {
         machine.fire(ChannelEvent.ABANDON);
     }
 
-    /** Whether the channel was activated for speech. */
+    /** Whether the channel is a traffic channel, in whatever mode. */
+    boolean canCarrySpeech() {
+        return number.kind().isSpeech();
+    }
+
+    /** Whether the channel is in its mode for speech. */
     boolean carriesSpeech() {
-        return number.kind().isSpeech() && purpose != Purpose.IMMEDIATE_ASSIGNMENT;
+        return canCarrySpeech() && isForSpeech;
+    }
+
+    /** Asks the tower for the mode for speech, which the mobile has already. */
+    void modifyMode() {
+        isChangingMode = true;
+        tower.send(RslPdu.of(RslType.MODE_MODIFY_REQUEST, number).with(RslElement.CHANNEL_MODE, mode(true)));
+    }
+
+    private void modeModified(boolean isDone) {
+        if (isChangingMode && machine.state() == ChannelState.ACTIVE) {
+            isChangingMode = false;
+            isForSpeech = isDone;
+            user.modeModified(this, isDone);
+        }
     }
 
     /** Sends a layer 3 message; one of SAPI 3 opens that link first. */
@@ -158,6 +181,8 @@ final class DedicatedChannel {
             case CHANNEL_ACTIVATION_ACKNOWLEDGE -> machine.fire(ChannelEvent.ACTIVATED);
             case CHANNEL_ACTIVATION_NEGATIVE_ACKNOWLEDGE -> machine.fire(ChannelEvent.REFUSED);
             case RF_CHANNEL_RELEASE_ACKNOWLEDGE -> machine.fire(ChannelEvent.FREED);
+            case MODE_MODIFY_ACKNOWLEDGE -> modeModified(true);
+            case MODE_MODIFY_NEGATIVE_ACKNOWLEDGE -> modeModified(false);
             case CREATE_CONNECTION_ACKNOWLEDGE -> speech.created(message);
             case CREATE_CONNECTION_NEGATIVE_ACKNOWLEDGE, MODIFY_CONNECTION_NEGATIVE_ACKNOWLEDGE -> speech.refused();
             case ESTABLISH_CONFIRM -> established(message.sapi());
@@ -255,7 +280,6 @@ final class DedicatedChannel {
     }
 
     private RslPdu activation() {
-        boolean isSpeech = purpose != Purpose.IMMEDIATE_ASSIGNMENT;
         OctetString identification = new OctetWriter()
                 .octet(CHANNEL_DESCRIPTION_TAG)
                 .string(description().encode())
@@ -264,12 +288,7 @@ final class DedicatedChannel {
                 .toOctetString();
         RslPdu message = RslPdu.of(RslType.CHANNEL_ACTIVATION, number)
                 .with(RslElement.ACTIVATION_TYPE, purpose.code)
-                .with(
-                        RslElement.CHANNEL_MODE,
-                        NO_DTX,
-                        isSpeech ? SPEECH : SIGNALLING,
-                        number.kind().isSpeech() ? RATE_TCH_F : RATE_SDCCH,
-                        isSpeech ? CODING_FULL_RATE : CODING_NONE)
+                .with(RslElement.CHANNEL_MODE, mode(isForSpeech))
                 .with(RslElement.CHANNEL_IDENTIFICATION, identification);
         if (purpose == Purpose.HANDOVER) {
             message = message.with(RslElement.HANDOVER_REFERENCE, handoverReference);
@@ -279,6 +298,15 @@ final class DedicatedChannel {
             message = message.with(RslElement.TIMING_ADVANCE, accessDelay);
         }
         return message.with(RslElement.MS_POWER_PARAMETERS);
+    }
+
+    private int[] mode(boolean isSpeech) {
+        return new int[] {
+            NO_DTX,
+            isSpeech ? SPEECH : SIGNALLING,
+            canCarrySpeech() ? RATE_TCH_F : RATE_SDCCH,
+            isSpeech ? CODING_FULL_RATE : CODING_NONE
+        };
     }
 
     /** The speech of this channel's mobile has arrived. */

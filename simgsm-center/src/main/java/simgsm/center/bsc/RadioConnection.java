@@ -3,7 +3,6 @@ package simgsm.center.bsc;
 import java.lang.System.Logger.Level;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
 import simgsm.abis.IpaFrame;
@@ -14,7 +13,6 @@ import simgsm.air.Cause;
 import simgsm.air.Coded;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
-import simgsm.air.Layer3Header;
 import simgsm.air.Layer3Message;
 import simgsm.air.Layer3Type;
 import simgsm.air.ProtocolViolation;
@@ -25,7 +23,6 @@ import simgsm.center.bsc.ConnectionTable.ConnectionState;
 import simgsm.center.bsc.DedicatedChannel.Purpose;
 import simgsm.center.bsc.handover.HandoverDecision;
 import simgsm.center.bsc.handover.Measurement;
-import simgsm.center.bsc.handover.NeighbourCell;
 import simgsm.octets.OctetString;
 import simgsm.state.StateMachine;
 import simgsm.timer.Timer;
@@ -37,9 +34,6 @@ final class RadioConnection {
     private static final int SAPI_0 = 0;
     /** MS power control level in commands. */
     private static final int POWER_LEVEL = 14;
-
-    /** RXLEV that a neighbour needs for a directed retry: -90 dBm. */
-    private static final int DIRECTED_RETRY_LEVEL = 20;
 
     private final BaseStationController controller;
     private final ChannelRequest request;
@@ -132,6 +126,10 @@ final class RadioConnection {
         if (!isSpeechNeeded || channel.carriesSpeech()) {
             return;
         }
+        if (channel.canCarrySpeech()) {
+            machine.fire(ConnectionEvent.MODIFY);
+            return;
+        }
         Optional<DedicatedChannel> free = channel.tower().freeTrafficChannel();
         if (free.isPresent() && machine.accepts(ConnectionEvent.ASSIGN)) {
             target = free.get();
@@ -182,6 +180,13 @@ final class RadioConnection {
     void channelEnded(DedicatedChannel ended) {
         if (ended == channel && machine.state() == ConnectionState.ENDED) {
             disconnected();
+        }
+    }
+
+    /** The tower has answered MODE MODIFY REQUEST. */
+    void modeModified(DedicatedChannel of, boolean isDone) {
+        if (of == channel) {
+            machine.fire(isDone ? ConnectionEvent.CHANNEL_ACTIVE : ConnectionEvent.MODE_REFUSED);
         }
     }
 
@@ -259,29 +264,14 @@ final class RadioConnection {
 
     /** Takes the messages that end an assignment or handover. @return false for any other */
     private boolean receiveRadioResource(DedicatedChannel from, OctetString layer3) {
-        Optional<ConnectionEvent> event = outcome(layer3);
-        if (event.isPresent()) {
-            String name = Layer3Type.of(Layer3Header.RADIO_RESOURCE, layer3.octet(1), Direction.UPLINK)
-                    .map(Layer3Type::title)
-                    .orElse("?");
-            mobile.link().trace(Direction.UPLINK, name, layer3);
-            if (from == (event.get() == ConnectionEvent.COMPLETED ? target : channel)) {
-                machine.fire(event.get());
+        Optional<ChannelOutcome> outcome = ChannelOutcome.of(layer3);
+        outcome.ifPresent(found -> {
+            mobile.link().trace(Direction.UPLINK, found.title(), layer3);
+            if (from == (found.event() == ConnectionEvent.COMPLETED ? target : channel)) {
+                machine.fire(found.event());
             }
-        }
-        return event.isPresent();
-    }
-
-    private static Optional<ConnectionEvent> outcome(OctetString layer3) {
-        if (layer3.length() < 2 || layer3.octet(0) != Layer3Header.RADIO_RESOURCE) {
-            return Optional.empty();
-        }
-        return Layer3Type.of(Layer3Header.RADIO_RESOURCE, layer3.octet(1), Direction.UPLINK)
-                .map(type -> switch (type) {
-                    case ASSIGNMENT_COMPLETE, HANDOVER_COMPLETE -> ConnectionEvent.COMPLETED;
-                    case ASSIGNMENT_FAILURE, HANDOVER_FAILURE -> ConnectionEvent.RETURNED;
-                    default -> null;
-                });
+        });
+        return outcome.isPresent();
     }
 
     // Handover.
@@ -295,36 +285,14 @@ final class RadioConnection {
         if (from != channel || !machine.accepts(ConnectionEvent.HANDOVER)) {
             return;
         }
-        if (machine.state() == ConnectionState.QUEUED) {
-            retryElsewhere(measurement);
-        } else if (decision != null && channel.carriesSpeech()) {
-            decision.target().ifPresent(wanted -> handOver(wanted.cell()));
-        }
-    }
-
-    /** Directed retry: the call gets its traffic channel in another cell. */
-    private void retryElsewhere(Measurement measurement) {
-        List<Measurement.Neighbour> strongestFirst = measurement.neighbours().stream()
-                .filter(each -> each.level() >= DIRECTED_RETRY_LEVEL)
-                .sorted((one, other) -> Integer.compare(other.level(), one.level()))
-                .toList();
-        for (Measurement.Neighbour each : strongestFirst) {
-            if (handOver(each.cell())) {
-                return;
-            }
-        }
-    }
-
-    private boolean handOver(NeighbourCell cell) {
-        Optional<DedicatedChannel> free = controller
-                .tower(cell)
-                .filter(tower -> tower != channel.tower())
-                .flatMap(TowerControl::freeTrafficChannel);
-        free.ifPresent(found -> {
-            target = found;
+        HandoverTarget targets = new HandoverTarget(controller);
+        Optional<DedicatedChannel> found = machine.state() == ConnectionState.QUEUED
+                ? targets.elsewhere(channel, measurement)
+                : targets.better(channel, decision);
+        found.ifPresent(free -> {
+            target = free;
             machine.fire(ConnectionEvent.HANDOVER);
         });
-        return free.isPresent();
     }
 
     // The table.
@@ -338,6 +306,8 @@ final class RadioConnection {
             case GRANTED -> guard(BscTimer.T3101, ConnectionEvent.T3101_EXPIRED);
             case QUEUED -> waitInQueue();
             case ASSIGNING -> guard(BscTimer.T10, ConnectionEvent.T10_EXPIRED);
+            case CHANGING_MODE -> guard(BscTimer.MODE_OF_MOBILE, ConnectionEvent.MODE_UNANSWERED);
+            case CHANGING_CHANNEL -> guard(BscTimer.MODE_OF_TOWER, ConnectionEvent.MODE_UNANSWERED);
             case HANDING_OVER -> guard(BscTimer.T3103, ConnectionEvent.T3103_EXPIRED);
             default -> {
                 // The channels and the exchange have timers of their own.
@@ -382,6 +352,10 @@ final class RadioConnection {
                         POWER_LEVEL,
                         Optional.of(RadioResource.SPEECH_FULL_RATE)));
             }
+            case COMMAND_MODE ->
+                command(new RadioResource.ChannelModeModify(channel.description(), RadioResource.SPEECH_FULL_RATE));
+            case MODIFY_CHANNEL -> channel.modifyMode();
+            case CREATE_SPEECH -> channel.speech().create();
             case SWITCH -> switchChannels();
             case SEND_WAITING -> {
                 sendWaiting();

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.abis.rsl.RslElement;
 import simgsm.abis.rsl.RslType;
 import simgsm.center.msc.call.CallProgress;
@@ -48,6 +50,61 @@ class TowerCallTest extends TowerCalls {
         west.leave(channels[0]);
         assertFalse(west.media.get(0).isOpen);
         assertEquals(CallProgress.RELEASED, progress());
+    }
+
+    @Test
+    void aSignallingTrafficChannelBecomesTheSpeechChannelByModeModify() {
+        String channel = dialOnATrafficChannel();
+        west.down(
+                "0301 01" + channel + "0200 0b0006 0610" + channel + "406401", "0301 01" + channel + "0200 0b0002 8302");
+        west.next(RslType.PAGING_COMMAND);
+        west.tell(channel, "0617" + channel + "406401");
+        west.down("0829 01" + channel + "0604 00010801");
+        west.up("082a 01" + channel);
+        west.down("7e70 01" + channel + "f410 f203");
+        west.up("7e71 01" + channel + "f80001 f57f000001 f34e20");
+        west.next(RslType.MODIFY_CONNECTION);
+
+        String calledChannel = answer();
+        assertTrue(calledChannel.startsWith("0"));
+        west.tell(channel, "030f");
+        assertEquals(CallProgress.ACTIVE, progress());
+        east.media.get(0).speak(rtp(1));
+        assertArrayEquals(rtp(1), west.media.get(0).heard.get(0));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0302 01%s0200 0b0006 0617%s406400, 0", "082b 01%s 1a0101, 0", "'', 5000"})
+    void aSignallingTrafficChannelWhoseModeIsNotChangedEndsTheCallWithCause34(String refusal, int millis) {
+        String channel = dialOnATrafficChannel();
+        if (refusal.startsWith("082b")) {
+            west.tell(channel, "0617" + channel + "406401");
+        }
+        west.received.clear();
+        if (!refusal.isEmpty()) {
+            west.up(String.format(refusal, channel, channel));
+        }
+        stage.passMillis(millis);
+
+        assertEquals("832502e0a2", lastLayer3());
+    }
+
+    private String lastLayer3() {
+        String last = "";
+        while (west.received.stream().anyMatch(message -> message.toString().startsWith("0301"))) {
+            last = west.nextLayer3();
+        }
+        return last;
+    }
+
+    /** A call of a mobile that got a traffic channel, because all signalling channels are in use. */
+    private String dialOnATrafficChannel() {
+        for (int i = 0; i < 4; i++) {
+            west.up("0c13 0188 13 05 1234 1100");
+        }
+        String channel = dial(west);
+        assertEquals("09", channel);
+        return channel;
     }
 
     @Test
