@@ -77,17 +77,23 @@ public final class BaseStationController implements BroadcastChannel {
     }
 
     /**
-     * A peer has said that it is a tower; an older link of the same unit id is replaced.
+     * A peer has said that it is a tower. It takes the place of an older link with its unit id, as at osmo-bsc; here that has to come
+     * from the same host or to be silent, and to be 10 s old.
      *
      * @throws IllegalArgumentException if it cannot be one beside the others, which stay as they are
      */
     public PeerUser towerConnected(Peer peer, CcmMessage.IdentityResponse identity) {
         TowerControl old = towers.get(identity.unitId());
         if (old != null) {
+            old.checkReplaceable(peer);
+        }
+        List<TowerControl> others =
+                towers.values().stream().filter(tower -> tower != old).toList();
+        TowerPlan plan = planOf(identity, others);
+        checkFrequencies(plan, others);
+        if (old != null) {
             old.replace();
         }
-        TowerPlan plan = planOf(identity);
-        checkFrequencies(plan);
         TowerControl tower = new TowerControl(this, peer, identity.unitId(), plan);
         towers.put(identity.unitId(), tower);
         LOG.log(
@@ -103,22 +109,22 @@ public final class BaseStationController implements BroadcastChannel {
     }
 
     /** What the tower tells; the rest from the first position whose cell no other tower has. */
-    private TowerPlan planOf(CcmMessage.IdentityResponse identity) {
+    private static TowerPlan planOf(CcmMessage.IdentityResponse identity, List<TowerControl> others) {
         TowerPlan plan = TowerPlan.of(identity, 0);
-        for (int position = 1; position <= towers.size() && hasTower(plan.cell()); position++) {
+        for (int position = 1; position <= others.size() && isUsed(plan.cell(), others); position++) {
             plan = TowerPlan.of(identity, position);
         }
         return plan;
     }
 
-    private boolean hasTower(RadioResource.CellDescription cell) {
-        return towers.values().stream().anyMatch(tower -> tower.plan().cell().equals(cell));
+    private static boolean isUsed(RadioResource.CellDescription cell, List<TowerControl> others) {
+        return others.stream().anyMatch(tower -> tower.plan().cell().equals(cell));
     }
 
     /** All cells must fit one frequency list, because each lists all others. */
-    private void checkFrequencies(TowerPlan newcomer) {
+    private static void checkFrequencies(TowerPlan newcomer, List<TowerControl> others) {
         Set<Integer> frequencies = new TreeSet<>(Set.of(newcomer.cell().frequency()));
-        towers.values().forEach(tower -> frequencies.add(tower.plan().cell().frequency()));
+        others.forEach(tower -> frequencies.add(tower.plan().cell().frequency()));
         FrequencyList.encode(frequencies);
     }
 

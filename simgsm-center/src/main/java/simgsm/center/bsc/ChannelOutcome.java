@@ -29,8 +29,8 @@ record ChannelOutcome(String title, ConnectionEvent event) {
         return switch (type) {
             case ASSIGNMENT_COMPLETE, HANDOVER_COMPLETE -> Optional.of(ConnectionEvent.COMPLETED);
             case ASSIGNMENT_FAILURE, HANDOVER_FAILURE -> Optional.of(ConnectionEvent.RETURNED);
-            case CHANNEL_MODE_MODIFY_ACKNOWLEDGE -> Optional.of(
-                    isSpeechAccepted(layer3) ? ConnectionEvent.MODE_ACCEPTED : ConnectionEvent.MODE_REFUSED);
+            case CHANNEL_MODE_MODIFY_ACKNOWLEDGE ->
+                Optional.of(isSpeechAccepted(layer3) ? ConnectionEvent.MODE_ACCEPTED : ConnectionEvent.MODE_REFUSED);
             default -> Optional.empty();
         };
     }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.MediaPort;
@@ -43,6 +44,9 @@ final class TowerControl implements PeerUser, Lifeline {
     /** Protocol errors, and error reports of the tower, that are warnings in the log. */
     private static final int MAX_LOGGED = 3;
 
+    /** Two towers with one unit id cannot take turns faster than this. */
+    private static final long LEAST_CONNECTION_NANOS = TimeUnit.SECONDS.toNanos(10);
+
     private static final ChannelNumber BCCH = ChannelNumber.of(Kind.BCCH, 0);
     private static final ChannelNumber AGCH = ChannelNumber.of(Kind.PCH_AGCH, 0);
 
@@ -61,6 +65,7 @@ final class TowerControl implements PeerUser, Lifeline {
     private final BaseStationController controller;
     private final Peer peer;
     private final String unitId;
+    private final long connectedNanos;
     private final TowerPlan plan;
     private final Timers timers;
     private final Map<ChannelNumber, DedicatedChannel> channels = new HashMap<>();
@@ -79,6 +84,7 @@ final class TowerControl implements PeerUser, Lifeline {
         this.unitId = unitId;
         this.plan = plan;
         this.timers = controller.timers().ownedBy(this::failed);
+        this.connectedNanos = timers.nowNanos();
         for (ChannelNumber number : plan.channels()) {
             DedicatedChannel channel = new DedicatedChannel(this, number);
             channels.put(number, channel);
@@ -322,7 +328,16 @@ final class TowerControl implements PeerUser, Lifeline {
         peer.drop("internal error");
     }
 
-    /** Another link says that it is this tower. */
+    /** Another link says that it is this tower. @throws IllegalArgumentException if it may not take its place */
+    void checkReplaceable(Peer newcomer) {
+        if (!newcomer.host().equals(peer.host()) && !peer.isSilent()) {
+            throw new IllegalArgumentException("unit id " + unitId + " is in use from " + peer.host());
+        }
+        if (timers.nowNanos() - connectedNanos < LEAST_CONNECTION_NANOS) {
+            throw new IllegalArgumentException("unit id " + unitId + " was connected less than 10 s ago");
+        }
+    }
+
     void replace() {
         peer.drop("the tower has connected again");
     }

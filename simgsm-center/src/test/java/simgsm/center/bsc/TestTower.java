@@ -73,10 +73,10 @@ final class TestTower implements LinkPort {
         }
     }
 
-    TestTower(TowerStage stage, String name, CcmMessage.IdentityResponse identity) {
+    TestTower(TowerStage stage, String name, String address, CcmMessage.IdentityResponse identity) {
         this.stage = stage;
         this.name = name;
-        peer = stage.exchange.linkOpened(stage.nowNanos, this, name);
+        peer = stage.exchange.linkOpened(stage.nowNanos, this, address);
         stage.exchange.frameReceived(stage.nowNanos, peer, new IpaFrame(IpaFrame.CCM, CcmCodec.encode(identity)));
     }
 

@@ -56,7 +56,8 @@ class TowerCallTest extends TowerCalls {
     void aSignallingTrafficChannelBecomesTheSpeechChannelByModeModify() {
         String channel = dialOnATrafficChannel();
         west.down(
-                "0301 01" + channel + "0200 0b0006 0610" + channel + "406401", "0301 01" + channel + "0200 0b0002 8302");
+                "0301 01" + channel + "0200 0b0006 0610" + channel + "406401",
+                "0301 01" + channel + "0200 0b0002 8302");
         west.next(RslType.PAGING_COMMAND);
         west.tell(channel, "0617" + channel + "406401");
         west.down("0829 01" + channel + "0604 00010801");

@@ -165,6 +165,50 @@ class TowerFailureTest extends TowerCalls {
         assertEquals(CallProgress.ACTIVE, progress());
     }
 
+    @Test
+    void aTowerThatConnectsAgainFromItsHostTakesTheOldLinksPlaceAfterTenSeconds() {
+        String plan = "south arfcn=130 bsic=13 lac=1 cell=6972 tch=7";
+        TestTower first = stage.tower(plan, "6972/0/0", "192.0.2.1:1000");
+        stage.passMillis(9_999);
+        TestTower early = stage.tower(plan, "6972/0/0", "192.0.2.1:1001");
+        assertEquals(Optional.of("is no tower: unit id 6972/0/0 was connected less than 10 s ago"), early.closedFor);
+        assertEquals(Optional.empty(), first.closedFor);
+
+        stage.passMillis(1);
+        TestTower second = stage.tower(plan, "6972/0/0", "192.0.2.1:1002");
+
+        assertEquals(Optional.of("the tower has connected again"), first.closedFor);
+        assertEquals(Optional.empty(), second.closedFor);
+    }
+
+    @Test
+    void anotherHostTakesATowersPlaceOnlyWhenTheTowerIsSilent() {
+        String plan = "south arfcn=130 bsic=13 lac=1 cell=6972 tch=7";
+        TestTower first = stage.tower(plan, "6972/0/0", "192.0.2.1:1000");
+        stage.passMillis(20_000);
+        TestTower intruder = stage.tower(plan, "6972/0/0", "192.0.2.2:1000");
+        assertEquals(Optional.of("is no tower: unit id 6972/0/0 is in use from 192.0.2.1"), intruder.closedFor);
+        assertEquals(Optional.empty(), first.closedFor);
+
+        stage.passMillis(70_000);
+        TestTower moved = stage.tower(plan, "6972/0/0", "192.0.2.2:1001");
+
+        assertEquals(Optional.of("the tower has connected again"), first.closedFor);
+        assertEquals(Optional.empty(), moved.closedFor);
+    }
+
+    @Test
+    void aLinkThatCannotBeTheTowerDoesNotEndTheOldOne() {
+        TestTower first = stage.tower("south arfcn=130 bsic=13 lac=1", "6972/0/0", "192.0.2.1:1000");
+        stage.passMillis(20_000);
+
+        TestTower far = stage.tower("south arfcn=900 bsic=13 lac=1", "6972/0/0", "192.0.2.1:1001");
+
+        assertTrue(
+                far.closedFor.orElse("").startsWith("is no tower: the neighbours' ARFCNs"), far.closedFor.toString());
+        assertEquals(Optional.empty(), first.closedFor);
+    }
+
     /** A report that moves the mobile of west to the second neighbour, north: frequency index 1, BSIC 12, -70 dBm. */
     private void moveToNorth(String channel) {
         west.up("0828 01" + channel + "1b05 1903 141400 0400 0a0000 0b0012 0615 141400 68 0980" + "00".repeat(10));

@@ -51,7 +51,12 @@ final class TowerStage {
     }
 
     TestTower tower(String unitName, String unitId) {
-        return new TestTower(this, unitName.split(" ", 2)[0], new CcmMessage.IdentityResponse(unitName, "", unitId));
+        return tower(unitName, unitId, unitName.split(" ", 2)[0]);
+    }
+
+    TestTower tower(String unitName, String unitId, String address) {
+        return new TestTower(
+                this, unitName.split(" ", 2)[0], address, new CcmMessage.IdentityResponse(unitName, "", unitId));
     }
 
     void commit() {

@@ -47,6 +47,11 @@ public final class KeepAlive {
         unanswered = 0;
     }
 
+    /** Whether the peer has left a PING unanswered for a whole period. */
+    public boolean isSilent() {
+        return unanswered > 1;
+    }
+
     /** Answers a PING and takes note of a PONG; other messages are ignored. */
     public void receive(CcmMessage message) {
         if (message instanceof CcmMessage.Ping) {

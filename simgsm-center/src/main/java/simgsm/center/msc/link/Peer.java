@@ -109,6 +109,17 @@ public final class Peer {
         return address;
     }
 
+    /** The address without the port. */
+    public String host() {
+        int port = address.lastIndexOf(':');
+        return port < 0 ? address : address.substring(0, port);
+    }
+
+    /** Whether the peer has not been heard for 30 to 60 s, so that it may be gone. */
+    public boolean isSilent() {
+        return keepAlive.isSilent();
+    }
+
     public boolean isLocal() {
         return isLocal;
     }
