@@ -1,16 +1,14 @@
 package simrobot.p2os;
 
-import java.io.IOException;
 import java.nio.ByteBuffer;
-import java.nio.channels.WritableByteChannel;
-import simgsm.net.Connection;
 import simgsm.net.OutputQueue;
+import simgsm.net.QueuedConnection;
 
 /**
  * A client's connection. Its octets go to the session on the simulation's thread, one read at a time, so that a flood
  * fills the client's own socket. At most 100 unread packets are kept for a client; further ones are dropped.
  */
-final class P2osClientConnection extends Connection {
+final class P2osClientConnection extends QueuedConnection {
     private static final int READ_LIMIT = 2048;
 
     /** A client that has sent no valid packet for this long, while another waits, loses its place. */
@@ -21,7 +19,6 @@ final class P2osClientConnection extends Connection {
     private final P2osServer server;
     private final P2osPort port;
     private final long acceptedNanos = System.nanoTime();
-    private final OutputQueue output = new OutputQueue(MOST_QUEUED_PACKETS, 0, written -> {});
     /** Null while the client waits for its turn. */
     private P2osSession session;
 
@@ -42,7 +39,7 @@ final class P2osClientConnection extends Connection {
     }
 
     P2osClientConnection(Endpoint endpoint, P2osServer server, P2osPort port) {
-        super(endpoint);
+        super(endpoint, new OutputQueue(MOST_QUEUED_PACKETS, 0, written -> {}));
         this.server = server;
         this.port = port;
     }
@@ -66,12 +63,8 @@ final class P2osClientConnection extends Connection {
     }
 
     private void queue(byte[] packet) {
-        if (output.size() < MOST_QUEUED_PACKETS) {
-            boolean isFirst = output.isEmpty();
-            output.add(packet, false);
-            if (isFirst) {
-                flush();
-            }
+        if (output().size() < MOST_QUEUED_PACKETS) {
+            write(packet, false);
         }
     }
 
@@ -102,16 +95,6 @@ final class P2osClientConnection extends Connection {
                 server.post(this::resumeReading);
             }
         });
-    }
-
-    @Override
-    protected boolean hasOutput() {
-        return !output.isEmpty();
-    }
-
-    @Override
-    protected void writeTo(WritableByteChannel channel) throws IOException {
-        output.flush(channel);
     }
 
     @Override

@@ -3,7 +3,6 @@ package simgsm.abis;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
-import java.nio.channels.WritableByteChannel;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -11,9 +10,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.air.ProtocolViolation;
-import simgsm.net.Connection;
 import simgsm.net.Datagrams;
 import simgsm.net.OutputQueue;
+import simgsm.net.QueuedConnection;
 import simgsm.timer.RateLimit;
 
 /**
@@ -21,7 +20,7 @@ import simgsm.timer.RateLimit;
  * a write of its own; else signalling waits in order, and of the speech the last 200 ms. Speech may go as RTP over UDP beside it,
  * to the host of the peer only.
  */
-public abstract class IpaConnection extends Connection implements MediaPort {
+public abstract class IpaConnection extends QueuedConnection implements MediaPort {
     /** 200 ms of speech at 20 ms a frame. */
     private static final int MOST_SPEECH_FRAMES = 10;
     /** After a portion that was too fast; at 1 000 frames/s ten frames are due again then. */
@@ -30,7 +29,6 @@ public abstract class IpaConnection extends Connection implements MediaPort {
     private static final System.Logger LOG = System.getLogger(IpaConnection.class.getName());
 
     private final RateLimitedFrameReader reader;
-    private final OutputQueue output;
     private final MediaSocket media = new MediaSocket(this, this::mediaArrived);
     private final List<MediaSocket> further = new ArrayList<>();
 
@@ -40,22 +38,16 @@ public abstract class IpaConnection extends Connection implements MediaPort {
      * @param written called with each frame, as it is on the wire, after its last octet has been written
      */
     protected IpaConnection(Endpoint endpoint, RateLimit rate, int mostSignallingFrames, Consumer<byte[]> written) {
-        super(endpoint);
+        super(endpoint, new OutputQueue(mostSignallingFrames, MOST_SPEECH_FRAMES, written));
         reader = new RateLimitedFrameReader(rate);
-        output = new OutputQueue(mostSignallingFrames, MOST_SPEECH_FRAMES, written);
     }
 
     protected abstract void frameArrived(IpaFrame frame);
 
     /** Sends or queues a frame; on a connection that is not open the frame is lost. */
     public final void send(IpaFrame frame) {
-        if (isOpen()) {
-            boolean isFirst = output.isEmpty();
-            if (!output.add(IpaFramer.encode(frame), frame.stream() == IpaFrame.SPEECH)) {
-                fail(output.size() + " frames not taken");
-            } else if (isFirst) {
-                flush();
-            }
+        if (isOpen() && !write(IpaFramer.encode(frame), frame.stream() == IpaFrame.SPEECH)) {
+            fail(output().size() + " frames not taken");
         }
     }
 
@@ -134,21 +126,11 @@ public abstract class IpaConnection extends Connection implements MediaPort {
     }
 
     @Override
-    public final boolean hasOutput() {
-        return !output.isEmpty();
-    }
-
-    @Override
-    protected final void writeTo(WritableByteChannel channel) throws IOException {
-        output.flush(channel);
-    }
-
-    @Override
     protected void closing(boolean isByPeer) {
         closeMedia();
         further.forEach(MediaSocket::closeMedia);
-        if (output.dropped() > 0) {
-            LOG.log(Level.INFO, "{0}: {1} speech frames dropped, the peer was too slow", address(), output.dropped());
+        if (output().dropped() > 0) {
+            LOG.log(Level.INFO, "{0}: {1} speech frames dropped, the peer was too slow", address(), output().dropped());
         }
     }
 }

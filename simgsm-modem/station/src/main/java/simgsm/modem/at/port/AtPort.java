@@ -3,7 +3,6 @@ package simgsm.modem.at.port;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
-import java.nio.channels.WritableByteChannel;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -13,6 +12,7 @@ import simgsm.net.Acceptor;
 import simgsm.net.Connection;
 import simgsm.net.ConnectionLimits;
 import simgsm.net.OutputQueue;
+import simgsm.net.QueuedConnection;
 import simgsm.station.MobileStation;
 import simgsm.station.StationThread;
 import simgsm.station.context.StationEvent;
@@ -39,13 +39,12 @@ public final class AtPort implements AutoCloseable {
     private final Set<ClientConnection> connections = new HashSet<>();
     private final long originNanos = System.nanoTime();
 
-    private final class ClientConnection extends Connection {
-        private final OutputQueue output = new OutputQueue(MOST_WAITING, 0, written -> {});
+    private final class ClientConnection extends QueuedConnection {
         private AtClient client;
         private boolean isInputEnded;
 
         ClientConnection(Endpoint endpoint) {
-            super(endpoint);
+            super(endpoint, new OutputQueue(MOST_WAITING, 0, written -> {}));
         }
 
         @Override
@@ -57,10 +56,9 @@ public final class AtPort implements AutoCloseable {
         }
 
         private void send(byte[] octets) {
-            if (!output.add(octets, false)) {
+            if (!writeLater(octets)) {
                 fail("the client does not read");
             }
-            flushLater();
             endAfterLastResult();
         }
 
@@ -77,7 +75,7 @@ public final class AtPort implements AutoCloseable {
         private void endAfterLastResult() {
             if (isInputEnded) {
                 after(0, () -> {
-                    if (!client.isPerforming() && output.isEmpty()) {
+                    if (!client.isPerforming() && output().isEmpty()) {
                         fail(CLOSED_BY_PEER);
                     }
                 });
@@ -105,16 +103,6 @@ public final class AtPort implements AutoCloseable {
         @Override
         protected boolean wantsInput() {
             return client == null || client.wantsInput();
-        }
-
-        @Override
-        protected boolean hasOutput() {
-            return !output.isEmpty();
-        }
-
-        @Override
-        protected void writeTo(WritableByteChannel channel) throws IOException {
-            output.flush(channel);
         }
 
         @Override
