@@ -41,7 +41,9 @@ final class NewRobotForm extends JPanel {
     private final JTextField x = new JTextField(2);
     private final JTextField y = new JTextField(2);
     private final JTextField heading = new JTextField(2);
-    private final TextLine problem = new TextLine("newcomer.problem", Theme::small, Ink.DANGER).shrinking();
+    private final TextLine problem = new TextLine("newcomer.problem", Theme::small, Ink.DANGER)
+            .shrinking()
+            .overTwoRows();
     private String addedName = "";
 
     NewRobotForm(TextBundle texts, OperatorActions operator, WorldView view) {
@@ -76,7 +78,9 @@ final class NewRobotForm extends JPanel {
     }
 
     private TextLine hint() {
-        TextLine hint = new TextLine("newcomer.hint", Theme::small, Ink.QUIET).shrinking();
+        TextLine hint = new TextLine("newcomer.hint", Theme::small, Ink.QUIET)
+                .shrinking()
+                .overTwoRows();
         hint.show(texts.of("newcomer.hint"));
         return hint;
     }

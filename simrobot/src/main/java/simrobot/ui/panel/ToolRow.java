@@ -4,8 +4,10 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -17,6 +19,7 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
+import simgsm.ui.Drawing;
 import simgsm.ui.Lamp;
 import simgsm.ui.LinkState;
 import simgsm.ui.Symbol;
@@ -31,8 +34,14 @@ import simrobot.ui.ToolButtons;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
 
-/** The row above the floor: world, link, switches, time, and the tools of the floor. */
+/**
+ * The row above the floor: world, link, switches, time, and the tools of the floor. Its buttons have words where all of them
+ * fit into one row, or in a high page into two; else icons, whose tool tips have the words.
+ */
 final class ToolRow extends JPanel {
+    /** From this height of the page on, a second row for the words costs the floor little. */
+    private static final int HIGH_PAGE_UNITS = 640;
+
     private final TextBundle texts;
     private final Locale language;
     private final OperatorActions operator;
@@ -54,6 +63,10 @@ final class ToolRow extends JPanel {
     /** What changes robots or world; hidden while a recording is played. */
     private final List<JComponent> liveTools;
 
+    private final Map<AbstractButton, String> words = new LinkedHashMap<>();
+    private final JPanel left;
+    private final JPanel right;
+    private boolean hasWords;
     private String robot = "";
     private boolean paused;
 
@@ -84,7 +97,7 @@ final class ToolRow extends JPanel {
         exports = new ExportChoice(texts, operator);
         JButton brake = worded(new JButton(), "brake", Symbol.BRAKE.icon(), KeyEvent.VK_B, () -> operator.brake(robot));
         record = new RecordButton(texts, operator);
-        JPanel running = Arrange.row(
+        left = Arrange.row(
                 Theme.HALF,
                 worlds.component(),
                 gap(),
@@ -99,7 +112,9 @@ final class ToolRow extends JPanel {
                 speed.component(),
                 record.component());
         liveTools = List.of(worlds.component(), power, motors, brake, record.component());
-        add(new SplitRow(running, floorTools(inspectorSwitch)), BorderLayout.CENTER);
+        right = floorTools(inspectorSwitch);
+        words.put(record.component(), texts.of("tool.record.word"));
+        add(new SplitRow(left, right), BorderLayout.CENTER);
     }
 
     private JPanel floorTools(Runnable inspectorSwitch) {
@@ -116,6 +131,34 @@ final class ToolRow extends JPanel {
                 exports.component(),
                 button("inspector", Symbol.LIST.icon(), KeyEvent.VK_I, inspectorSwitch),
                 button("appearance", Symbol.SUN_MOON.icon(), 0, () -> WindowKeys.switchAppearance(this)));
+    }
+
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        fitWords(width);
+        super.setBounds(x, y, width, height);
+    }
+
+    private void fitWords(int width) {
+        int ofLeft = wordsWidth(left);
+        int ofRight = wordsWidth(right);
+        int leftIcons = left.getPreferredSize().width - (hasWords ? ofLeft : 0);
+        int rightIcons = right.getPreferredSize().width - (hasWords ? ofRight : 0);
+        int icons = leftIcons + Theme.px(Theme.GRID) + rightIcons;
+        boolean hasTwoRows = icons > width || page.getHeight() >= Theme.px(HIGH_PAGE_UNITS);
+        boolean fitsInTwo = Math.max(leftIcons + ofLeft, rightIcons + ofRight) <= width;
+        hasWords = icons + ofLeft + ofRight <= width || hasTwoRows && fitsInTwo;
+        words.forEach((button, word) -> button.setText(hasWords ? word : null));
+    }
+
+    private int wordsWidth(JPanel row) {
+        return words.entrySet().stream()
+                .filter(word ->
+                        word.getKey().getParent() == row && word.getKey().isVisible())
+                .mapToInt(word -> Drawing.width(word.getKey().getFont(), word.getValue())
+                        + word.getKey().getIconTextGap()
+                        + 1)
+                .sum();
     }
 
     void show(WindowSnapshot newest, Optional<RobotSnapshot> selected, Optional<LinkState> linkState) {
@@ -148,6 +191,8 @@ final class ToolRow extends JPanel {
             pause.setIcon((paused ? Symbol.PLAY : Symbol.PAUSE).icon());
             pause.setToolTipText(texts.of(key));
             pause.getAccessibleContext().setAccessibleName(texts.of(key));
+            words.put(pause, texts.of(key));
+            fitWords(getWidth());
         }
     }
 
@@ -186,11 +231,19 @@ final class ToolRow extends JPanel {
     }
 
     private JToggleButton toggle(String id, Icon icon, int key, Runnable task) {
-        return ToolButtons.icon(new JToggleButton(), action(id, icon, key, task));
+        return withWord(ToolButtons.icon(new JToggleButton(), action(id, icon, key, task)), id);
     }
 
     private JButton button(String id, Icon icon, int key, Runnable task) {
-        return ToolButtons.icon(new JButton(), action(id, icon, key, task));
+        return withWord(ToolButtons.icon(new JButton(), action(id, icon, key, task)), id);
+    }
+
+    /** The icons of larger and smaller have none. */
+    private <B extends AbstractButton> B withWord(B button, String id) {
+        if (!id.startsWith("zoom.")) {
+            words.put(button, texts.of("tool." + id + ".word"));
+        }
+        return button;
     }
 
     private <B extends AbstractButton> B worded(B button, String id, Icon icon, int key, Runnable task) {
