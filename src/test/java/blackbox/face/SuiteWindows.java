@@ -1,10 +1,15 @@
 package blackbox.face;
 
-import blackbox.SuiteTrace;
+import blackbox.Scenario;
 import blackbox.VirtualPhone;
 import blackbox.VirtualSuite;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.util.List;
@@ -17,9 +22,9 @@ import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JTabbedPane;
 import javax.swing.JViewport;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simgsm.center.msc.ExchangeSnapshot;
-import simgsm.center.subscriber.HomeRegister;
 import simgsm.center.ui.CenterActions;
 import simgsm.center.ui.MonitorPanel;
 import simgsm.center.ui.MonitorWindow;
@@ -31,26 +36,40 @@ import simgsm.phone.ui.HandsetWindow;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.window.ProgramWindow;
 import simrobot.control.LoggedEvent;
+import simrobot.control.RobotEventLog;
+import simrobot.replay.TimelineMarker;
+import simrobot.ui.OpenPort;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.TelephoneSnapshot;
+import simrobot.ui.Timeline;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.panel.SimRobotWindow;
+import simrobot.world.WorldReader;
 
 /** The three windows after a call with an order, a refused order, and a short message; without frames. */
 final class SuiteWindows {
     private final VirtualPhone caller;
     private final ExchangeSnapshot center;
     private final WindowSnapshot robot;
+    private final WindowSnapshot replay;
 
     /** Which window. */
     enum Which {
         PHONE,
         ROBOT,
+        REPLAY,
         CENTER
     }
 
     SuiteWindows() {
-        VirtualSuite suite = new VirtualSuite(SuiteTrace.NONE, HomeRegister.OPEN, Optional.empty());
+        VirtualSuite suite;
+        try {
+            suite = new VirtualSuite(WorldReader.read(Scenario.world("demo.map")), 0, Locale.ENGLISH);
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+        RobotEventLog log = new RobotEventLog(suite.simulation::timeNanos);
+        suite.telephone.listen(event -> log.add("robot", event));
         caller = suite.phone(VirtualSuite.PHONE);
         caller.message("5550299", "** #**20 **");
         suite.seconds(2);
@@ -69,17 +88,27 @@ final class SuiteWindows {
                 suite.telephone.veriCommand(),
                 "1637",
                 false);
-        List<LoggedEvent> events = List.of();
-        robot = new WindowSnapshot(
+        robot = snapshot(suite, List.of(line), log.newest(), Optional.empty());
+        List<TimelineMarker> markers = List.of(
+                new TimelineMarker(3_000_000_000L, TimelineMarker.Kind.CALL, "robot", "call robot=robot from=5550100"),
+                new TimelineMarker(
+                        5_000_000_000L, TimelineMarker.Kind.COLLISION, "robot", "status robot=robot value=Collision"));
+        replay = snapshot(
+                suite, List.of(), log.newest(), Optional.of(new Timeline(0, suite.simulation.timeNanos(), markers)));
+    }
+
+    private static WindowSnapshot snapshot(
+            VirtualSuite suite, List<TelephoneSnapshot> lines, List<LoggedEvent> events, Optional<Timeline> timeline) {
+        return new WindowSnapshot(
                 suite.simulation.snapshot(),
-                List.of(line),
+                lines,
                 1,
                 false,
                 Path.of("worlds", "demo.map"),
                 "",
-                List.of(),
+                List.of(new OpenPort("P2OS", "robot", 8101), new OpenPort("HTTP", "", 8080)),
                 events,
-                Optional.empty(),
+                timeline,
                 Optional.empty(),
                 false);
     }
@@ -96,6 +125,8 @@ final class SuiteWindows {
                                 spoken -> {})
                         .content(locale);
             case ROBOT -> SimRobotWindow.content("SimRobot", locale, () -> robot, nothing(OperatorActions.class));
+            case REPLAY ->
+                SimRobotWindow.content("SimRobot - session.rec", locale, () -> replay, nothing(OperatorActions.class));
             case CENTER -> MonitorWindow.content(actions(), texts("simgsm.center.app.messages", language));
         };
         content.closed().run();
@@ -110,11 +141,16 @@ final class SuiteWindows {
         return caller.handset().snapshot();
     }
 
-    /** The forms of a window: the centre's tabs and a chosen message, the phone's scope and events, the robot as it is. */
+    /**
+     * The forms of a window: the phone's open scope and events; SimRobot's sheets, form for a new robot, presentation and editor with a
+     * chosen item; the centre's tabs and a chosen message.
+     */
     static List<String> forms(Which which) {
         return switch (which) {
             case PHONE -> List.of("closed", "scope", "events");
-            case ROBOT -> List.of("plain");
+            case ROBOT ->
+                List.of("plain", "tab.events", "tab.processes", "robot.add", "presentation", "editor", "editor item");
+            case REPLAY -> List.of("plain", "tab.events");
             case CENTER -> List.of("tab 0", "tab 1", "tab 2", "tab 3", "message");
         };
     }
@@ -122,6 +158,15 @@ final class SuiteWindows {
     static void take(JComponent window, String form) {
         if (form.equals("scope") || form.equals("events")) {
             ((AbstractButton) ComponentNames.find(window, form + ".switch").orElseThrow()).doClick(0);
+        } else if (form.startsWith("tab.") || form.equals("robot.add")) {
+            ((AbstractButton) ComponentNames.find(window, form).orElseThrow()).doClick(0);
+        } else if (form.equals("presentation")) {
+            act(window, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
+        } else if (form.startsWith("editor")) {
+            act(window, KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK));
+            if (form.endsWith("item")) {
+                ((JList<?>) ComponentNames.find(window, "editor.items").orElseThrow()).setSelectedIndex(0);
+            }
         } else if (form.startsWith("tab")) {
             tabs(window).setSelectedIndex(form.charAt(form.length() - 1) - '0');
         } else if (form.equals("message")) {
@@ -132,6 +177,22 @@ final class SuiteWindows {
                     .findFirst()
                     .orElseThrow();
             ladder.setSelectedIndex(setup);
+        }
+    }
+
+    /** Does what a key of the window does. */
+    private static void act(Container container, KeyStroke stroke) {
+        for (Component child : container.getComponents()) {
+            if (child instanceof JComponent it) {
+                Object id = it.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(stroke);
+                if (id != null && it.getActionMap().get(id) != null) {
+                    it.getActionMap().get(id).actionPerformed(new ActionEvent(it, 0, ""));
+                    return;
+                }
+            }
+            if (child instanceof Container inner) {
+                act(inner, stroke);
+            }
         }
     }
 
@@ -161,7 +222,9 @@ final class SuiteWindows {
         return type.cast(Proxy.newProxyInstance(
                 type.getClassLoader(),
                 new Class<?>[] {type},
-                (proxy, method, arguments) -> method.getReturnType() == Optional.class ? Optional.empty() : null));
+                (proxy, method, arguments) -> method.getReturnType() == Optional.class
+                        ? Optional.empty()
+                        : method.getReturnType() == List.class ? List.of() : null));
     }
 
     /** Sets the size in pixels and lays all out, until nothing moves any more. */

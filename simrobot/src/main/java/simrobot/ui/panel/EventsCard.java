@@ -8,6 +8,7 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.accessibility.AccessibleRole;
@@ -32,12 +33,23 @@ import simgsm.ui.UserAction;
 import simrobot.control.LoggedEvent;
 import simrobot.drawing.NumberTexts;
 import simrobot.ui.ToolButtons;
+import simrobot.ui.WrappedText;
 
 /** The event log of all robots or of the selected one, the newest at the bottom; lines can be copied. */
 final class EventsCard extends JPanel {
     private final EventTexts words;
     private final Rows model = new Rows();
-    private final JList<LoggedEvent> list = new JList<>(model);
+    private final JList<LoggedEvent> list = new JList<>(model) {
+        @Override
+        public String getToolTipText(MouseEvent event) {
+            int row = locationToIndex(event.getPoint());
+            return row < 0 ? null : words.of(model.rows.get(row).event());
+        }
+    };
+
+    /** The chosen event whole; a row of the list is cut where it does not fit. */
+    private final WrappedText whole;
+
     private final JScrollPane pane = new JScrollPane(list);
     private final JCheckBox onlySelected;
     private List<LoggedEvent> events = List.of();
@@ -48,7 +60,12 @@ final class EventsCard extends JPanel {
         setOpaque(false);
         words = new EventTexts(texts);
         ComponentNames.name(list, "events", texts.of("log.title"));
+        list.setToolTipText(texts.of("log.whole"));
         list.setCellRenderer(new RowRenderer());
+        whole = new WrappedText("events.whole", texts.of("log.whole"), Ink.TEXT);
+        whole.setVisible(false);
+        list.addListSelectionListener(chosen -> whole.show(
+                list.isSelectionEmpty() ? "" : words.of(list.getSelectedValue().event())));
         pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         onlySelected = new JCheckBox(texts.of("log.only"));
         onlySelected.setOpaque(false);
@@ -58,7 +75,7 @@ final class EventsCard extends JPanel {
                 new UserAction("events.copy", texts.of("log.copy"), this::copy).described(texts.of("log.copy.hint"));
         copy.bind(list, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_C, InputEvent.CTRL_DOWN_MASK));
         JPanel tools = Arrange.row(Theme.HALF, onlySelected, Arrange.spring(), ToolButtons.named(new JButton(), copy));
-        add(new Card(texts.of("log.title"), Arrange.column(Theme.GRID, tools, Arrange.growing(pane))));
+        add(new Card(texts.of("log.title"), Arrange.column(Theme.GRID, tools, Arrange.growing(pane), whole)));
     }
 
     void show(List<LoggedEvent> newest, String robot) {

@@ -12,7 +12,6 @@ import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import simgsm.console.TextBundle;
@@ -28,20 +27,14 @@ import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.ToolButtons;
+import simrobot.ui.WrappedText;
 
 /** All processes by their numbers, to be started in the selected robot, and what is wrong with those of students. */
 final class ProcessesCard extends JPanel {
     private final TextBundle texts;
     private final DefaultListModel<String> rows = new DefaultListModel<>();
     private final JList<String> list = new JList<>(rows);
-    /** Asks for the height of its lines, but for no width: a text area would keep the width that it has now. */
-    private final JTextArea faults = new JTextArea() {
-        @Override
-        public Dimension getPreferredSize() {
-            return new Dimension(0, super.getPreferredSize().height);
-        }
-    };
-
+    private final WrappedText faults;
     private final UserAction stop;
     private List<BehaviourKind> kinds = List.of();
     private String robot = "";
@@ -60,15 +53,7 @@ final class ProcessesCard extends JPanel {
                         texts.of("processes.stop"),
                         () -> operator.setBehaviour(robot, BehaviourKind.NONE))
                 .described(texts.of("processes.stop.hint"));
-        ComponentNames.name(faults, "processes.faults", texts.of("processes.faults"));
-        faults.setEditable(false);
-        faults.setLineWrap(true);
-        faults.setWrapStyleWord(true);
-        faults.setOpaque(false);
-        Theme.styled(faults, area -> {
-            area.setForeground(Theme.color(Ink.DANGER));
-            area.setFont(Theme.base());
-        });
+        faults = new WrappedText("processes.faults", texts.of("processes.faults"), Ink.DANGER);
         JPanel buttons = Arrange.row(
                 Theme.HALF,
                 ToolButtons.named(new JButton(), start),
@@ -96,10 +81,7 @@ final class ProcessesCard extends JPanel {
                         scene.behaviours().size());
         showRows(running);
         String text = scene.behaviourFaults().stream().map(this::fault).collect(Collectors.joining("\n"));
-        if (!text.equals(faults.getText())) {
-            faults.setText(text);
-            revalidate();
-        }
+        faults.show(text);
     }
 
     /** Changed rows are replaced one by one, so that the selection stays. */

@@ -17,6 +17,7 @@ import simgsm.ui.UserAction;
 import simrobot.drawing.NumberTexts;
 import simrobot.replay.TimelineMarker;
 import simrobot.ui.OperatorActions;
+import simrobot.ui.SplitRow;
 import simrobot.ui.TextLine;
 import simrobot.ui.Timeline;
 import simrobot.ui.ToolButtons;
@@ -40,7 +41,7 @@ public final class TimelinePanel extends JPanel {
             lamp.show(TimelineBar.mark(kind), TimelineBar.ink(kind), word(texts, kind));
             legend.add(lamp);
         }
-        JPanel row = Arrange.row(
+        JPanel steps = Arrange.row(
                 Theme.HALF,
                 button(
                         "previous",
@@ -54,10 +55,8 @@ public final class TimelinePanel extends JPanel {
                         KeyEvent.VK_RIGHT,
                         texts.of("timeline.next"),
                         () -> timeline.next(position)),
-                time,
-                Arrange.spring(),
-                legend);
-        add(new Card(texts.of("timeline.title"), Arrange.column(Theme.GRID, bar, row)));
+                time);
+        add(new Card(texts.of("timeline.title"), Arrange.column(Theme.GRID, bar, new SplitRow(steps, legend))));
         setVisible(false);
     }
 

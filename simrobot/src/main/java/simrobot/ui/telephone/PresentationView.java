@@ -27,6 +27,8 @@ public final class PresentationView extends PaintedComponent {
     private static final double TEXT_POINTS = 28;
     private static final double MARGIN_UNITS = 24;
     private static final double GAP_UNITS = 16;
+    /** How far the texts shrink in a narrow window. */
+    private static final double LEAST_SCALE = 0.5;
 
     private final Locale language;
     private String key = "";
@@ -96,13 +98,22 @@ public final class PresentationView extends PaintedComponent {
     @Override
     protected void paint(Graphics2D g, double width, double height) {
         double middle = height / 2;
-        double x = Theme.exact(MARGIN_UNITS);
-        Font large = Theme.mono(KEY_POINTS, true);
+        double margins = 2 * Theme.exact(MARGIN_UNITS);
+        double scale = Math.max(LEAST_SCALE, Math.min(1, (width - margins) / fullWidth()));
+        double x = margins / 2;
+        Font large = Theme.mono(KEY_POINTS * scale, true);
         g.setColor(Theme.color(isSounding ? Ink.ACCENT : Ink.TEXT));
         x = draw(g, large, key, x, middle, width);
         g.setColor(Theme.color(Ink.TEXT));
-        x = draw(g, Theme.mono(TEXT_POINTS, false), tones, x, middle, width);
-        draw(g, Theme.sans(TEXT_POINTS, true), course, x, middle, width);
+        x = draw(g, Theme.mono(TEXT_POINTS * scale, false), tones, x, middle, width);
+        draw(g, Theme.sans(TEXT_POINTS * scale, true), course, x, middle, width);
+    }
+
+    private double fullWidth() {
+        return Drawing.width(Theme.mono(KEY_POINTS, true), key)
+                + Drawing.width(Theme.mono(TEXT_POINTS, false), tones)
+                + Drawing.width(Theme.sans(TEXT_POINTS, true), course)
+                + 3 * Theme.exact(GAP_UNITS);
     }
 
     /** @return where the next text begins */

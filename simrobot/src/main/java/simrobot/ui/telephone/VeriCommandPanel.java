@@ -50,7 +50,7 @@ public final class VeriCommandPanel extends JPanel {
                 from,
                 keys,
                 words,
-                Arrange.row(Theme.GRID, verdict, Arrange.growing(course)),
+                Arrange.row(Theme.GRID, Arrange.growing(verdict), course),
                 Arrange.spring(),
                 replies,
                 reply);
