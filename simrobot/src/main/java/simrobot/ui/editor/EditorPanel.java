@@ -73,7 +73,8 @@ public final class EditorPanel extends JPanel {
         sidebar = new ItemSidebar(texts, floor);
         undo = action("undo", Symbol.UNDO.icon(), KeyEvent.VK_Z, () -> floor.step(floor.draft()::undo));
         redo = action("redo", Symbol.REDO.icon(), KeyEvent.VK_Y, () -> floor.step(floor.draft()::redo));
-        delete = action("delete", Symbol.ERASE.icon(), KeyEvent.VK_D, () -> floor.step(floor.draft()::deleteSelected));
+        delete = action("delete", Symbol.ERASE.icon(), 0, () -> floor.step(floor.draft()::deleteSelected));
+        delete.described(texts.of("editor.delete.hint"));
         apply = action("apply", Symbol.PLAY.icon(), KeyEvent.VK_ENTER, () -> apply(() -> {}));
         restore = action("restore", null, 0, this::restore);
         restoring = named(restore);
@@ -85,7 +86,7 @@ public final class EditorPanel extends JPanel {
                 Arrange.growing(title),
                 restoring,
                 named(action("save", null, KeyEvent.VK_S, () -> save(() -> {}))),
-                named(action("saveAs", null, 0, () -> saveAs(() -> {}))),
+                named(saveAs()),
                 named(apply));
         JPanel rows = Arrange.column(Theme.HALF, files, new SplitRow(toolRow(), editRow()));
         JPanel middle = Arrange.row(
@@ -139,6 +140,11 @@ public final class EditorPanel extends JPanel {
     private UserAction action(String id, Icon icon, int key, Runnable task) {
         UserAction action = new UserAction("editor." + id, texts.of("editor." + id), task).with(icon);
         return key == 0 ? action.described(action.name()) : action.onKey(this, key, InputEvent.CTRL_DOWN_MASK);
+    }
+
+    private UserAction saveAs() {
+        return action("saveAs", null, 0, () -> saveAs(() -> {}))
+                .onKey(this, KeyEvent.VK_S, InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK);
     }
 
     private JButton named(UserAction action) {

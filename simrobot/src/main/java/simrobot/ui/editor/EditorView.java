@@ -12,6 +12,7 @@ import simrobot.drawing.FloorPainter;
 import simrobot.drawing.Layers;
 import simrobot.editor.Draft;
 import simrobot.editor.Edits;
+import simrobot.editor.Handle;
 import simrobot.editor.Snap;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.floor.FloorCache;
@@ -22,8 +23,8 @@ import simrobot.world.World;
 
 /**
  * The floor that is edited: the draft, its selected item with its handles, and the place at which the tool works. By keyboard
- * the arrows move the selected item by a step of the raster, or pan; Insert makes an item in the centre; Delete deletes;
- * Escape ends a drag, else the selection and the tool.
+ * the arrows move the selected item by a step of the raster, or pan; with Shift they move its end, its corner or its
+ * heading; Insert makes an item in the centre; Delete deletes; Escape ends a drag, else the selection and the tool.
  */
 final class EditorView extends FloorView {
     private static final double MARGIN_UNITS = 48;
@@ -49,6 +50,7 @@ final class EditorView extends FloorView {
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         bindArrows("arrow", this::arrow, 0);
+        bindArrows("pull", this::pull, InputEvent.SHIFT_DOWN_MASK);
         bindArrows("pan", this::pan, InputEvent.CTRL_DOWN_MASK);
         bind("insert", this::makeInTheCentre, 0, KeyEvent.VK_INSERT, KeyEvent.VK_ENTER);
         bind("erase", () -> step(draft::deleteSelected), 0, KeyEvent.VK_DELETE, KeyEvent.VK_BACK_SPACE);
@@ -135,11 +137,27 @@ final class EditorView extends FloorView {
         draft.selected()
                 .ifPresentOrElse(
                         item -> {
-                            double step = snap.stepMeters() == 0 ? STEP_WITHOUT_RASTER_METERS : snap.stepMeters();
+                            double step = step();
                             draft.change(Edits.moved(draft.committed(), item, dx * step, dy * step));
                             fireChanged();
                         },
                         () -> pan(dx, dy));
+    }
+
+    private double step() {
+        return snap.stepMeters() == 0 ? STEP_WITHOUT_RASTER_METERS : snap.stepMeters();
+    }
+
+    /** Moves the end of a wall, the upper right corner of an area, or the place that a home looks at. */
+    private void pull(int dx, int dy) {
+        draft.selected().ifPresent(item -> {
+            List<Handle> handles = Edits.handles(draft.committed(), item);
+            Handle handle = handles.get(handles.size() / 2);
+            double x = handle.place().xMeters() + dx * step();
+            double y = handle.place().yMeters() + dy * step();
+            draft.change(Edits.pulled(draft.committed(), handle, x, y));
+            fireChanged();
+        });
     }
 
     private void escape() {

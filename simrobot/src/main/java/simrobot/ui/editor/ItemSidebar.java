@@ -5,6 +5,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +16,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
@@ -22,6 +24,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 import simrobot.editor.Draft;
 import simrobot.editor.Edits;
 import simrobot.editor.Item;
@@ -50,6 +53,8 @@ final class ItemSidebar extends JPanel {
         ComponentNames.name(list, "editor.items", texts.of("editor.items"));
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer(new Renderer());
+        new UserAction("editor.items.erase", "", () -> floor.step(floor.draft()::deleteSelected))
+                .bind(list, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_DELETE, 0));
         list.addListSelectionListener(event -> {
             if (!updating && !event.getValueIsAdjusting() && list.getSelectedValue() != null) {
                 floor.draft().select(list.getSelectedValue());

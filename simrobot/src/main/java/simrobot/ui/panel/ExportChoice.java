@@ -29,7 +29,7 @@ final class ExportChoice {
         this.operator = operator;
         UserAction action = new UserAction("tool.export", texts.of("tool.export"), this::showMenu)
                 .with(Symbol.DOWN.icon(12))
-                .onKey(button, KeyEvent.VK_X, InputEvent.CTRL_DOWN_MASK);
+                .onKey(button, KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK);
         ToolButtons.button(button, action, texts.of("tool.export.word"));
         button.setHorizontalTextPosition(JButton.LEADING);
     }

@@ -126,7 +126,7 @@ final class ToolRow extends JPanel {
                 follow,
                 layer("trail", Symbol.TRAIL.icon(), KeyEvent.VK_T, shown -> shown.withTrail(!shown.trail())),
                 layer("rays", Symbol.RAYS.icon(), KeyEvent.VK_S, shown -> shown.withSonar(!shown.sonar())),
-                layer("grid", Symbol.GRID.icon(), KeyEvent.VK_D, shown -> shown.withGrid(!shown.grid())),
+                layer("grid", Symbol.GRID.icon(), KeyEvent.VK_G, shown -> shown.withGrid(!shown.grid())),
                 ruler,
                 exports.component(),
                 button("inspector", Symbol.LIST.icon(), KeyEvent.VK_I, inspectorSwitch),
@@ -224,8 +224,13 @@ final class ToolRow extends JPanel {
         return gap;
     }
 
+    /** @param key with Alt */
     private JToggleButton layer(String id, Icon icon, int key, UnaryOperator<Layers> change) {
-        JToggleButton button = toggle(id, icon, key, () -> view.setLayers(change.apply(view.layers())));
+        UserAction action = new UserAction(
+                        "tool." + id, texts.of("tool." + id), () -> view.setLayers(change.apply(view.layers())))
+                .with(icon)
+                .onKey(page, key, InputEvent.ALT_DOWN_MASK);
+        JToggleButton button = withWord(ToolButtons.icon(new JToggleButton(), action), id);
         button.setSelected(true);
         return button;
     }

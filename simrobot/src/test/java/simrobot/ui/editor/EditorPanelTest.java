@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
+import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +20,7 @@ import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JPopupMenu;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,6 +33,7 @@ import simrobot.drawing.Viewport;
 import simrobot.editor.Item;
 import simrobot.ui.panel.WindowBench;
 import simrobot.ui.panel.WorldChoice;
+import simrobot.world.Area;
 import simrobot.world.MapWriter;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -236,6 +240,47 @@ class EditorPanelTest {
         assertEquals(walls(), bench.simulation.world().segments());
         assertTrue(Math.abs(robot.yMeters() - y) >= 0.25 || Math.abs(robot.xMeters() - x) >= 1);
         assertFalse(bench.component("editor.apply").isEnabled());
+    }
+
+    @Test
+    void aWallIsDrawnMovedAndDeletedByKeysAlone() {
+        int before = walls().size();
+        press(editor(), JComponent.WHEN_IN_FOCUSED_WINDOW, KeyEvent.VK_W, InputEvent.ALT_DOWN_MASK);
+        key(KeyEvent.VK_ENTER, 0);
+        Segment made = walls().get(before);
+        key(KeyEvent.VK_UP, 0);
+        Segment moved = new Segment(made.x1Meters(), made.y1Meters() + 0.1, made.x2Meters(), made.y2Meters() + 0.1);
+        assertEquals(moved, walls().get(before));
+        key(KeyEvent.VK_RIGHT, InputEvent.SHIFT_DOWN_MASK);
+        key(KeyEvent.VK_UP, InputEvent.SHIFT_DOWN_MASK);
+        Segment pulled = walls().get(before);
+        assertEquals(moved.x1Meters(), pulled.x1Meters(), 1e-9);
+        assertEquals(moved.y1Meters(), pulled.y1Meters(), 1e-9);
+        assertEquals(moved.x2Meters() + 0.1, pulled.x2Meters(), 1e-9);
+        assertEquals(moved.y2Meters() + 0.1, pulled.y2Meters(), 1e-9);
+        JComponent items = (JComponent) bench.component("editor.items");
+        press(items, JComponent.WHEN_FOCUSED, KeyEvent.VK_DELETE, 0);
+        assertEquals(before, walls().size());
+    }
+
+    @Test
+    void aBoxIsMadeLargerByKeys() {
+        press(editor(), JComponent.WHEN_IN_FOCUSED_WINDOW, KeyEvent.VK_B, InputEvent.ALT_DOWN_MASK);
+        key(KeyEvent.VK_ENTER, 0);
+        Area made = floor.draft().world().boxes().get(0).area();
+        key(KeyEvent.VK_RIGHT, InputEvent.SHIFT_DOWN_MASK);
+        Area larger = floor.draft().world().boxes().get(0).area();
+        assertEquals(made.maxXMeters() + 0.1, larger.maxXMeters(), 1e-9);
+        assertEquals(made.minXMeters(), larger.minXMeters(), 1e-9);
+    }
+
+    private void key(int code, int modifiers) {
+        press(floor, JComponent.WHEN_FOCUSED, code, modifiers);
+    }
+
+    private static void press(JComponent at, int condition, int code, int modifiers) {
+        Object id = at.getInputMap(condition).get(KeyStroke.getKeyStroke(code, modifiers));
+        at.getActionMap().get(id).actionPerformed(new ActionEvent(at, 0, ""));
     }
 
     @Test
