@@ -128,6 +128,9 @@ class FaceTest {
 
     private static List<String> tabRuns(Component component) {
         List<String> faults = new ArrayList<>();
+        if (!component.isVisible()) {
+            return faults;
+        }
         if (component instanceof JTabbedPane tabs && tabs.getTabCount() > 0) {
             Rectangle first = tabs.getBoundsAt(0);
             Rectangle last = tabs.getBoundsAt(tabs.getTabCount() - 1);

@@ -143,7 +143,8 @@ final class SuiteWindows {
 
     /**
      * The forms of a window: the phone's open scope and events; SimRobot's sheets, form for a new robot, presentation and editor with a
-     * chosen item; the centre's tabs and a chosen message.
+     * chosen item; the centre as it opens, with the ladder alone, each tab and a
+     * chosen message.
      */
     static List<String> forms(Which which) {
         return switch (which) {
@@ -151,7 +152,7 @@ final class SuiteWindows {
             case ROBOT ->
                 List.of("plain", "tab.events", "tab.processes", "robot.add", "presentation", "editor", "editor item");
             case REPLAY -> List.of("plain", "tab.events");
-            case CENTER -> List.of("tab 0", "tab 1", "tab 2", "tab 3", "message");
+            case CENTER -> List.of("ladder", "alone", "tab 0", "tab 1", "tab 2", "tab 3", "message");
         };
     }
 
@@ -167,13 +168,21 @@ final class SuiteWindows {
             if (form.endsWith("item")) {
                 ((JList<?>) ComponentNames.find(window, "editor.items").orElseThrow()).setSelectedIndex(0);
             }
+        } else if (form.equals("alone")) {
+            ((AbstractButton) ComponentNames.find(window, "ladder.alone").orElseThrow()).doClick(0);
         } else if (form.startsWith("tab")) {
+            AbstractButton lists =
+                    (AbstractButton) ComponentNames.find(window, "lists.shown").orElseThrow();
+            if (!lists.isSelected()) {
+                lists.doClick(0);
+            }
             tabs(window).setSelectedIndex(form.charAt(form.length() - 1) - '0');
         } else if (form.equals("message")) {
             JList<?> ladder =
                     (JList<?>) ComponentNames.find(window, "ladder.list").orElseThrow();
             int setup = IntStream.range(0, ladder.getModel().getSize())
-                    .filter(i -> ladder.getModel().getElementAt(i).toString().contains("CP-DATA"))
+                    .filter(i ->
+                            String.valueOf(ladder.getModel().getElementAt(i)).contains("CP-DATA"))
                     .findFirst()
                     .orElseThrow();
             ladder.setSelectedIndex(setup);

@@ -18,7 +18,7 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
     private static final int MOST_ZOOM_PERCENT = 200;
     private static final int ZOOM_STEP_PERCENT = 5;
 
-    private static final double CENTER_SHARE_OF_HEIGHT = 0.36;
+    private static final double CENTER_SHARE_OF_HEIGHT = 0.42;
     private static final double WORLD_SHARE_OF_SCREEN = 0.2;
 
     // What SimRobot's frame, margins, tools, modem and VeriCommand take of its window, in units.

@@ -1,6 +1,7 @@
 package simgsm.center.ui;
 
 import java.awt.BorderLayout;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JButton;
@@ -13,6 +14,7 @@ import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.Drawing;
 import simgsm.ui.Lamp;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -21,6 +23,8 @@ import simgsm.ui.window.WindowKeys;
 
 /** Name, port, counts, rates, and the buttons for appearance and quitting. */
 final class HeaderPanel extends JPanel {
+    private static final int ROW_GAP = 12;
+
     private final TextBundle texts;
     private final JLabel title = new JLabel("SMSyCT");
     private final JLabel network = new JLabel();
@@ -32,6 +36,8 @@ final class HeaderPanel extends JPanel {
     private final RatesLabel rateLabel = new RatesLabel();
     private final JPanel row;
     private final JPanel buttons;
+    private List<JButton> starters = List.of();
+    private boolean areWordsShown = true;
     private final Rates rates = new Rates();
 
     /** @param folding told whether the fields below the header are shown */
@@ -66,7 +72,7 @@ final class HeaderPanel extends JPanel {
                 ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
                 ComponentNames.name(new JButton(appearance), "window.appearance", texts.of("window.appearance.why")),
                 ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")));
-        row = Arrange.row(12, title, port, network, Arrange.growing(rateLabel), attached, calls, waiting, buttons);
+        row = Arrange.row(ROW_GAP, title, port, network, Arrange.growing(rateLabel), attached, calls, waiting, buttons);
         add(row, BorderLayout.CENTER);
         port.setToolTipText(network.getText() + ": " + network.getToolTipText());
         port.show(StatusMark.DISC, Ink.GOOD, texts.of("window.port", String.valueOf(operator.port())));
@@ -82,15 +88,56 @@ final class HeaderPanel extends JPanel {
         for (int i = 0; i < more.length; i++) {
             buttons.add(more[i], i);
         }
+        starters = List.of(more);
+        areWordsShown = starters.stream().noneMatch(JButton::getHideActionText);
         revalidate();
     }
 
-    /** Who may register stands in the port's tool tip where there is no room for it. */
+    /** The buttons of {@link #take} are to go elsewhere. */
+    void release() {
+        starters = List.of();
+    }
+
+    /**
+     * Where there is no room for all, the words of the buttons go, or who may register, which the port's tool tip says, too. That
+     * other machines may goes last.
+     */
     @Override
     public void doLayout() {
-        network.setVisible(true);
-        network.setVisible(row.getMinimumSize().width <= getWidth());
+        int words = areWordsShown ? 0 : wordsWidth();
+        int name = network.isVisible() ? 0 : network.getPreferredSize().width + Theme.px(ROW_GAP);
+        int all = row.getMinimumSize().width + words + name;
+        int wordsOff = all - wordsWidth();
+        int nameOff = all - network.getPreferredSize().width - Theme.px(ROW_GAP);
+        boolean isOpen = access == NetworkAccess.OPEN_TO_OTHERS;
+        int first = isOpen ? wordsOff : nameOff;
+        int second = isOpen ? nameOff : wordsOff;
+        if (all <= getWidth()) {
+            show(true, true);
+        } else if (first <= getWidth()) {
+            show(!isOpen, isOpen);
+        } else {
+            show(isOpen && second <= getWidth(), !isOpen && second <= getWidth());
+        }
         super.doLayout();
+    }
+
+    private int wordsWidth() {
+        return starters.stream()
+                .mapToInt(button -> Drawing.width(button.getFont(), ((UserAction) button.getAction()).name())
+                        + button.getIconTextGap())
+                .sum();
+    }
+
+    /** What is as it should be is not touched, since each change asks for another layout. */
+    private void show(boolean withWords, boolean withNetwork) {
+        areWordsShown = withWords;
+        starters.stream()
+                .filter(button -> button.getHideActionText() == withWords)
+                .forEach(button -> button.setHideActionText(!withWords));
+        if (network.isVisible() != withNetwork) {
+            network.setVisible(withNetwork);
+        }
     }
 
     private Lamp lamp(String name, String subjectKey) {

@@ -2,6 +2,7 @@ package simgsm.center.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.event.KeyEvent;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +11,8 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
+import javax.swing.JToggleButton;
+import javax.swing.KeyStroke;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.msc.ExchangeSnapshot.SubscriberRow;
 import simgsm.center.msc.call.CallView;
@@ -32,11 +35,12 @@ public final class MonitorPanel extends JPanel {
     private static final int LADDER_UNITS = 570;
     private static final int LEAST_LISTS_UNITS = 366;
     private static final int LEAST_LADDER_UNITS = 440;
-    /** In a lower panel the buttons stand in the header without their words, and the ladder has no heading. */
+    /** In a lower panel the buttons stand in the header, the lists are folded at first, and the ladder has no heading. */
     private static final int LOW_UNITS = 420;
 
     private static final int MARGIN_UNITS = 12;
     private static final int LOW_MARGIN_UNITS = 6;
+    private static final int LOW_FIELDS_MARGIN_UNITS = 3;
     private static final int GAP_UNITS = 8;
     /** Of what room is to spare or to give up. */
     private static final double LEFT_SHARE = 0.3;
@@ -51,14 +55,19 @@ public final class MonitorPanel extends JPanel {
     private final BroadcastPanel broadcasts;
     private final LadderPanel ladder;
     private final JTabbedPane tabs = new JTabbedPane();
+    private final DividedPanel split;
     private double shownZoom;
     private final JLabel notice = new JLabel(" ");
+    private final JPanel column = new JPanel(new BorderLayout());
     private final JPanel lists = new JPanel(new BorderLayout());
     private final Card listsCard = new Card(lists);
     private final Card ladderCard;
     private final Card passingCard;
     private final JButton newPhone;
     private final JButton newRobot;
+    private final JToggleButton listsSwitch;
+    private final JToggleButton aloneSwitch;
+    private boolean areFieldsShown = true;
     private boolean isLow;
 
     /** @param texts of the centre's bundle; @param operator performs what the buttons request, by the background's worker */
@@ -68,7 +77,10 @@ public final class MonitorPanel extends JPanel {
         this.background = background;
         passing = new PassingPanel(texts, operator.port());
         passingCard = new Card(passing);
-        header = new HeaderPanel(texts, operator, passingCard::setVisible);
+        header = new HeaderPanel(texts, operator, shown -> {
+            areFieldsShown = shown;
+            passingCard.setVisible(shown);
+        });
         ladder = new LadderPanel(texts);
         subscribers = Tables.subscribers(texts)
                 .onChoice(row -> ladder.choose(row.number().digits()));
@@ -86,10 +98,68 @@ public final class MonitorPanel extends JPanel {
                 texts.of("divider.ladder"),
                 Locale.forLanguageTag(texts.of("window.language")),
                 LEAST_LADDER_UNITS);
-        JPanel split =
+        split =
                 new DividedPanel(true, listsCard, ladderCard, divider, LEAST_LISTS_UNITS, MonitorPanel::ladderWidth);
-        add(Arrange.column(GAP_UNITS, header, passingCard, Arrange.growing(split)), BorderLayout.CENTER);
+        listsSwitch = toggle("lists.shown", "window.lists", Symbol.LIST, this::showLists);
+        listsSwitch.setSelected(true);
+        listsSwitch.setHideActionText(true);
+        aloneSwitch = toggle("ladder.alone", "window.ladder.alone", Symbol.FIT, this::showAlone);
+        aloneSwitch.setHideActionText(true);
+        ladder.addInFront(listsSwitch);
+        ladder.addBehind(aloneSwitch);
+        new UserAction("ladder.alone.key", texts.of("window.ladder.alone"), aloneSwitch::doClick)
+                .bindInWindow(this, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
+        new UserAction("ladder.back", texts.of("window.ladder.alone"), this::back)
+                .bind(ladder, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+        add(column, BorderLayout.CENTER);
+        arrangeRows();
         dress();
+    }
+
+    private JToggleButton toggle(String id, String key, Symbol symbol, Runnable task) {
+        UserAction action = new UserAction(id, texts.of(key), task)
+                .described(texts.of(key + ".why"))
+                .with(symbol.icon());
+        return ComponentNames.name(new JToggleButton(action), id, texts.of(key));
+    }
+
+    private void arrangeRows() {
+        column.removeAll();
+        column.add(Arrange.column(isLow ? Theme.HALF : GAP_UNITS, header, passingCard, Arrange.growing(split)));
+        column.revalidate();
+    }
+
+    private void showLists() {
+        boolean shown = listsSwitch.isSelected();
+        listsSwitch.setHideActionText(shown);
+        if (shown != listsCard.isVisible()) {
+            listsCard.setVisible(shown);
+            split.revalidate();
+        }
+    }
+
+    private void fold(boolean folded) {
+        listsSwitch.setSelected(!folded);
+        showLists();
+    }
+
+    /** The ladder takes the room of the header, the fields and the lists, and gives it back. */
+    private void showAlone() {
+        boolean isAlone = aloneSwitch.isSelected();
+        header.setVisible(!isAlone);
+        passingCard.setVisible(!isAlone && areFieldsShown);
+        fold(isAlone || isLow);
+        ladder.requestFocusInWindow();
+    }
+
+    /** Out of the chosen message, then out of the large ladder. */
+    private void back() {
+        if (isLow && listsSwitch.isSelected()) {
+            fold(true);
+            ladder.requestFocusInWindow();
+        } else if (aloneSwitch.isSelected()) {
+            aloneSwitch.doClick();
+        }
     }
 
     private void addTabs() {
@@ -100,6 +170,7 @@ public final class MonitorPanel extends JPanel {
         tabs.addTab(texts.of("window.broadcast"), broadcasts);
         ComponentNames.name(notice, "notice", texts.of("window.notice"));
         lists.setOpaque(false);
+        column.setOpaque(false);
     }
 
     /** @param key of the text; with {@code .why} of its tool tip */
@@ -112,8 +183,9 @@ public final class MonitorPanel extends JPanel {
 
     private void arrangeLists() {
         lists.removeAll();
-        newPhone.setHideActionText(isLow);
-        newRobot.setHideActionText(isLow);
+        header.release();
+        newPhone.setHideActionText(false);
+        newRobot.setHideActionText(false);
         if (isLow) {
             header.take(newPhone, newRobot);
             lists.add(Arrange.column(Theme.HALF, Arrange.growing(tabs), notice));
@@ -138,6 +210,7 @@ public final class MonitorPanel extends JPanel {
                         .setAccessibleName(texts.of("window.ladder.tab"));
             }
             tabs.setSelectedComponent(ladder.detail());
+            fold(false);
         }
     }
 
@@ -147,6 +220,8 @@ public final class MonitorPanel extends JPanel {
         if (low != isLow) {
             isLow = low;
             arrangeLists();
+            arrangeRows();
+            fold(low || aloneSwitch.isSelected());
             ladder.setHeadingVisible(!low);
             ladder.setDetailElsewhere(low);
             space();
@@ -162,10 +237,10 @@ public final class MonitorPanel extends JPanel {
         header.tick(nowNanos);
     }
 
-    /** The lists come first for the keyboard. */
+    /** The lists come first for the keyboard; while they are folded, the ladder. */
     @Override
     public boolean requestFocusInWindow() {
-        return tabs.requestFocusInWindow();
+        return listsCard.isVisible() ? tabs.requestFocusInWindow() : ladder.requestFocusInWindow();
     }
 
     /** Shows the newest picture; called on the event thread. */
@@ -219,7 +294,8 @@ public final class MonitorPanel extends JPanel {
     private void space() {
         int units = isLow ? LOW_MARGIN_UNITS : MARGIN_UNITS;
         setBorder(Theme.padding(units));
-        List.of(passingCard, listsCard, ladderCard).forEach(card -> card.setPadding(units));
+        List.of(listsCard, ladderCard).forEach(card -> card.setPadding(units));
+        passingCard.setPadding(isLow ? LOW_FIELDS_MARGIN_UNITS : MARGIN_UNITS);
     }
 
     /** What room is to spare, or to give up, the lists and the ladder share. */

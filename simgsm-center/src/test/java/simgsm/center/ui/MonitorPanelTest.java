@@ -7,7 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.util.ArrayDeque;
@@ -18,6 +20,7 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.ResourceBundle;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import javax.accessibility.Accessible;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
@@ -29,6 +32,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -209,12 +213,93 @@ class MonitorPanelTest {
 
         JTabbedPane tabs = find("tabs", JTabbedPane.class);
         assertEquals("ladder.message", tabs.getSelectedComponent().getName());
-        assertEquals(room, list.getParent().getHeight());
-        assertTrue(room >= 4 * find("ladder.list", JList.class).getFixedCellHeight(), "room " + room);
+        assertTrue(list.getParent().getHeight() >= room, "room " + room);
+        assertTrue(room >= 10 * find("ladder.list", JList.class).getFixedCellHeight(), "room " + room);
 
         panel.setSize(1300, 800);
         layOut(panel);
         assertEquals(4, tabs.getTabCount());
+    }
+
+    /** As the demo opens the window at 1366x768 and at 1280x720; a call has 14 messages. */
+    @ParameterizedTest
+    @CsvSource({"1028, 296, false, 14", "942, 262, false, 10", "942, 262, true, 14", "1263, 352, false, 20"})
+    void aLowWindowShowsTheMessagesOfACallInColumns(int width, int height, boolean alone, int messages) {
+        panel.show(Scene.passing(101));
+        panel.setSize(width, height);
+        layOut(panel);
+        if (alone) {
+            find("ladder.alone", AbstractButton.class).doClick(0);
+        }
+        layOut(panel);
+        layOut(panel);
+        JList<?> list = find("ladder.list", JList.class);
+        int last = list.getModel().getSize() - 1;
+        JComponent seen = (JComponent) list.getParent();
+        Rectangle end = list.getCellBounds(last, last);
+        Rectangle screen = new Rectangle(end.x + end.width - seen.getWidth(), 0, seen.getWidth(), seen.getHeight());
+
+        long shown = IntStream.rangeClosed(0, last)
+                .filter(i -> screen.contains(list.getCellBounds(i, i)))
+                .count();
+        assertTrue(shown >= messages, "messages " + shown);
+        assertEquals(seen.getHeight() / list.getFixedCellHeight(), 1 + end.y / list.getFixedCellHeight());
+    }
+
+    @Test
+    void theListsAreFoldedInALowWindowAndAChosenMessageUnfoldsThem() {
+        panel.show(Scene.busy());
+        panel.setSize(1028, 290);
+        layOut(panel);
+        JComponent tabs = find("tabs", JComponent.class);
+        AbstractButton lists = find("lists.shown", AbstractButton.class);
+        assertFalse(tabs.getParent().getParent().getParent().isVisible());
+        assertFalse(lists.isSelected());
+
+        find("ladder.list", JList.class).setSelectedIndex(2);
+        assertTrue(lists.isSelected());
+        press("ladder.list", KeyEvent.VK_ESCAPE);
+        assertFalse(lists.isSelected());
+
+        panel.setSize(1160, 700);
+        layOut(panel);
+        assertTrue(lists.isSelected());
+    }
+
+    @Test
+    void theLadderAloneHidesTheRestAndGivesItBack() {
+        panel.show(Scene.busy());
+        panel.setSize(1160, 700);
+        layOut(panel);
+        press("ladder.list", KeyEvent.VK_F11);
+        layOut(panel);
+        assertFalse(find("network", JComponent.class).getParent().getParent().isVisible());
+        assertFalse(find("lists.shown", AbstractButton.class).isSelected());
+        int alone = find("ladder.list", JComponent.class).getParent().getHeight();
+
+        press("ladder.list", KeyEvent.VK_ESCAPE);
+        layOut(panel);
+        assertTrue(find("network", JComponent.class).getParent().getParent().isVisible());
+        assertTrue(find("lists.shown", AbstractButton.class).isSelected());
+        assertTrue(find("ladder.list", JComponent.class).getParent().getHeight() < alone - 80);
+    }
+
+    /** As when the component has the focus: the nearest binding around it counts, then those of the window. */
+    private void press(String name, int key) {
+        KeyStroke stroke = KeyStroke.getKeyStroke(key, 0);
+        for (int condition :
+                List.of(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, JComponent.WHEN_IN_FOCUSED_WINDOW)) {
+            Component at = find(name, JComponent.class);
+            while (at instanceof JComponent component) {
+                Object action = component.getInputMap(condition).get(stroke);
+                if (action != null && component.getActionMap().get(action) != null) {
+                    component.getActionMap().get(action).actionPerformed(new ActionEvent(component, 0, ""));
+                    return;
+                }
+                at = at.getParent();
+            }
+        }
+        throw new AssertionError("no key " + stroke);
     }
 
     @Test
@@ -321,6 +406,8 @@ class MonitorPanelTest {
         panel.show(Scene.broadcasting(repeated));
         find("tabs", JTabbedPane.class).setSelectedIndex(3);
         panel.setSize((int) (1262 * zoom), (int) (395 * zoom));
+        layOut(panel);
+        find("lists.shown", AbstractButton.class).doClick(0);
         layOut(panel);
         layOut(panel);
 

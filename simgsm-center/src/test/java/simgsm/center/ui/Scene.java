@@ -108,6 +108,16 @@ public final class Scene {
                 NOON, 0, 0, 0, 0, List.of(), List.of(), List.of(), List.of(), 0, Optional.empty(), List.of());
     }
 
+    /** Nothing but so many messages between phone, centre and robot. */
+    public static ExchangeSnapshot passing(int count) {
+        List<LadderEntry> entries = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            entries.add(i % 2 == 0 ? setup() : alerting(ROBOT));
+        }
+        return new ExchangeSnapshot(
+                NOON, 2, 2, 0, 0, List.of(), List.of(), List.of(), entries, count, Optional.empty(), List.of());
+    }
+
     /** Nothing but so many broadcasts that are repeated. */
     public static ExchangeSnapshot broadcasting(int count) {
         List<BroadcastView> broadcasts = new ArrayList<>();

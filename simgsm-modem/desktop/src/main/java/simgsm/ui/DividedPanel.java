@@ -6,7 +6,7 @@ import java.util.function.IntUnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 
-/** Two parts side by side, or one above the other, with a {@link Divider} between them while the second part is there. */
+/** Two parts side by side, or one above the other, with a {@link Divider} between them while both are there and visible. */
 public final class DividedPanel extends JPanel {
     private final boolean sideBySide;
     private final JComponent first;
@@ -60,6 +60,15 @@ public final class DividedPanel extends JPanel {
         return second.getParent() == this;
     }
 
+    private boolean areBoth() {
+        return first.isVisible() && hasSecond() && second.isVisible();
+    }
+
+    /** The part that has all the room. */
+    private JComponent only() {
+        return first.isVisible() || !hasSecond() ? first : second;
+    }
+
     private int length() {
         return sideBySide ? getWidth() : getHeight();
     }
@@ -67,10 +76,10 @@ public final class DividedPanel extends JPanel {
     private final class Parts implements Arrange.FixedLayout {
         @Override
         public Dimension preferredLayoutSize(Container parent) {
-            Dimension a = first.getPreferredSize();
-            if (!hasSecond() || !second.isVisible()) {
-                return a;
+            if (!areBoth()) {
+                return only().getPreferredSize();
             }
+            Dimension a = first.getPreferredSize();
             Dimension b = second.getPreferredSize();
             int gap = Theme.px(Theme.GRID);
             return sideBySide
@@ -85,12 +94,12 @@ public final class DividedPanel extends JPanel {
 
         @Override
         public void layoutContainer(Container parent) {
-            boolean both = hasSecond() && second.isVisible();
+            boolean both = areBoth();
             if (divider.isVisible() != both) {
                 divider.setVisible(both);
             }
             if (!both) {
-                first.setBounds(0, 0, getWidth(), getHeight());
+                only().setBounds(0, 0, getWidth(), getHeight());
                 return;
             }
             int gap = Theme.px(Theme.GRID);

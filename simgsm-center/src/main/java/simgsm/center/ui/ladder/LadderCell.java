@@ -34,7 +34,7 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
         row = value;
         isSelected = selected;
         isFocused = focused;
-        setText(value.toString());
+        setText(value == null ? "" : value.toString());
         return this;
     }
 
@@ -45,6 +45,9 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
 
     @Override
     protected void paintComponent(Graphics graphics) {
+        if (row == null) {
+            return;
+        }
         Graphics2D g = Drawing.on(graphics);
         try {
             new LadderDrawing(new GraphicsCanvas(g), lifelines, getWidth() / Theme.zoom())

@@ -13,11 +13,11 @@ import simgsm.draw.Outline;
 record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
     static final double HEAD_UNITS = 36;
     /** In a low window. */
-    static final double LOW_HEAD_UNITS = 26;
+    static final double LOW_HEAD_UNITS = 22;
 
     static final double RUNG_UNITS = 30;
     /** In a low window. */
-    static final double LOW_RUNG_UNITS = 24;
+    static final double LOW_RUNG_UNITS = 18;
 
     private static final double BOX_UNITS = 24;
     private static final double WIDEST_BOX_UNITS = 160;
@@ -30,7 +30,7 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
 
     /** The names of the lifelines. @param heightUnits the height of their boxes and the space around them */
     void heads(double heightUnits) {
-        double boxUnits = Math.min(BOX_UNITS, heightUnits - 4);
+        double boxUnits = Math.min(BOX_UNITS, heightUnits - 3);
         for (String name : lifelines.names()) {
             boolean isCenter = name.equals(LadderEntry.CENTER);
             double room = Math.min(lifelines.gap(widthUnits), WIDEST_BOX_UNITS) - 8;
@@ -84,14 +84,15 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         String name = from >= 0 && to >= 0 ? entry.name() : row.terminal() + " " + entry.name();
         double start = from >= 0 ? from : center - lifelines.gap(widthUnits) / 2;
         double end = to >= 0 ? to : center + lifelines.gap(widthUnits) / 2;
-        double y = heightUnits - 6;
+        boolean isLow = heightUnits < RUNG_UNITS;
+        double y = heightUnits - (isLow ? 3.5 : 6);
         double sign = Math.signum(end - start);
         double tip = end - sign * 2;
         canvas.ink(Protocol.of(entry).ink());
         canvas.pen(1.4);
         canvas.line(px(start), px(y), px(tip - sign * (ARROW_HEAD_UNITS - 1)), px(y));
         double back = tip - sign * ARROW_HEAD_UNITS * 1.4;
-        double half = ARROW_HEAD_UNITS * 0.7;
+        double half = isLow ? 3 : ARROW_HEAD_UNITS * 0.7;
         canvas.fill(Outline.polygon(px(tip), px(y), px(back), px(y - half), px(back), px(y + half)));
         name(name, Math.abs(end - start) - 8, (start + end) / 2, heightUnits, behind);
     }
@@ -104,9 +105,11 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         String fitted = fitted(name, face, right - left);
         double width = canvas.width(fitted, face);
         double x = Math.max(left, Math.min(right - width, px(middleUnits) - width / 2));
-        double middle = px((heightUnits - 9) / 2);
+        boolean isLow = heightUnits < RUNG_UNITS;
+        double middle = px((heightUnits - (isLow ? 5 : 9)) / 2);
+        double half = px(isLow ? 6 : 7);
         canvas.ink(behind);
-        canvas.bar(x - px(3), middle - px(7), width + px(6), px(14));
+        canvas.bar(x - px(3), middle - half, width + px(6), 2 * half);
         canvas.ink(Ink.TEXT);
         beginning(fitted, face, x, middle);
     }

@@ -10,23 +10,69 @@ import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
-/** The list of messages. Fills the window's width; scrolls when the lifelines would be too close. */
+/**
+ * The list of messages. Fills the window's width; scrolls when the lifelines would be too close. In a low and wide place the
+ * messages stand in columns, each going on where the one at its left ends.
+ */
 final class LadderList extends JList<LadderRow> {
+    private static final int ROWS_AT_FIRST = 8;
+
+    private final LadderModel model;
     private final LadderCell cell;
     private final String empty;
+    private int columns = 1;
+    private int columnWidth;
 
     /** @param empty is shown before the first message */
     LadderList(LadderModel model, LadderCell cell, String empty) {
         super(model);
+        this.model = model;
         this.cell = cell;
         this.empty = empty;
         setCellRenderer(cell);
         setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     }
 
+    /** @param newColumns how many are seen side by side; @param newWidth of each, in pixels; without effect for one */
+    void setColumns(int newColumns, int newWidth) {
+        columns = newColumns;
+        columnWidth = newWidth;
+        setLayoutOrientation(columns > 1 ? VERTICAL_WRAP : VERTICAL);
+        fit();
+        arrange();
+    }
+
+    /** A new height makes other columns. */
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        super.setBounds(x, y, width, height);
+        arrange();
+    }
+
+    /** In columns the height decides how many rows there are. */
+    private void arrange() {
+        int rows = Math.max(1, getHeight() / Math.max(1, getFixedCellHeight()));
+        setVisibleRowCount(columns > 1 ? rows : ROWS_AT_FIRST);
+        model.arrange(columns, rows);
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+        return columns > 1 || super.getScrollableTracksViewportHeight();
+    }
+
+    int columns() {
+        return columns;
+    }
+
+    /** Of each of several columns, in pixels. */
+    int columnWidth() {
+        return columnWidth;
+    }
+
     void fit() {
         Dimension size = cell.getPreferredSize();
-        setFixedCellWidth(size.width);
+        setFixedCellWidth(columns > 1 ? columnWidth : size.width);
         setFixedCellHeight(size.height);
         setBackground(Theme.color(Ink.CARD));
         revalidate();
@@ -36,25 +82,32 @@ final class LadderList extends JList<LadderRow> {
     @Override
     public String getToolTipText(MouseEvent event) {
         int index = locationToIndex(event.getPoint());
-        return index < 0 ? null : getModel().getElementAt(index).toString();
+        LadderRow row = index < 0 ? null : getModel().getElementAt(index);
+        return row == null ? null : row.toString();
     }
 
     @Override
     public boolean getScrollableTracksViewportWidth() {
-        return getParent() == null || getParent().getWidth() >= getFixedCellWidth();
+        return columns > 1
+                ? super.getScrollableTracksViewportWidth()
+                : getParent() == null || getParent().getWidth() >= getFixedCellWidth();
     }
 
     @Override
     protected void paintComponent(Graphics graphics) {
         super.paintComponent(graphics);
-        if (getModel().getSize() == 0) {
-            Graphics2D g = Drawing.on(graphics);
-            try {
-                g.setColor(Theme.color(Ink.QUIET));
-                Drawing.centred(g, empty, Theme.base(), getWidth() / 2.0, Theme.exact(60));
-            } finally {
-                g.dispose();
+        Graphics2D g = Drawing.on(graphics);
+        try {
+            g.setColor(Theme.color(Ink.LINE));
+            for (int x = columnWidth; columns > 1 && x < getWidth(); x += columnWidth) {
+                g.fillRect(x, 0, 1, getHeight());
             }
+            if (getModel().getSize() == 0) {
+                g.setColor(Theme.color(Ink.QUIET));
+                Drawing.centred(g, empty, Theme.base(), getWidth() / 2.0, Math.min(Theme.exact(60), getHeight() / 2.0));
+            }
+        } finally {
+            g.dispose();
         }
     }
 }

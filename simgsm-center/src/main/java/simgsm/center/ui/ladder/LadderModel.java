@@ -5,7 +5,10 @@ import java.util.List;
 import javax.swing.AbstractListModel;
 import simgsm.center.msc.LadderEntry;
 
-/** The messages shown: those of the snapshots, without cleared and filtered ones. */
+/**
+ * The messages shown: those of the snapshots, without cleared and filtered ones. Where they stand in columns, empty elements go
+ * before the first, so that the last column is full.
+ */
 final class LadderModel extends AbstractListModel<LadderRow> {
     private final List<LadderRow> rows = new ArrayList<>();
     private List<LadderEntry> entries = List.of();
@@ -19,6 +22,10 @@ final class LadderModel extends AbstractListModel<LadderRow> {
     private boolean isPaused;
     private List<LadderEntry> newestEntries = List.of();
     private long newestCount;
+    private int rowsPerColumn = 1;
+    private int columns = 1;
+    /** The empty elements in front. */
+    private int blanks;
 
     /**
      * Takes over a snapshot: removes rows that the snapshot no longer has and adds new ones, so that a selection is kept.
@@ -104,8 +111,9 @@ final class LadderModel extends AbstractListModel<LadderRow> {
     }
 
     private void rebuild() {
-        int size = rows.size();
+        int size = getSize();
         rows.clear();
+        blanks = 0;
         if (size > 0) {
             fireIntervalRemoved(this, 0, size - 1);
         }
@@ -120,7 +128,27 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         }
         if (dropped > 0) {
             rows.subList(0, dropped).clear();
-            fireIntervalRemoved(this, 0, dropped - 1);
+            fireIntervalRemoved(this, blanks, blanks + dropped - 1);
+            fillUp();
+        }
+    }
+
+    /** Messages stand in so many columns of so many rows. */
+    void arrange(int newColumns, int newRowsPerColumn) {
+        columns = newColumns;
+        rowsPerColumn = newRowsPerColumn;
+        fillUp();
+    }
+
+    private void fillUp() {
+        boolean isWhole = columns == 1 || rows.size() <= columns * rowsPerColumn;
+        int wanted = isWhole ? 0 : Math.floorMod(-rows.size(), rowsPerColumn);
+        int before = blanks;
+        blanks = wanted;
+        if (wanted > before) {
+            fireIntervalAdded(this, 0, wanted - before - 1);
+        } else if (wanted < before) {
+            fireIntervalRemoved(this, 0, before - wanted - 1);
         }
     }
 
@@ -131,7 +159,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
             LadderEntry now = entries.get((int) (row.number() - numberOf(0)));
             if (now != row.entry() && !now.equals(row.entry())) {
                 rows.set(i, new LadderRow(row.number(), now));
-                fireContentsChanged(this, i, i);
+                fireContentsChanged(this, blanks + i, blanks + i);
             }
         }
     }
@@ -147,7 +175,8 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         }
         lastNumber = count;
         if (rows.size() > before) {
-            fireIntervalAdded(this, before, rows.size() - 1);
+            fireIntervalAdded(this, blanks + before, getSize() - 1);
+            fillUp();
         }
     }
 
@@ -155,13 +184,19 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         return count - entries.size() + 1 + index;
     }
 
-    @Override
-    public int getSize() {
-        return rows.size();
+    /** The index of the first message, behind the empty elements. */
+    int firstIndex() {
+        return blanks;
     }
 
     @Override
+    public int getSize() {
+        return blanks + rows.size();
+    }
+
+    /** A row; null for an empty element. */
+    @Override
     public LadderRow getElementAt(int index) {
-        return rows.get(index);
+        return index < blanks ? null : rows.get(index - blanks);
     }
 }

@@ -7,9 +7,12 @@ import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.AbstractButton;
+import javax.swing.BoundedRangeModel;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
@@ -35,6 +38,8 @@ public final class LadderPanel extends JPanel {
     private static final int HEADING_UNITS = 900;
 
     private static final int LOW_UNITS = 330;
+    private static final int MOST_COLUMNS = 3;
+    private static final int SCROLL_BAR_UNITS = 10;
     /** The ladder's share of the height above the message, until the user moves the divider. */
     private static final double LADDER_SHARE = 0.5;
 
@@ -44,8 +49,13 @@ public final class LadderPanel extends JPanel {
     private final TextBundle texts;
     private final LadderModel model = new LadderModel();
     private final LadderCell cell = new LadderCell();
-    private final LifelineHeader header = new LifelineHeader();
     private final LadderList list;
+    private final LifelineHeader header;
+    private final JScrollPane pane;
+    /** What stands in front of the tools. */
+    private final JPanel front = Arrange.row(Theme.HALF);
+
+    private final JPanel behind = Arrange.row(Theme.HALF);
     private final MessageDetail detail;
     private final JLabel heading = new JLabel();
     private final LadderFilterBar filter;
@@ -65,6 +75,7 @@ public final class LadderPanel extends JPanel {
         super(new BorderLayout());
         this.texts = texts;
         list = new LadderList(model, cell, texts.of("window.ladder.empty"));
+        header = new LifelineHeader(list);
         detail = new MessageDetail(texts);
         filter = new LadderFilterBar(texts, this::filter);
         saving = new LadderSaving(texts);
@@ -78,13 +89,14 @@ public final class LadderPanel extends JPanel {
         save = button("ladder.save", "window.ladder.save", Symbol.SAVE, this::save);
         new UserAction("ladder.undo.key", texts.of("window.ladder.undo"), this::unclear)
                 .bind(list, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_Z, InputEvent.CTRL_DOWN_MASK));
+        pane = listPane();
         Divider divider = new Divider(
                 "divider.message",
                 texts.of("divider.message"),
                 Locale.forLanguageTag(texts.of("window.language")),
                 LEAST_UNITS);
         split = new DividedPanel(
-                false, listPane(), detail, divider, LEAST_UNITS, room -> (int) (room * (1 - LADDER_SHARE)));
+                false, pane, detail, divider, LEAST_UNITS, room -> (int) (room * (1 - LADDER_SHARE)));
         split.showSecond(false);
         add(tools(), BorderLayout.NORTH);
         add(split, BorderLayout.CENTER);
@@ -108,31 +120,72 @@ public final class LadderPanel extends JPanel {
 
     private JPanel tools() {
         heading.setText(texts.of("window.ladder"));
-        JPanel row = Arrange.row(Theme.GRID, heading, Arrange.growing(filter), pause, follow, undo, clear, save);
+        JPanel row = Arrange.row(
+                Theme.HALF, front, heading, Arrange.growing(filter), pause, follow, undo, clear, save, behind);
+        front.setVisible(false);
         row.setBorder(Theme.padding(0, 0, Theme.HALF, 0));
         return row;
     }
 
+    /** Places these before the tools. */
+    public void addInFront(JComponent... components) {
+        List.of(components).forEach(front::add);
+        front.setVisible(true);
+    }
+
+    /** Places this after the tools. */
+    public void addBehind(JComponent component) {
+        behind.add(component);
+    }
+
     private JScrollPane listPane() {
         ComponentNames.name(list, "ladder.list", texts.of("window.ladder.name"));
-        JScrollPane pane = new JScrollPane(
+        JScrollPane made = new JScrollPane(
                 list,
                 ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
                 ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
-        pane.setColumnHeaderView(header);
-        pane.setPreferredSize(new Dimension(Theme.px(LIST_UNITS.width), Theme.px(LIST_UNITS.height)));
-        pane.setMinimumSize(new Dimension(0, 0));
-        pane.getVerticalScrollBar().addAdjustmentListener(event -> {
-            if (event.getValueIsAdjusting()) {
-                follow.setSelected(isAtEnd(pane));
-            }
-        });
-        return pane;
+        made.setColumnHeaderView(header);
+        made.setPreferredSize(new Dimension(Theme.px(LIST_UNITS.width), Theme.px(LIST_UNITS.height)));
+        made.setMinimumSize(new Dimension(0, 0));
+        for (JScrollBar bar : List.of(made.getVerticalScrollBar(), made.getHorizontalScrollBar())) {
+            bar.addAdjustmentListener(event -> {
+                if (event.getValueIsAdjusting()) {
+                    follow.setSelected(isAtEnd(bar.getModel()));
+                }
+            });
+        }
+        return made;
     }
 
-    private static boolean isAtEnd(JScrollPane pane) {
-        var bar = pane.getVerticalScrollBar().getModel();
+    private static boolean isAtEnd(BoundedRangeModel bar) {
         return bar.getValue() + bar.getExtent() >= bar.getMaximum() - Theme.px(LadderDrawing.RUNG_UNITS);
+    }
+
+    /** In a low place as many columns as it is wide enough for; they scroll sideways. */
+    private void arrangeColumns(boolean isLow) {
+        int room = getWidth() - pane.getInsets().left - pane.getInsets().right;
+        int most = Math.min(MOST_COLUMNS, room / Math.max(1, lifelines().leastWidth()));
+        int columns = isLow ? Math.max(1, most) : 1;
+        if (columns != list.columns() || columns > 1 && room / columns != list.columnWidth()) {
+            boolean inColumns = columns > 1;
+            list.setColumns(columns, room / columns);
+            pane.setVerticalScrollBarPolicy(
+                    inColumns
+                            ? ScrollPaneConstants.VERTICAL_SCROLLBAR_NEVER
+                            : ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
+            pane.setHorizontalScrollBarPolicy(
+                    inColumns
+                            ? ScrollPaneConstants.HORIZONTAL_SCROLLBAR_ALWAYS
+                            : ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
+            showChosenOrEnd();
+        }
+    }
+
+    private void showChosenOrEnd() {
+        SwingUtilities.invokeLater(() -> {
+            int chosen = list.getSelectedIndex();
+            list.ensureIndexIsVisible(chosen >= 0 && !follow.isSelected() ? chosen : model.getSize() - 1);
+        });
     }
 
     /** The selected message, to be placed elsewhere after {@link #setDetailElsewhere}. */
@@ -151,13 +204,22 @@ public final class LadderPanel extends JPanel {
         placeDetail();
     }
 
+    /** The messages take the focus. */
+    @Override
+    public boolean requestFocusInWindow() {
+        return list.requestFocusInWindow();
+    }
+
     public void show(ExchangeSnapshot snapshot) {
-        int before = model.getSize();
+        int before = model.rows().size();
         model.update(snapshot.ladder(), snapshot.ladderCount());
         refreshLines();
         showPause();
-        if (follow.isSelected() && model.getSize() != before) {
-            showEnd();
+        if (model.rows().size() != before) {
+            header.revalidate();
+            if (follow.isSelected()) {
+                showEnd();
+            }
         }
     }
 
@@ -182,6 +244,7 @@ public final class LadderPanel extends JPanel {
         cell.show(lifelines());
         header.show(lifelines());
         list.fit();
+        revalidate();
     }
 
     private void filter() {
@@ -258,6 +321,8 @@ public final class LadderPanel extends JPanel {
         if (row != null) {
             detail.show(row);
             whenChosen.run();
+        } else if (index >= 0) {
+            list.setSelectedIndex(model.firstIndex());
         }
         placeDetail();
     }
@@ -284,8 +349,10 @@ public final class LadderPanel extends JPanel {
         }
         showPause();
         heading.setVisible(isHeadingWanted && getWidth() >= Theme.px(HEADING_UNITS));
-        cell.setLow(getHeight() < Theme.px(LOW_UNITS));
-        header.setLow(getHeight() < Theme.px(LOW_UNITS));
+        boolean isLow = getHeight() < Theme.px(LOW_UNITS);
+        cell.setLow(isLow);
+        header.setLow(isLow);
+        arrangeColumns(isLow);
         if (list.getFixedCellHeight() != cell.getPreferredSize().height) {
             list.fit();
         }
@@ -302,6 +369,7 @@ public final class LadderPanel extends JPanel {
 
     private void dress() {
         heading.setFont(Theme.title());
+        pane.getHorizontalScrollBar().setPreferredSize(new Dimension(0, Theme.px(SCROLL_BAR_UNITS)));
         list.fit();
     }
 }

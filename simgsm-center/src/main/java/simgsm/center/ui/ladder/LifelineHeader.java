@@ -8,10 +8,11 @@ import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
-/** The names of the lifelines, above the ladder. */
+/** The names of the lifelines, above each column of the ladder. */
 final class LifelineHeader extends PaintedComponent {
 
     private Lifelines lifelines = Lifelines.NONE;
+    private final LadderList list;
     private double heightUnits = LadderDrawing.HEAD_UNITS;
 
     void show(Lifelines newLifelines) {
@@ -24,20 +25,27 @@ final class LifelineHeader extends PaintedComponent {
         heightUnits = low ? LadderDrawing.LOW_HEAD_UNITS : LadderDrawing.HEAD_UNITS;
     }
 
-    LifelineHeader() {
+    LifelineHeader(LadderList list) {
         super(AccessibleRole.COLUMN_HEADER);
+        this.list = list;
     }
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(lifelines.leastWidth(), Theme.px(heightUnits));
+        int width = list.columns() > 1 ? list.getPreferredSize().width : lifelines.leastWidth();
+        return new Dimension(width, Theme.px(heightUnits));
     }
 
     @Override
     protected void paint(Graphics2D g, double width, double height) {
         g.setColor(Theme.color(Ink.CARD));
         g.fillRect(0, 0, getWidth(), getHeight());
-        new LadderDrawing(new GraphicsCanvas(g), lifelines, getWidth() / Theme.zoom()).heads(heightUnits);
+        int column = list.columns() > 1 ? Math.max(1, list.columnWidth()) : getWidth();
+        for (int x = 0; x + column <= getWidth(); x += column) {
+            Graphics2D place = (Graphics2D) g.create(x, 0, column, getHeight());
+            new LadderDrawing(new GraphicsCanvas(place), lifelines, column / Theme.zoom()).heads(heightUnits);
+            place.dispose();
+        }
     }
 
     @Override

@@ -2,6 +2,7 @@ package simgsm.center.ui.ladder;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -48,6 +49,24 @@ class LadderModelTest {
 
         assertEquals(List.of("+0..2", "+3..4"), events);
         assertEquals(List.of("1", "2", "3", "4", "5"), shown());
+    }
+
+    @Test
+    void inColumnsEmptyElementsGoBeforeTheFirstSoThatTheLastColumnIsFull() {
+        model.arrange(2, 3);
+        model.update(entries(1, 6), 6);
+        assertEquals(0, model.firstIndex());
+        model.update(entries(1, 7), 7);
+        assertEquals(2, model.firstIndex());
+        assertEquals(List.of("+0..5", "+6..6", "+0..1"), events);
+        model.update(entries(1, 8), 8);
+        assertEquals(List.of("+9..9", "-0..0"), events.subList(3, 5));
+        assertEquals(9, model.getSize());
+        assertNull(model.getElementAt(0));
+        assertEquals(1, model.getElementAt(1).number());
+
+        model.arrange(1, 3);
+        assertEquals(List.of("1", "2", "3", "4", "5", "6", "7", "8"), shown());
     }
 
     @Test
