@@ -42,7 +42,14 @@ class CellsConsoleTest {
             town.center();
             RunningProgram cells = town.cells("village.town");
             for (String wrong : new String[] {
-                "place", "place 1 x 2", "walk 5550199 0 0 1", "tower south off", "tower west maybe", "reports", "fly"
+                "place",
+                "place 1 x 2",
+                "walk 5550199 0 0 1",
+                "tower south off",
+                "tower west maybe",
+                "reports",
+                "handover best",
+                "fly"
             }) {
                 String text = cells.ask(wrong, "error").field("text");
                 assertTrue(text.startsWith(wrong.equals("fly") ? "unknown" : wrong.split(" ")[0]), text);

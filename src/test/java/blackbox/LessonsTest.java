@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Every lesson is played with real programs: its right solution passes every step, its wrong one does not. */
 @Execution(ExecutionMode.CONCURRENT)
 class LessonsTest {
+    private static final String OWN = "docs/lessons/own";
     private static final Pattern SCORE = Pattern.compile("score=([0-9]+) of=([0-9]+)");
 
     static Stream<String> lessons() throws Exception {
@@ -127,6 +128,63 @@ class LessonsTest {
         assertEquals(1, run.status(), run.output() + run.error());
         assertTrue(run.error().contains("line 1: expected more words"), run.error());
         assertTrue(run.output().contains("score=0 of=7"), run.output());
+    }
+
+    @Test
+    void aTeachersOwnLessonIsListedAndPlayed(@TempDir Path folder) throws Exception {
+        List<String> listed = FinishedProgram.run("simgsm-center", "--lessons", OWN, "--lang", "es")
+                .output()
+                .lines()
+                .toList();
+        assertEquals(lessons().count() + 1, listed.size());
+        assertEquals("lesson name=corridor title=\"El final del pasillo\" minutes=10", listed.get(listed.size() - 1));
+        Path result = folder.resolve("result.txt");
+        FinishedProgram right = FinishedProgram.run(
+                "simgsm-center",
+                "--lessons",
+                OWN,
+                "--lesson",
+                "corridor",
+                "--check",
+                "right",
+                "--result",
+                result.toString());
+        assertEquals(0, right.status(), right.output() + right.error());
+        assertTrue(right.output().endsWith("score=3 of=3\n"), right.output());
+        assertTrue(Files.readString(result).contains("\nnumbers cm="), Files.readString(result));
+        FinishedProgram wrong =
+                FinishedProgram.run("simgsm-center", "--lessons", OWN, "--lesson", "corridor", "--check", "wrong");
+        assertEquals(1, wrong.status(), wrong.output() + wrong.error());
+        assertTrue(wrong.output().endsWith("score=1 of=3\n"), wrong.output());
+    }
+
+    @Test
+    void faultsInATeachersLessonAreNamedWithFileAndLine(@TempDir Path folder) throws Exception {
+        Path mine = Files.createDirectory(folder.resolve("mine"));
+        for (String file : List.of("en.txt", "es.txt", "corridor.map")) {
+            Files.copy(Dist.root().resolve(OWN).resolve("corridor").resolve(file), mine.resolve(file));
+        }
+        String lesson = Files.readString(Dist.root().resolve(OWN).resolve("corridor/lesson.txt"));
+        Files.writeString(mine.resolve("lesson.txt"), lesson.replace("when robot status", "when robo status"));
+        FinishedProgram list = FinishedProgram.run("simgsm-center", "--lessons", folder.toString());
+        assertEquals(1, list.status(), list.output());
+        assertEquals(lessons().count(), list.output().lines().count());
+        assertEquals(
+                "simgsm-center: " + mine.resolve("lesson.txt") + ", line 13: expected a source of centre, phone, robot,"
+                        + " student, tool, trace; found robo\n",
+                list.error());
+        FinishedProgram check = FinishedProgram.run(
+                "simgsm-center", "--lessons", folder.toString(), "--lesson", "mine", "--check", "right");
+        assertEquals(2, check.status(), check.output());
+        assertTrue(check.error().contains("lesson.txt, line 13: expected a source"), check.error());
+        Files.writeString(mine.resolve("lesson.txt"), lesson);
+        FinishedProgram without = FinishedProgram.run(
+                "simgsm-center", "--lessons", folder.toString(), "--lesson", "mine", "--check", "right");
+        assertEquals(1, without.status(), without.output());
+        assertTrue(without.error().contains(mine.resolve("right.txt") + ": no such file"), without.error());
+        FinishedProgram nowhere = FinishedProgram.run("simgsm-center", "--lessons", mine.toString());
+        assertEquals(2, nowhere.status(), nowhere.output());
+        assertTrue(nowhere.error().contains("expected a folder with a folder for each lesson"), nowhere.error());
     }
 
     @Test

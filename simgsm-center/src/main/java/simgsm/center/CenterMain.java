@@ -54,7 +54,11 @@ public final class CenterMain {
                         "N",
                         "with --demo: N robots (5550200 ...) in one world for N students' phones (5550100 ...), the commands"
                                 + "\nthat their machines start, and a table of results")
-                .flag("lessons", "list the lessons and end")
+                .optionalValue(
+                        "lessons",
+                        "DIR",
+                        "alone: list the lessons and end; with DIR also a teacher's own, a folder each in it; with --demo or"
+                                + "\n--lesson: have these beside those of the suite")
                 .value(
                         "lesson",
                         "NAME",
@@ -119,6 +123,10 @@ public final class CenterMain {
                         "udp: the speech of calls goes as RTP over UDP beside the terminal's TCP link, so that Wireshark"
                                 + "\nplays it live; tcp (default): within the link")
                 .value(
+                        "t303",
+                        "SECONDS",
+                        "how long a called phone may leave SETUP unanswered; then the caller gets cause 18; default 30")
+                .value(
                         "handover",
                         "ALGORITHM[,NAME=N]...",
                         "when calls over towers move to another cell: power-budget (default; algorithm 1 of osmo-bsc) with"
@@ -145,7 +153,7 @@ public final class CenterMain {
         if (given.has("new-sim")) {
             return NewSims.make(given);
         }
-        if (given.has("lessons")) {
+        if (given.has("lessons") && !given.has("lesson") && !given.has("demo")) {
             return LessonCheck.list(given);
         }
         requireTogether(given, "class", "demo");

@@ -59,7 +59,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
         station = new MobileStation(
                 settings.identity(),
                 settings.sim(),
-                new StationOptions(settings.user().codec(), recorder, true),
+                new StationOptions(settings.user().codec(), recorder, true, settings.ignoresSetup()),
                 handset::fillFrame,
                 this::accept);
         handset.attach(station);

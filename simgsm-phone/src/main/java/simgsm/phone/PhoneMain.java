@@ -43,6 +43,10 @@ public final class PhoneMain {
                         "A GSM phone (M1): dial a robot, key its orders, hear its answers, send short messages.")
                 .commands(PhoneCommands.TABLE)
                 .flag("console", Program.CONSOLE_HELP)
+                .value("lessons", "DIR", Program.LESSONS_HELP)
+                .flag(
+                        "ignore-setup",
+                        "a fault, for lessons and tests of networks: the phone answers paging, and leaves SETUP unanswered")
                 .value("number", "N", "the phone's own number, 1 to 10 digits (5550100)")
                 .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
                 .value("codec", "alaw|gsm", "how the phone's speech is coded; it understands both (alaw)")

@@ -30,6 +30,7 @@ import simgsm.station.mobility.Sim;
  * @param recording the file of the calls' recording, if any
  * @param data the folder in which names, calls, messages and settings are kept, if any
  * @param given keys of those of the user's settings that the command line names
+ * @param ignoresSetup a fault: calls that are offered are left unanswered
  * @param channels the cell broadcast channels that are displayed
  */
 record PhoneSettings(
@@ -40,6 +41,7 @@ record PhoneSettings(
         Optional<Path> recording,
         Optional<Path> data,
         Set<String> given,
+        boolean ignoresSetup,
         ChannelList channels) {
     private static final String DEFAULT_NUMBER = "5550100";
     private static final String UNIT_NAME = "SimGSM phone";
@@ -66,6 +68,7 @@ record PhoneSettings(
                 arguments.path("record-audio"),
                 arguments.path("data"),
                 given(arguments),
+                arguments.has("ignore-setup"),
                 arguments.value("channels", ChannelList::parse).orElse(ChannelList.ALL));
     }
 

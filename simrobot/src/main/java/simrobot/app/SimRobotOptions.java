@@ -32,6 +32,7 @@ public final class SimRobotOptions {
                         "SimRobot: a simulated Pioneer with a GSM modem (M2), driven by telephone keys or SMS.")
                 .commands(RobotConsole.COMMANDS)
                 .flag("console", Program.CONSOLE_HELP)
+                .value("lessons", "DIR", Program.LESSONS_HELP)
                 .value("number", "N", "the modem's number (5550200)")
                 .collecting("robot", "NAME=NUMBER", "a robot with its own modem and number; repeat it for several")
                 .value("robots", "all", "one robot on every RobotHome, numbers counting up from --number")

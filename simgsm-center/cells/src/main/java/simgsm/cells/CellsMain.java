@@ -33,6 +33,7 @@ public final class CellsMain {
                         "The cells of a town: towers between phones and robots, which connect here, and a controller.")
                 .commands(CellsCommands.COMMANDS)
                 .flag("console", Program.CONSOLE_HELP)
+                .value("lessons", "DIR", Program.LESSONS_HELP)
                 .value("town", "FILE", "town file with the towers; needed")
                 .value("center", "HOST:PORT", "the controller: centre or osmo-bsc; default 127.0.0.1:3003")
                 .value(
@@ -49,6 +50,11 @@ public final class CellsMain {
                         "NUMBER=URL[,SCALE]",
                         "the place of this phone or robot is the pose at URL, http://HOST:PORT/robots/NAME of a SimRobot with"
                                 + "\n--http, times SCALE (1)")
+                .value(
+                        "handover",
+                        "ALGORITHM[,NAME=N]...",
+                        "what the controller is set to, in the words of the centre's --handover, for the window's margin and"
+                                + "\ncount of reports; default power-budget")
                 .flag("print-osmo-bsc", "print the configuration of osmo-bsc for the town's towers, and end");
     }
 
@@ -66,6 +72,7 @@ public final class CellsMain {
             CellsEvents events = new CellsEvents(console);
             boolean prints = window.isEmpty() || arguments.has("console");
             CellNetwork network = new CellNetwork(settings.town(), settings.seed(), prints ? events : event -> {});
+            network.setHandoverRule(settings.handover());
             try (CellsLoop loop = new CellsLoop(network, settings.address(), settings.port())) {
                 loop.start(settings.controllerAddress(), cause -> FatalError.end(CellsSettings.PROGRAM, cause));
                 settings.followed()

@@ -8,9 +8,11 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.capture.Capture;
 import simgsm.center.journal.FileDisk;
 import simgsm.center.journal.Journal;
@@ -27,6 +29,7 @@ import simgsm.center.records.RecordFiles;
 import simgsm.center.smpp.SmppServer;
 import simgsm.center.web.CenterPages;
 import simgsm.center.web.EventCounts;
+import simgsm.console.Event;
 import simgsm.console.FatalError;
 import simgsm.console.HostPort;
 import simgsm.web.WebPort;
@@ -183,6 +186,7 @@ public final class Center implements AutoCloseable {
                         settings.callWaiting(),
                         settings.language(),
                         settings.speaksUdp(),
+                        TimeUnit.SECONDS.toNanos(settings.setupSeconds()),
                         settings.handover()),
                 store,
                 smpp.routes(),
@@ -215,6 +219,22 @@ public final class Center implements AutoCloseable {
     /** Sends a text to all attached subscribers. @throws IllegalArgumentException saying what is wrong with the order */
     BroadcastView broadcast(BroadcastOrder order) {
         return ask(exchange -> exchange.broadcast(loop.nowNanos(), order));
+    }
+
+    /**
+     * Chooses when calls over towers move to another cell, from their next traffic channel on.
+     *
+     * @param text as {@code --handover} takes it
+     * @return what was chosen, as an event
+     * @throws IllegalArgumentException saying what was expected
+     */
+    public Event setHandover(String text) {
+        HandoverAlgorithm algorithm = HandoverAlgorithm.of(text);
+        ask(exchange -> {
+            exchange.setHandover(algorithm);
+            return true;
+        });
+        return Event.of("handover").with("algorithm", text).with("margin", algorithm.marginDecibels());
     }
 
     /** @return false if no broadcast with this id is repeated */

@@ -49,7 +49,12 @@ public final class CenterCommands implements Console.Commands {
                     "",
                     "lists the broadcasts that are repeated",
                     (to, command) -> to.list(
-                            command, exchange -> exchange.broadcasts().stream().map(CenterEventPrinter::of)));
+                            command, exchange -> exchange.broadcasts().stream().map(CenterEventPrinter::of)))
+            .add(
+                    "handover",
+                    "ALGORITHM[,NAME=N]...",
+                    "chooses when calls over towers move, as --handover does, from their next traffic channel on",
+                    CenterCommands::handover);
 
     private final Center center;
     private final Console console;
@@ -74,6 +79,15 @@ public final class CenterCommands implements Console.Commands {
         List<Event> rows = center.ask(exchange -> question.apply(exchange).toList());
         rows.forEach(console::emit);
         console.emit(CenterEventPrinter.end(command.name(), rows.size()));
+    }
+
+    private void handover(ConsoleCommand command) throws CommandException {
+        String text = command.words(1, "handover ALGORITHM[,NAME=N]...").get(0);
+        try {
+            console.emit(center.setHandover(text));
+        } catch (IllegalArgumentException e) {
+            throw new CommandException("handover: " + e.getMessage());
+        }
     }
 
     /** What has happened to one message. */

@@ -31,6 +31,7 @@ import simgsm.dtmf.ToneSet;
  * @param limits of connections
  * @param callWaiting whether a second call is offered to a busy phone
  * @param speaksUdp whether speech goes as RTP over UDP
+ * @param setupSeconds T303: how long a called phone may leave SETUP unanswered
  * @param handover decides when a call over towers moves to another cell
  */
 public record CenterSettings(
@@ -48,7 +49,10 @@ public record CenterSettings(
         PortLimits limits,
         boolean callWaiting,
         boolean speaksUdp,
+        int setupSeconds,
         HandoverAlgorithm handover) {
+    private static final int T303_SECONDS = 30;
+    private static final int LONGEST_T303_SECONDS = 300;
     public static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
@@ -69,6 +73,7 @@ public record CenterSettings(
                 limits(arguments),
                 arguments.choice("call-waiting", "off", "on").equals("on"),
                 arguments.choice("rtp", "tcp", "udp").equals("udp"),
+                (int) arguments.integer("t303", T303_SECONDS, 1, LONGEST_T303_SECONDS),
                 arguments.value("handover", HandoverAlgorithm::of).orElse(HandoverAlgorithm.STANDARD));
     }
 

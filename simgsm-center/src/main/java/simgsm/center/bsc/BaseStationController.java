@@ -24,6 +24,7 @@ import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.bsc.handover.NeighbourCell;
 import simgsm.center.msc.link.BroadcastChannel;
 import simgsm.center.msc.link.Link;
@@ -51,7 +52,7 @@ public final class BaseStationController implements BroadcastChannel {
 
     private final Link.Context links;
     private final MobileUplink uplink;
-    private final CellSettings settings;
+    private CellSettings settings;
     private final Function<MobileIdentity, Optional<Link>> known;
     private final Predicate<Link> mustProve;
     private final Map<String, TowerControl> towers = new LinkedHashMap<>();
@@ -157,6 +158,11 @@ public final class BaseStationController implements BroadcastChannel {
 
     MobileUplink uplink() {
         return uplink;
+    }
+
+    /** From the next traffic channel on. */
+    public void setHandover(HandoverAlgorithm handover) {
+        settings = new CellSettings(settings.t3212SixMinutes(), handover);
     }
 
     CellSettings settings() {

@@ -108,6 +108,10 @@ public final class DemoPrograms implements AutoCloseable {
         for (String passed : List.of("lang", "theme", "seed")) {
             arguments.text(passed).ifPresent(value -> words.addAll(List.of("--" + passed, value)));
         }
+        String lessons = arguments.text("lessons").orElse("");
+        if (!lessons.isEmpty()) {
+            words.addAll(List.of("--lessons", Path.of(lessons).toAbsolutePath().toString()));
+        }
         if (arguments.has("no-sound")) {
             words.add("--no-sound");
         }

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import simgsm.center.demo.DemoPrograms;
 import simgsm.console.Arguments;
@@ -33,34 +34,56 @@ public final class LessonCheck {
 
     private LessonCheck() {}
 
-    /** Prints the lessons. */
-    public static int list(Arguments arguments) throws UsageException, LessonException {
+    /** Prints the lessons; what cannot be read in a teacher's own, an error each, on standard error. */
+    public static int list(Arguments arguments) throws UsageException {
+        LessonLibrary library = LessonLibrary.of(arguments);
         PrintStream out = Program.standardOutput();
-        for (String name : LessonLibrary.names()) {
-            out.print(Event.of("lesson")
-                            .with("name", name)
-                            .with(
-                                    "title",
-                                    LessonLibrary.texts(name, arguments.language())
-                                            .of("title"))
-                            .with("minutes", LessonLibrary.lesson(name).minutes())
-                    + "\n");
+        int status = ExitStatus.OK;
+        for (String name : library.names()) {
+            try {
+                Lesson lesson = read(library, name);
+                out.print(Event.of("lesson")
+                                .with("name", name)
+                                .with(
+                                        "title",
+                                        library.texts(lesson, arguments.language())
+                                                .of("title"))
+                                .with("minutes", lesson.minutes())
+                        + "\n");
+            } catch (LessonException e) {
+                System.err.println("simgsm-center: " + e.getMessage());
+                status = ExitStatus.FAILED;
+            }
         }
         out.flush();
-        return ExitStatus.OK;
+        return status;
+    }
+
+    /** A lesson whose computed values can be computed. */
+    private static Lesson read(LessonLibrary library, String name) throws LessonException {
+        Lesson lesson = library.lesson(name);
+        try {
+            new LessonRun(lesson, FIRST_SEED, new LessonFigures());
+        } catch (IllegalArgumentException e) {
+            throw new LessonException(e.getMessage());
+        }
+        return lesson;
     }
 
     /** Plays a solution and prints a line for each step, then the score. */
     public static int run(Arguments arguments)
             throws UsageException, IOException, LessonException, InterruptedException {
-        Lesson lesson = lesson(arguments);
-        LessonTexts texts = LessonLibrary.texts(lesson.name(), arguments.language());
-        Solution solution = Solution.of(lesson.name(), arguments.text("check").orElseThrow());
+        LessonLibrary library = LessonLibrary.of(arguments);
+        Lesson lesson = lesson(library, arguments);
+        LessonTexts texts = texts(library, lesson, arguments.language());
+        Solution solution =
+                Solution.of(library, lesson.name(), arguments.text("check").orElseThrow());
         Optional<Path> result = arguments.path("result");
         Path folder = LessonNetwork.newFolder();
         LessonRun run = new LessonRun(lesson, seed(arguments), new LessonFigures());
         try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {
-            LessonSession session = new LessonSession(run, programs, folder, LessonCheck::options);
+            LessonSession session =
+                    new LessonSession(run, programs, folder, library.folder(lesson.name()), LessonCheck::options);
             play(session, solution, programs);
             session.events().withRun(each -> print(each, texts));
             if (result.isPresent()) {
@@ -79,9 +102,17 @@ public final class LessonCheck {
                 : List.of("--headless", "--no-sound");
     }
 
-    static Lesson lesson(Arguments arguments) throws UsageException {
+    static Lesson lesson(LessonLibrary library, Arguments arguments) throws UsageException {
         try {
-            return LessonLibrary.lesson(arguments.text("lesson").orElseThrow());
+            return read(library, arguments.text("lesson").orElseThrow());
+        } catch (LessonException e) {
+            throw new UsageException("--lesson: " + e.getMessage());
+        }
+    }
+
+    static LessonTexts texts(LessonLibrary library, Lesson lesson, Locale language) throws UsageException {
+        try {
+            return library.texts(lesson, language);
         } catch (LessonException e) {
             throw new UsageException("--lesson: " + e.getMessage());
         }

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
+import java.util.Map;
 import java.util.Set;
 import simgsm.air.Msisdn;
 import simgsm.center.app.CenterSettings;
@@ -34,7 +35,21 @@ final class LessonNetwork {
         // The seed is that of the student's numbers; with it all phones would be one equipment. The user's own network
         // and messages stay out of a lesson.
         Arguments own = arguments.without(
-                "seed", "data", "hlr", "barred-imeis", "smpp", "http", "cdr", "capture", "call-waiting", "tones");
+                "seed",
+                "data",
+                "hlr",
+                "barred-imeis",
+                "smpp",
+                "http",
+                "cdr",
+                "capture",
+                "call-waiting",
+                "tones",
+                "t303",
+                "handover");
+        for (Map.Entry<String, String> option : lesson.center().entrySet()) {
+            own = own.with(option.getKey(), option.getValue());
+        }
         if (!lesson.closed().isEmpty()) {
             Set<Msisdn> numbers = new LinkedHashSet<>();
             lesson.closed().forEach(number -> numbers.add(new Msisdn(number)));

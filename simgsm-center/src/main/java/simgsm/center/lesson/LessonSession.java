@@ -8,6 +8,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -39,6 +40,8 @@ final class LessonSession implements AutoCloseable {
     private static final double WAIT_SECONDS = 20;
     private static final int END_SECONDS = 10;
 
+    private static final String CENTRE = "centre";
+
     private final LessonRun run;
     private final DemoPrograms programs;
     private final LessonEvents events;
@@ -51,9 +54,15 @@ final class LessonSession implements AutoCloseable {
 
     /**
      * @param folder in which tools run and files are handed in
+     * @param own where a teacher's own lesson lies
      * @param manner the further options of a program, such as {@code --headless}
      */
-    LessonSession(LessonRun run, DemoPrograms programs, Path folder, Function<LessonProgram, List<String>> manner) {
+    LessonSession(
+            LessonRun run,
+            DemoPrograms programs,
+            Path folder,
+            Optional<Path> own,
+            Function<LessonProgram, List<String>> manner) {
         this.run = run;
         this.programs = programs;
         this.folder = folder;
@@ -61,6 +70,8 @@ final class LessonSession implements AutoCloseable {
         events = new LessonEvents(run);
         tools = new LessonTools(programs.children(), folder);
         events.withRun(each -> each.put("folder", folder.toString()));
+        own.ifPresent(place ->
+                events.withRun(each -> each.put("lesson", place.toAbsolutePath().toString())));
     }
 
     LessonEvents events() {
@@ -76,7 +87,7 @@ final class LessonSession implements AutoCloseable {
 
     /** Takes the centre's events. */
     Consumer<ExchangeEvent> centerEvents() {
-        return event -> events.add("centre", CenterEventPrinter.of(event));
+        return event -> events.add(CENTRE, CenterEventPrinter.of(event));
     }
 
     /** Takes the centre's ladder. */
@@ -299,9 +310,20 @@ final class LessonSession implements AutoCloseable {
     private void command(String name, String command) throws LessonFailure, IOException, InterruptedException {
         if (command.startsWith("wait ")) {
             await(name, command);
+        } else if (name.equals(CENTRE)) {
+            center(command);
         } else {
             console(name).command(command);
         }
+    }
+
+    /** {@code handover ALGORITHM[,NAME=N]...} is the one command of the centre that lessons have. */
+    private void center(String command) throws LessonFailure {
+        List<String> words = words(command);
+        if (words.size() != 2 || !words.get(0).equals("handover")) {
+            throw new LessonFailure("centre: expected handover ALGORITHM[,NAME=N]..., found " + command);
+        }
+        events.add(CENTRE, programs.center().setHandover(words.get(1)));
     }
 
     private void await(String source, String command) throws LessonFailure, InterruptedException {

@@ -15,12 +15,13 @@ import simgsm.lesson.LessonLibrary;
  *
  * @param isOwn whether it is one of the lesson's own, which may use the values that students have to find
  */
-record Solution(String name, List<String> lines, boolean isOwn, Optional<Path> file, String lesson) {
+record Solution(
+        String name, List<String> lines, boolean isOwn, Optional<Path> file, LessonLibrary library, String lesson) {
     /** @throws IOException if a student's file cannot be read */
-    static Solution of(String lesson, String named) throws LessonException, IOException {
+    static Solution of(LessonLibrary library, String lesson, String named) throws LessonException, IOException {
         if (named.equals("right") || named.equals("wrong")) {
-            String text = LessonLibrary.text(lesson, named + ".txt");
-            return new Solution(named, text.lines().toList(), true, Optional.empty(), lesson);
+            String text = library.text(lesson, named + ".txt");
+            return new Solution(named, text.lines().toList(), true, Optional.empty(), library, lesson);
         }
         Path file = Path.of(named);
         return new Solution(
@@ -28,6 +29,7 @@ record Solution(String name, List<String> lines, boolean isOwn, Optional<Path> f
                 Files.readString(file, StandardCharsets.UTF_8).lines().toList(),
                 false,
                 Optional.of(file.toAbsolutePath()),
+                library,
                 lesson);
     }
 
@@ -35,7 +37,7 @@ record Solution(String name, List<String> lines, boolean isOwn, Optional<Path> f
     private byte[] beside(String other) throws LessonException, IOException {
         return file.isPresent()
                 ? Files.readAllBytes(file.get().resolveSibling(other))
-                : LessonLibrary.text(lesson, name + "/" + other).getBytes(StandardCharsets.UTF_8);
+                : library.octets(lesson, name + "/" + other);
     }
 
     /** Performs all lines. @throws LessonFailure naming the line that failed */

@@ -18,7 +18,6 @@ import simgsm.center.demo.DemoLayout;
 import simgsm.center.demo.DemoPrograms;
 import simgsm.console.Arguments;
 import simgsm.lesson.Lesson;
-import simgsm.lesson.LessonException;
 import simgsm.lesson.LessonLibrary;
 import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonRun;
@@ -44,7 +43,9 @@ public final class WindowedLesson implements LessonActs {
     private static final int STEP = 40;
     private static final int PERCENT = 100;
 
+    private final LessonLibrary library;
     private final Lesson lesson;
+    private final LessonTexts texts;
     private final Locale language;
     private final LessonRun run;
     private final LessonSession session;
@@ -61,8 +62,16 @@ public final class WindowedLesson implements LessonActs {
     private volatile String next;
     private LessonFrame frame;
 
-    private WindowedLesson(Lesson lesson, Locale language, LessonRun run, LessonSession session, ProgramWindow window) {
-        this.lesson = lesson;
+    private WindowedLesson(
+            LessonLibrary library,
+            LessonTexts texts,
+            Locale language,
+            LessonRun run,
+            LessonSession session,
+            ProgramWindow window) {
+        this.library = library;
+        this.lesson = run.lesson();
+        this.texts = texts;
         this.language = language;
         this.run = run;
         this.session = session;
@@ -79,7 +88,9 @@ public final class WindowedLesson implements LessonActs {
                 ? LessonCheck.seed(given)
                 : ThreadLocalRandom.current().nextInt(MOST_RANDOM_SEED);
         Arguments arguments = given.with("seed", Long.toString(seed));
-        Lesson lesson = LessonCheck.lesson(arguments);
+        LessonLibrary library = LessonLibrary.of(arguments);
+        Lesson lesson = LessonCheck.lesson(library, arguments);
+        LessonTexts texts = LessonCheck.texts(library, lesson, arguments.language());
         ProgramWindow.of(arguments, Optional.empty()); // ends here without a display
         WindowPlace screen = Display.usableArea();
         WindowPlace place = place(screen);
@@ -91,9 +102,13 @@ public final class WindowedLesson implements LessonActs {
         Path folder = LessonNetwork.newFolder();
         LessonRun run = new LessonRun(lesson, seed, new LessonFigures());
         try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {
-            LessonSession session =
-                    new LessonSession(run, programs, folder, program -> options(program, lesson, layout, screen));
-            WindowedLesson opened = new WindowedLesson(lesson, arguments.language(), run, session, window);
+            LessonSession session = new LessonSession(
+                    run,
+                    programs,
+                    folder,
+                    library.folder(lesson.name()),
+                    program -> options(program, lesson, layout, screen));
+            WindowedLesson opened = new WindowedLesson(library, texts, arguments.language(), run, session, window);
             Optional<String> chosen = CenterWindow.run(
                     programs.center(),
                     arguments,
@@ -142,16 +157,10 @@ public final class WindowedLesson implements LessonActs {
 
     /** On the event thread, when the theme is installed. */
     private void open(WindowPlace place) {
-        LessonTexts texts;
-        try {
-            texts = LessonLibrary.texts(lesson.name(), language);
-        } catch (LessonException e) {
-            throw new IllegalStateException(e); // part of the jar, and tested
-        }
         refresh();
         session.events().onChange(this::refresh);
         session.events().onLesson(this::open);
-        LessonPanel panel = new LessonPanel(lesson, texts, language, run::shown, this);
+        LessonPanel panel = new LessonPanel(lesson, texts, library.names(), language, run::shown, this);
         frame = LessonFrame.open(
                 DesktopTexts.in(language).of("lessons.title") + ": " + texts.of("title"),
                 WindowIcon.images(Symbol.PHONE),

@@ -19,6 +19,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.center.bsc.BaseStationController;
 import simgsm.center.bsc.CellSettings;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.msc.call.CallProgress;
 import simgsm.center.msc.call.CallSwitch;
 import simgsm.center.msc.call.CallView;
@@ -102,7 +103,8 @@ public final class Exchange {
         shortMessages = new ShortMessageCenter(
                 startedAt, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);
-        calls = new CallSwitch(mobility, settings.tones(), settings.callWaiting(), this::callChanged);
+        calls = new CallSwitch(
+                mobility, settings.tones(), settings.callWaiting(), settings.setupNanos(), this::callChanged);
         broadcaster = new Broadcaster(mobility, timers, random);
         signalling = new SignallingDispatcher(mobility, calls, mobiles, services, ladder);
         links = new Link.Context(
@@ -116,6 +118,11 @@ public final class Exchange {
         mobility.detachSilentAfter(cells.implicitDetachNanos());
         controller = new BaseStationController(links, signalling, cells, mobility::linkOf, mobility::mustProve);
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
+    }
+
+    /** Decides from the next traffic channel on when a call over towers moves to another cell. */
+    public void setHandover(HandoverAlgorithm handover) {
+        controller.setHandover(handover);
     }
 
     /** Takes over what the store held at the start. To be called once, before all other methods. */

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
 import simgsm.center.bsc.handover.HandoverAlgorithm;
+import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.dtmf.ToneSet;
 
@@ -20,6 +21,7 @@ import simgsm.dtmf.ToneSet;
  * @param callWaiting whether a second call is offered to a phone in a call; else it is refused with cause 17
  * @param language of the texts that USSD shows
  * @param speaksUdp whether terminals are asked for speech as RTP over UDP
+ * @param setupNanos T303: how long a called mobile may leave SETUP unanswered
  * @param handover decides when a call over towers moves to another cell
  */
 public record ExchangeSettings(
@@ -31,6 +33,7 @@ public record ExchangeSettings(
         boolean callWaiting,
         Locale language,
         boolean speaksUdp,
+        long setupNanos,
         HandoverAlgorithm handover) {
     public static final String DEFAULT_NETWORK_NAME = "SimGSM";
 
@@ -43,5 +46,29 @@ public record ExchangeSettings(
     public ExchangeSettings(
             String networkName, RandomGenerator random, Instant startedAt, HomeRegister home, Optional<ToneSet> tones) {
         this(networkName, random, startedAt, home, tones, false, Locale.ENGLISH, false, HandoverAlgorithm.STANDARD);
+    }
+
+    /** An exchange with the usual T303. */
+    public ExchangeSettings(
+            String networkName,
+            RandomGenerator random,
+            Instant startedAt,
+            HomeRegister home,
+            Optional<ToneSet> tones,
+            boolean callWaiting,
+            Locale language,
+            boolean speaksUdp,
+            HandoverAlgorithm handover) {
+        this(
+                networkName,
+                random,
+                startedAt,
+                home,
+                tones,
+                callWaiting,
+                language,
+                speaksUdp,
+                NetworkTimer.T303.nanos(),
+                handover);
     }
 }

@@ -56,6 +56,7 @@ class CenterConsoleTest {
                 PortLimits.STANDARD,
                 false,
                 false,
+                30,
                 HandoverAlgorithm.STANDARD);
         center = Center.open(settings, temporary, 0);
     }
@@ -132,7 +133,7 @@ class CenterConsoleTest {
         assertEquals(
                 List.of(
                         "ready port=1234",
-                        "error text=\"unknown command dance, expected subscribers, calls, messages, message, broadcast, broadcasts, wait or"
+                        "error text=\"unknown command dance, expected subscribers, calls, messages, message, broadcast, broadcasts, handover, wait or"
                                 + " quit\"",
                         "error text=\"calls: expected nothing after it, found please\"",
                         "error text=\"broadcast: expected CHANNEL TEXT, found nothing after it\"",

@@ -6,9 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static simgsm.center.msc.ActiveCall.CALLED_TRANSACTION;
 import static simgsm.center.msc.TestMobile.OUR_CALL;
 
+import java.time.Instant;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RtpPacket;
@@ -19,8 +23,10 @@ import simgsm.air.MobilityManagement;
 import simgsm.air.Msisdn;
 import simgsm.air.RadioResource;
 import simgsm.air.TransactionIdentifier;
+import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.msc.call.CallProgress;
 import simgsm.center.msc.call.NetworkCallState;
+import simgsm.center.subscriber.HomeRegister;
 
 class CallTest {
     private final TestNetwork network = new TestNetwork();
@@ -298,6 +304,30 @@ class CallTest {
         assertTrue(caller.hasNothing());
         network.passSeconds(1);
         assertCauseOf(called, Cause.RECOVERY_ON_TIMER_EXPIRY);
+        assertCauseOfRefusal(Cause.NO_USER_RESPONDING, caller);
+    }
+
+    @Test
+    void theTimeForAnAnswerToSetupIsTheNetworksChoice() {
+        TestNetwork patient = new TestNetwork(new ExchangeSettings(
+                "SimGSM",
+                new SplittableRandom(1),
+                Instant.EPOCH,
+                HomeRegister.OPEN,
+                Optional.empty(),
+                false,
+                Locale.ENGLISH,
+                false,
+                TimeUnit.SECONDS.toNanos(8),
+                HandoverAlgorithm.STANDARD));
+        TestMobile caller = patient.attach("5550100");
+        TestMobile called = patient.attach("5550200");
+        caller.dial("5550200");
+        caller.next(CallControl.CallProceeding.class);
+        called.takeSetup();
+        patient.passSeconds(7);
+        assertTrue(caller.hasNothing());
+        patient.passSeconds(1);
         assertCauseOfRefusal(Cause.NO_USER_RESPONDING, caller);
     }
 

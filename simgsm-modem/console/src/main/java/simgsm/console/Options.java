@@ -8,7 +8,7 @@ import java.util.Map;
 /** The options of a program: reads command lines and prints the help. */
 public final class Options {
     /** @param value name of the value in the help; null for a flag */
-    private record Option(String name, String value, String help, boolean collects) {}
+    private record Option(String name, String value, String help, boolean collects, boolean isOptional) {}
 
     private final String usage;
     private final String summary;
@@ -27,17 +27,22 @@ public final class Options {
 
     /** An option with a value; the last one counts. */
     public Options value(String name, String value, String help) {
-        return add(new Option(name, value, help, false));
+        return add(new Option(name, value, help, false, false));
+    }
+
+    /** An option whose value may be left out; it is empty then. */
+    public Options optionalValue(String name, String value, String help) {
+        return add(new Option(name, value, help, false, true));
     }
 
     /** An option with a value of which all count. */
     public Options collecting(String name, String value, String help) {
-        return add(new Option(name, value, help, true));
+        return add(new Option(name, value, help, true, false));
     }
 
     /** An option without a value. */
     public Options flag(String name, String help) {
-        return add(new Option(name, null, help, false));
+        return add(new Option(name, null, help, false, false));
     }
 
     /** Most arguments other than options; without this call none. */
@@ -103,7 +108,7 @@ public final class Options {
         } else if (at + 1 < words.size() && !words.get(at + 1).startsWith("--")) {
             next = at + 1;
             value = words.get(next);
-        } else {
+        } else if (!option.isOptional) {
             throw new UsageException("--" + name + " needs a value: " + option.value);
         }
         List<String> values = given.computeIfAbsent(name, key -> new ArrayList<>());
@@ -130,15 +135,20 @@ public final class Options {
     /** The text that {@code --help} prints. */
     public String help() {
         StringBuilder text = new StringBuilder("Usage: " + usage + "\n\n" + summary + "\n\nOptions:\n");
-        options.values()
-                .forEach(option ->
-                        describe(text, "    --" + option.name, option.value == null ? "" : option.value, option.help));
+        options.values().forEach(option -> describe(text, "    --" + option.name, shown(option), option.help));
         describe(text, "-h, --help", "", "print this and end");
         describe(text, "-V, --version", "", "print the version and end");
         if (commands != null) {
             text.append("\nConsole commands, with --headless:\n").append(commands.reference());
         }
         return text.toString();
+    }
+
+    private static String shown(Option option) {
+        if (option.value == null) {
+            return "";
+        }
+        return option.isOptional ? "[" + option.value + "]" : option.value;
     }
 
     /** Appends a name, its value and a text in two columns. */

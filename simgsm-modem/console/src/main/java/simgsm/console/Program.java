@@ -25,6 +25,9 @@ public final class Program {
     public static final String CONSOLE_HELP =
             "with a window: commands on standard input, events on standard output, as with --headless; end when"
                     + "\nstandard input ends";
+    /** Of {@code --lessons}, for programs with a window. */
+    public static final String LESSONS_HELP =
+            "a folder with a teacher's own lessons, which F1 offers beside those of the suite";
 
     /** The work of a program. Returns the exit status. */
     public interface Body {

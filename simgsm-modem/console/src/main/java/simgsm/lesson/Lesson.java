@@ -1,6 +1,7 @@
 package simgsm.lesson;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -8,12 +9,14 @@ import java.util.Optional;
  *
  * @param name of its folder
  * @param minutes that a class takes
+ * @param center options of the centre, without their hyphens
  * @param closed numbers whose SIMs the network accepts; empty for an open network
  * @param isCaptured whether the centre writes {@code lesson.pcap}
  */
 public record Lesson(
         String name,
         int minutes,
+        Map<String, String> center,
         List<LessonProgram> programs,
         List<String> closed,
         boolean isCaptured,
@@ -21,6 +24,7 @@ public record Lesson(
         List<LessonStep> steps,
         List<LessonVariable> variables) {
     public Lesson {
+        center = Map.copyOf(center);
         programs = List.copyOf(programs);
         closed = List.copyOf(closed);
         actions = List.copyOf(actions);

@@ -2,15 +2,53 @@ package simgsm.lesson;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 
 /** Reads {@code lesson.txt}: a line each for programs, variables, steps and their conditions. */
 final class LessonReader {
     private static final int MAX_MINUTES = 240;
 
+    /** Words with a meaning of their own where programs are named. */
+    private static final Set<String> TAKEN = Set.of(
+            "predict", "answer", "start", "stop", "tool", "java", "drive", "capture", "give", "use", "at", "submit",
+            "act");
+
+    private static final Set<String> SOURCES = Set.of("centre", "trace", "tool", LessonRun.STUDENT);
+    private static final List<String> PROGRAMS = List.of("simgsm-phone", "simrobot", "simgsm-cells");
+    private static final List<String> CENTRE_OPTIONS =
+            List.of("--call-waiting", "--handover", "--rtp", "--t303", "--tones");
+    private static final List<String> WORDS = List.of(
+            "minutes",
+            "centre",
+            "program",
+            "later",
+            "closed",
+            "capture",
+            "draw",
+            "let",
+            "keep",
+            "action",
+            "do",
+            "step",
+            "after",
+            "again",
+            "answer",
+            "when",
+            "then",
+            "at-least",
+            "at-most");
+
     private final String name;
+    private final Map<Integer, String> lines = new LinkedHashMap<>();
+    private final Map<Integer, EventPattern> patterns = new LinkedHashMap<>();
+    private int number;
     private int minutes;
+    private final Map<String, String> center = new LinkedHashMap<>();
     private final List<LessonProgram> programs = new ArrayList<>();
     private final List<String> closed = new ArrayList<>();
     private boolean captured;
@@ -19,6 +57,7 @@ final class LessonReader {
     private final List<LessonVariable> variables = new ArrayList<>();
     private String step;
     private Optional<String> after = Optional.empty();
+    private Optional<EventPattern> again = Optional.empty();
     private Optional<String> answer = Optional.empty();
     private final List<LessonCondition> conditions = new ArrayList<>();
 
@@ -26,27 +65,35 @@ final class LessonReader {
         this.name = name;
     }
 
-    /** @throws LessonException naming lesson, line and what was expected */
-    static Lesson read(String name, String text) throws LessonException {
+    /**
+     * Reads a lesson.
+     *
+     * @param file for the messages
+     * @throws LessonException naming file, line and what was expected
+     */
+    static Lesson read(String name, String file, String text) throws LessonException {
         LessonReader reader = new LessonReader(name);
-        int number = 0;
-        for (String line : text.lines().toList()) {
-            number++;
-            if (!line.isBlank() && !line.startsWith("#")) {
-                try {
+        try {
+            for (String line : text.lines().toList()) {
+                reader.number++;
+                if (!line.isBlank() && !line.startsWith("#")) {
+                    reader.lines.put(reader.number, line);
                     reader.line(line.strip());
-                } catch (LessonException e) {
-                    throw new LessonException(name + "/lesson.txt, line " + number + ": " + e.getMessage());
                 }
             }
+            reader.endStep();
+            reader.requireKnownNames();
+            reader.requireKnownSources();
+        } catch (LessonException e) {
+            throw new LessonException(file + ", line " + reader.number + ": " + e.getMessage());
         }
-        reader.endStep();
         if (reader.steps.isEmpty() || reader.minutes == 0) {
-            throw new LessonException(name + "/lesson.txt: expected minutes and at least one step");
+            throw new LessonException(file + ": expected minutes and at least one step");
         }
         return new Lesson(
                 name,
                 reader.minutes,
+                reader.center,
                 reader.programs,
                 reader.closed,
                 reader.captured,
@@ -61,6 +108,7 @@ final class LessonReader {
         List<String> words = EventPattern.words(rest);
         switch (parts[0]) {
             case "minutes" -> minutes = number(rest, 1, MAX_MINUTES);
+            case "centre" -> center(words);
             case "program" -> program(words, false);
             case "later" -> program(words, true);
             case "closed" -> closed.addAll(words);
@@ -73,21 +121,33 @@ final class LessonReader {
             case "step" -> {
                 endStep();
                 step = one(words, "a name");
+                require(steps.stream().noneMatch(each -> each.name().equals(step)), "a step's name once", step);
             }
-            case "after" -> after = Optional.of(known(one(words, "a step's name")));
-            case "answer" -> answer = Optional.of(one(words, "a name"));
+            case "after" -> after = Optional.of(known(inStep(one(words, "a step's name"))));
+            case "again" -> again = Optional.of(pattern(rest));
+            case "answer" -> answer = Optional.of(inStep(one(words, "a name")));
             case "when" -> conditions.add(new LessonCondition(List.of(pattern(rest)), 1, LessonCondition.NO_LIMIT));
             case "then" -> then(rest);
             case "at-least" -> conditions.add(counted(rest, true));
             case "at-most" -> conditions.add(counted(rest, false));
-            default -> throw new LessonException("unknown word " + parts[0]);
+            default -> throw new LessonException("expected one of " + String.join(", ", WORDS) + "; found " + parts[0]);
         }
+    }
+
+    private void center(List<String> words) throws LessonException {
+        require(words.size() == 2, "OPTION VALUE", String.join(" ", words));
+        require(CENTRE_OPTIONS.contains(words.get(0)), "one of " + String.join(", ", CENTRE_OPTIONS), words.get(0));
+        center.put(words.get(0).substring(2), words.get(1));
     }
 
     private void program(List<String> words, boolean isLater) throws LessonException {
         if (words.size() < 2) {
             throw new LessonException("expected NAME PROGRAM [OPTION]...");
         }
+        String program = words.get(0);
+        require(!TAKEN.contains(program) && !SOURCES.contains(program), "another name for a program", program);
+        require(programs.stream().noneMatch(each -> each.name().equals(program)), "a program's name once", program);
+        require(PROGRAMS.contains(words.get(1)), "one of " + String.join(", ", PROGRAMS), words.get(1));
         programs.add(new LessonProgram(words.get(0), words.get(1), words.subList(2, words.size()), isLater));
     }
 
@@ -126,6 +186,19 @@ final class LessonReader {
         if (words.size() < 2) {
             throw new LessonException("expected let NAME FUNCTION [ARGUMENT]...");
         }
+        String function = words.get(1);
+        if (!function.equals(LessonFunctions.TEXT)) {
+            Integer arguments = LessonFunctions.ARGUMENTS.get(function);
+            require(
+                    arguments != null,
+                    "a function of " + String.join(", ", new TreeSet<>(LessonFunctions.ARGUMENTS.keySet())) + ", "
+                            + LessonFunctions.TEXT,
+                    function);
+            require(
+                    words.size() - 2 == arguments,
+                    function + " with " + arguments + " arguments",
+                    Integer.toString(words.size() - 2));
+        }
         variables.add(new LessonVariable(
                 LessonVariable.Kind.COMPUTED,
                 List.of(words.get(0)),
@@ -143,7 +216,7 @@ final class LessonReader {
                 LessonVariable.Kind.KEPT,
                 List.of(words.get(0)),
                 List.of(words.get(1)),
-                Optional.of(EventPattern.parse(parts[2]))));
+                Optional.of(noted(EventPattern.parse(parts[2])))));
     }
 
     /** {@code action NAME [text|file]}. */
@@ -156,6 +229,10 @@ final class LessonReader {
         if (words.isEmpty() || words.size() > 2 || words.size() == 2 && input == LessonAction.Input.NONE) {
             throw new LessonException("expected action NAME [text|file], found " + String.join(" ", words));
         }
+        require(
+                actions.stream().noneMatch(each -> each.name().equals(words.get(0))),
+                "an action's name once",
+                words.get(0));
         actions.add(new LessonAction(words.get(0), input, List.of()));
     }
 
@@ -173,7 +250,54 @@ final class LessonReader {
         if (step == null) {
             throw new LessonException("expected step NAME before the first condition");
         }
-        return EventPattern.parse(text);
+        return noted(EventPattern.parse(text));
+    }
+
+    private EventPattern noted(EventPattern pattern) {
+        patterns.put(number, pattern);
+        return pattern;
+    }
+
+    private String inStep(String text) throws LessonException {
+        require(step != null, "step NAME before it", "none");
+        return text;
+    }
+
+    /** Names in braces are those of variables; a program's options may use what is kept later. */
+    private void requireKnownNames() throws LessonException {
+        Set<String> known = new TreeSet<>(LessonVariables.PLACES);
+        variables.forEach(variable -> known.addAll(variable.names()));
+        for (Map.Entry<Integer, String> line : lines.entrySet()) {
+            number = line.getKey();
+            boolean isAct = line.getValue().strip().startsWith("do ");
+            for (String used : LessonVariables.namesIn(line.getValue())) {
+                boolean isInput = isAct && (used.equals("input") || used.equals("name"));
+                require(isInput || known.contains(used), "in braces one of " + String.join(", ", known), used);
+            }
+        }
+    }
+
+    /** Events come from programs of the lesson and from what all lessons have; answers are those of steps. */
+    private void requireKnownSources() throws LessonException {
+        Set<String> known = new TreeSet<>(SOURCES);
+        programs.forEach(program -> known.add(program.name()));
+        Set<String> answers = new TreeSet<>();
+        steps.forEach(each -> each.answer().ifPresent(answers::add));
+        for (Map.Entry<Integer, EventPattern> each : patterns.entrySet()) {
+            number = each.getKey();
+            EventPattern pattern = each.getValue();
+            require(known.contains(pattern.source()), "a source of " + String.join(", ", known), pattern.source());
+            require(
+                    !pattern.source().equals(LessonRun.STUDENT) || answers.contains(pattern.event()),
+                    "an answer of " + String.join(", ", answers),
+                    pattern.event());
+        }
+    }
+
+    private static void require(boolean isMet, String expected, String found) throws LessonException {
+        if (!isMet) {
+            throw new LessonException("expected " + expected + "; found " + found);
+        }
     }
 
     private void then(String text) throws LessonException {
@@ -204,11 +328,12 @@ final class LessonReader {
             return;
         }
         if (conditions.isEmpty()) {
-            throw new LessonException("step " + step + ": expected at least one condition");
+            throw new LessonException("expected at least one condition for step " + step);
         }
-        steps.add(new LessonStep(step, after, answer, conditions));
+        steps.add(new LessonStep(step, after, again, answer, conditions));
         step = null;
         after = Optional.empty();
+        again = Optional.empty();
         answer = Optional.empty();
         conditions.clear();
     }

@@ -1,6 +1,7 @@
 package simgsm.lesson;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -112,12 +113,27 @@ public final class LessonRun {
         /** By condition: matched patterns of a chain, or counted events. */
         private final int[] counts;
 
+        private boolean isDone;
+
         Progress(LessonStep step) {
             this.step = step;
             counts = new int[step.conditions().size()];
         }
 
         void event(String source, Event event) {
+            if (isDone) {
+                return;
+            }
+            if (step.again()
+                    .filter(each -> each.matches(source, event, LessonRun.this::solved))
+                    .isPresent()) {
+                Arrays.fill(counts, 0);
+            }
+            count(source, event);
+            isDone = areAllMet();
+        }
+
+        private void count(String source, Event event) {
             for (int i = 0; i < counts.length; i++) {
                 LessonCondition condition = step.conditions().get(i);
                 List<EventPattern> chain = condition.patterns();
@@ -128,7 +144,12 @@ public final class LessonRun {
             }
         }
 
+        /** A step that was done once stays done. */
         boolean isDone() {
+            return isDone;
+        }
+
+        private boolean areAllMet() {
             for (int i = 0; i < counts.length; i++) {
                 LessonCondition condition = step.conditions().get(i);
                 int wanted = condition.patterns().size() == 1
@@ -138,10 +159,13 @@ public final class LessonRun {
                     return false;
                 }
             }
-            return isOpen(this);
+            return true;
         }
 
         boolean isLost() {
+            if (isDone || step.again().isPresent()) {
+                return false;
+            }
             for (int i = 0; i < counts.length; i++) {
                 if (counts[i] > step.conditions().get(i).most()) {
                     return true;

@@ -2,7 +2,9 @@ package simgsm.lesson;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,15 +15,21 @@ import java.util.Set;
  * robot.}; indented lines continue it, and an empty line in it begins a paragraph.
  */
 public final class LessonTexts {
+    private final String file;
     private final Map<String, String> texts;
+    /** The line in which each key stands. */
+    private final Map<String, Integer> lines;
 
-    private LessonTexts(Map<String, String> texts) {
+    private LessonTexts(String file, Map<String, String> texts, Map<String, Integer> lines) {
+        this.file = file;
         this.texts = texts;
+        this.lines = lines;
     }
 
     /** @param file for the messages, such as {@code twelve-keys/en.txt} */
     static LessonTexts read(String file, String content) throws LessonException {
         Map<String, List<String>> read = new LinkedHashMap<>();
+        Map<String, Integer> lines = new HashMap<>();
         List<String> current = null;
         int number = 0;
         for (String line : content.lines().toList()) {
@@ -40,14 +48,47 @@ public final class LessonTexts {
                 throw new LessonException(file + ", line " + number + ": expected KEY: text, found " + line);
             }
             current = new ArrayList<>(List.of(line.substring(colon + 1).strip()));
-            if (read.put(line.substring(0, colon).strip(), current) != null) {
+            String key = line.substring(0, colon).strip();
+            lines.put(key, number);
+            if (read.put(key, current) != null) {
                 throw new LessonException(
-                        file + ", line " + number + ": " + line.substring(0, colon) + " stands twice");
+                        file + ", line " + number + ": expected each key once, found " + key + " for the second time");
             }
         }
         Map<String, String> texts = new LinkedHashMap<>();
-        read.forEach((key, lines) -> texts.put(key, joined(lines)));
-        return new LessonTexts(texts);
+        read.forEach((key, parts) -> texts.put(key, joined(parts)));
+        return new LessonTexts(file, texts, lines);
+    }
+
+    /**
+     * Requires a text for each part of the lesson and no other, with no other names in braces than the student's own.
+     *
+     * @throws LessonException naming file, line and what was expected
+     */
+    void require(Lesson lesson) throws LessonException {
+        Set<String> keys = new LinkedHashSet<>(List.of("title", "task", "predict", "question"));
+        lesson.steps().forEach(step -> keys.addAll(List.of("step " + step.name(), "hint " + step.name())));
+        lesson.actions().forEach(action -> keys.add("action " + action.name()));
+        for (String key : texts.keySet()) {
+            if (!keys.contains(key)) {
+                throw new LessonException(file + ", line " + lines.get(key) + ": expected a key of "
+                        + String.join(", ", keys) + "; found " + key);
+            }
+        }
+        Set<String> shown = LessonVariables.shownNames(lesson);
+        for (String key : keys) {
+            String text = texts.getOrDefault(key, "");
+            if (text.isBlank()) {
+                throw new LessonException(file + (lines.containsKey(key) ? ", line " + lines.get(key) : "")
+                        + ": expected " + key + ": text");
+            }
+            for (String name : LessonVariables.namesIn(text)) {
+                if (!shown.contains(name)) {
+                    throw new LessonException(file + ", line " + lines.get(key) + ": " + key
+                            + ": expected in braces one of " + String.join(", ", shown) + "; found " + name);
+                }
+            }
+        }
     }
 
     /** Lines of a paragraph are joined by blanks, paragraphs by an empty line. */

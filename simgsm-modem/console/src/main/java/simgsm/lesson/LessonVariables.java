@@ -8,10 +8,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
 import simgsm.console.Event;
 
 /** The values of names in braces: drawn from the seed, computed from others, or taken from events. */
 final class LessonVariables {
+    /** The lesson's folder at work, and where a teacher's own lesson lies. */
+    static final Set<String> PLACES = Set.of("folder", "lesson");
+
+    private static final Pattern IN_BRACES = Pattern.compile("\\{([A-Za-z][A-Za-z0-9-]*)\\}");
+
     private final Lesson lesson;
     private final LessonFunctions functions;
     private final Map<String, String> values = new HashMap<>();
@@ -27,6 +34,20 @@ final class LessonVariables {
             }
         }
         compute();
+    }
+
+    /** The names that stand in braces in a text. */
+    static List<String> namesIn(String text) {
+        return IN_BRACES.matcher(text).results().map(found -> found.group(1)).toList();
+    }
+
+    /** The names whose values students see. */
+    static Set<String> shownNames(Lesson lesson) {
+        Set<String> names = new TreeSet<>(PLACES);
+        lesson.variables().stream()
+                .filter(variable -> variable.kind() == LessonVariable.Kind.DRAWN)
+                .forEach(variable -> names.addAll(variable.names()));
+        return names;
     }
 
     private void draw(LessonVariable variable, SplittableRandom random) {
@@ -48,11 +69,20 @@ final class LessonVariables {
                         .map(word -> replace(word, true))
                         .toList();
                 if (arguments.stream().noneMatch(word -> word.contains("{"))) {
-                    values.put(
-                            variable.names().get(0),
-                            functions.apply(variable.words().get(0), arguments));
+                    values.put(variable.names().get(0), computed(variable, arguments));
                 }
             }
+        }
+    }
+
+    private String computed(LessonVariable variable, List<String> arguments) {
+        try {
+            return functions.apply(variable.words().get(0), arguments);
+        } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
+            throw new IllegalArgumentException(
+                    lesson.name() + ": let " + variable.names().get(0) + " "
+                            + variable.words().get(0) + " " + String.join(" ", arguments) + ": " + e.getMessage(),
+                    e);
         }
     }
 

@@ -6,15 +6,21 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.console.Event;
 
 class LessonRunTest {
+    private static final String PROGRAMS =
+            "\nprogram phone simgsm-phone\nprogram robot simrobot\nprogram p simgsm-cells\n";
+
     private static LessonRun run(String... lines) throws LessonException {
         return run(1, lines);
     }
 
     private static LessonRun run(long seed, String... lines) throws LessonException {
-        Lesson lesson = LessonReader.read("sample", "minutes 5\n" + String.join("\n", lines));
+        Lesson lesson =
+                LessonReader.read("sample", "sample/lesson.txt", "minutes 5\n" + String.join("\n", lines) + PROGRAMS);
         return new LessonRun(lesson, seed, (function, arguments) -> function + String.join("", arguments));
     }
 
@@ -61,11 +67,37 @@ class LessonRunTest {
     void aLimitIsLostWithOneEventTooMany() throws Exception {
         LessonRun run = run("step a", "when p end", "at-most 1 p order");
         event(run, "p", "order");
-        event(run, "p", "end");
-        assertTrue(run.isDone("a"));
+        assertFalse(run.isLost("a"));
         event(run, "p", "order");
+        event(run, "p", "end");
         assertFalse(run.isDone("a"));
         assertTrue(run.isLost("a"));
+    }
+
+    @Test
+    void aStepThatIsDoneStaysDone() throws Exception {
+        LessonRun run = run("step a", "when p end", "at-most 1 p order");
+        event(run, "p", "order");
+        event(run, "p", "end");
+        event(run, "p", "order");
+        assertTrue(run.isDone("a"));
+        assertFalse(run.isLost("a"));
+    }
+
+    @Test
+    void aNewTryForgetsWhatWasCounted() throws Exception {
+        LessonRun run = run("step a", "again p start", "when p end", "at-most 1 p order");
+        event(run, "p", "start");
+        event(run, "p", "order");
+        event(run, "p", "order");
+        event(run, "p", "end");
+        assertFalse(run.isDone("a"));
+        assertFalse(run.isLost("a"));
+        event(run, "p", "start");
+        event(run, "p", "order");
+        assertFalse(run.isDone("a"));
+        event(run, "p", "end");
+        assertTrue(run.isDone("a"));
     }
 
     @Test
@@ -118,11 +150,11 @@ class LessonRunTest {
 
     @Test
     void computedAndKeptValuesAreShownOnlyInTheLessonsOwnSolutions() throws Exception {
-        LessonRun run = run("keep x n p event", "let y twice {x}", "step s", "when student q text={y}");
+        LessonRun run = run("keep x n p event", "let y low {x}", "step s", "answer q", "when student q text={y}");
         assertEquals("{y}", run.solved("{y}"));
         event(run, "p", "event n=5");
-        assertEquals("twice5 {x}", run.solved("{y}") + " " + run.shown("{x}"));
-        run.answer("q", "Twice 5");
+        assertEquals("low5 {x}", run.solved("{y}") + " " + run.shown("{x}"));
+        run.answer("q", "LOW 5");
         assertTrue(run.isDone("s"));
     }
 
@@ -131,10 +163,32 @@ class LessonRunTest {
         String text = assertThrows(LessonException.class, () -> run("step a", "when phone"))
                 .getMessage();
         assertEquals("sample/lesson.txt, line 3: expected SOURCE EVENT [FIELD=VALUE]..., found phone", text);
-        assertThrows(LessonException.class, () -> run("when phone tone"));
-        assertThrows(LessonException.class, () -> run("step a"));
-        assertThrows(LessonException.class, () -> run("step a", "after b", "when p x"));
-        assertThrows(LessonException.class, () -> run("draw a b from 1", "step s", "when p x"));
-        assertThrows(LessonException.class, () -> run("nonsense"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '!',
+            value = {
+                "when phone tone ! line 2: expected step NAME before the first condition",
+                "step a ! line 5: expected at least one condition for step a",
+                "step a;after b;when p x ! line 3: expected a step above, found b",
+                "draw a b from 1;step s;when p x ! line 2: expected at least 2 values to draw from, found 1",
+                "wenn p x ! line 2: expected one of minutes, centre, program, later",
+                "program q simgsm-center;step s;when p x ! line 2: expected one of simgsm-phone, simrobot, simgsm-cells; found simgsm-center",
+                "program phone simrobot;step s;when p x ! line 5: expected a program's name once; found phone",
+                "program act simrobot;step s;when p x ! line 2: expected another name for a program; found act",
+                "step s;when p x;step s;when p y ! line 4: expected a step's name once; found s",
+                "step s;when fone x ! line 3: expected a source of centre, p, phone, robot, student, tool, trace; found fone",
+                "step s;answer a;when student b n1=2 ! line 4: expected an answer of a; found b",
+                "answer a;step s;when p x ! line 2: expected step NAME before it; found none",
+                "draw k from 1 2;step s;when p x n={j} ! line 4: expected in braces one of folder, k, lesson; found j",
+                "let x sum 1 2;step s;when p x ! line 2: expected a function of half-heard, high, low",
+                "let x low;step s;when p x ! line 2: expected low with 1 arguments; found 0",
+                "action a;action a;step s;when p x ! line 3: expected an action's name once; found a"
+            })
+    void eachFaultIsNamedWithItsLine(String lines, String expected) {
+        String text =
+                assertThrows(LessonException.class, () -> run(lines.split(";"))).getMessage();
+        assertTrue(text.startsWith("sample/lesson.txt, " + expected), text);
     }
 }

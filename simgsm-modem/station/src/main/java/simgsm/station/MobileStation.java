@@ -81,7 +81,7 @@ public final class MobileStation implements StationCommands {
         mobility = new MobilityMessages(context, registration, services, sim);
         this.speech = new SpeechPath(context, options.codec(), options.recorder(), speech, random.nextInt());
         keys = new KeySignalling(context);
-        call = new MobileCall(context, services, this.speech, keys, options.callWaiting());
+        call = new MobileCall(context, services, this.speech, keys, options.callWaiting(), options.ignoresSetup());
         messages = new ShortMessages(context, services, random.nextInt(256));
         services.setUser(ServiceType.MOBILE_ORIGINATED_CALL, call);
         media = new MediaControl(context);

@@ -9,8 +9,10 @@ import simgsm.speech.SpeechCodec;
  * @param codec of the speech sent, A-law or GSM full rate; received speech may be either at any time
  * @param recorder receives the speech of all calls
  * @param callWaiting whether a second call may wait; else its caller is told that the user is busy
+ * @param ignoresSetup a fault: the station answers paging, and leaves calls that are offered unanswered
  */
-public record StationOptions(SpeechCodec.Kind codec, CallAudioListener recorder, boolean callWaiting) {
+public record StationOptions(
+        SpeechCodec.Kind codec, CallAudioListener recorder, boolean callWaiting, boolean ignoresSetup) {
     public static final StationOptions STANDARD = new StationOptions(SpeechCodec.Kind.A_LAW, CallAudioListener.NONE);
 
     public StationOptions {
@@ -22,5 +24,10 @@ public record StationOptions(SpeechCodec.Kind codec, CallAudioListener recorder,
     /** Without call waiting. */
     public StationOptions(SpeechCodec.Kind codec, CallAudioListener recorder) {
         this(codec, recorder, false);
+    }
+
+    /** Without the fault. */
+    public StationOptions(SpeechCodec.Kind codec, CallAudioListener recorder, boolean callWaiting) {
+        this(codec, recorder, callWaiting, false);
     }
 }

@@ -32,6 +32,8 @@ import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.RejectCause;
 import simgsm.air.TransactionIdentifier;
+import simgsm.speech.CallAudioListener;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.call.MobileCallState;
 
 class MobileCallTest {
@@ -76,6 +78,16 @@ class MobileCallTest {
 
     private static MobileCallState stateOf(Scene scene) {
         return scene.station.snapshot().callState();
+    }
+
+    @Test
+    void aStationWithTheFaultLeavesSetupUnanswered() {
+        Scene scene = Scene.registered(new StationOptions(SpeechCodec.Kind.A_LAW, CallAudioListener.NONE, true, true));
+        scene.page(Scene.TMSI);
+        scene.expectFirst(PagingResponse.class);
+        scene.down(new Setup(THEIRS, Optional.of(Scene.OTHER), Optional.empty()));
+        scene.expectNothing();
+        assertEquals(MobileCallState.NULL, stateOf(scene));
     }
 
     @Test

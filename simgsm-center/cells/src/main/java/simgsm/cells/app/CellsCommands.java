@@ -5,6 +5,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import simgsm.cells.net.CellsLoop;
 import simgsm.cells.network.CellNetwork;
+import simgsm.cells.snapshot.HandoverRule;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.town.TownPlace;
 import simgsm.console.CommandException;
@@ -37,7 +38,12 @@ public final class CellsCommands implements Console.Commands {
                     "lets a phone or robot go to a place and stop there",
                     CellsCommands::walk)
             .add("tower", "NAME on|off", "switches a tower", CellsCommands::tower)
-            .add("reports", "on|off", "prints measurement reports, or stops that", CellsCommands::reports);
+            .add("reports", "on|off", "prints measurement reports, or stops that", CellsCommands::reports)
+            .add(
+                    "handover",
+                    "ALGORITHM[,NAME=N]...",
+                    "tells the window what the controller is set to, as --handover does",
+                    CellsCommands::handover);
 
     private static final double FASTEST_METRES_PER_SECOND = 1_000;
     private static final double FARTHEST_METRES = 1e6;
@@ -120,6 +126,16 @@ public final class CellsCommands implements Console.Commands {
 
     private void reports(ConsoleCommand command) throws CommandException {
         events.showReports(isOn(command, command.words(1, "reports on|off").get(0)));
+    }
+
+    private void handover(ConsoleCommand command) throws CommandException {
+        try {
+            HandoverRule rule = HandoverRule.parse(
+                    command.words(1, "handover ALGORITHM[,NAME=N]...").get(0));
+            cells.post(network -> network.setHandoverRule(rule));
+        } catch (IllegalArgumentException e) {
+            throw new CommandException("handover: " + e.getMessage());
+        }
     }
 
     private static boolean isOn(ConsoleCommand command, String word) throws CommandException {

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import simgsm.cells.net.FollowedRobot;
+import simgsm.cells.snapshot.HandoverRule;
 import simgsm.cells.town.Town;
 import simgsm.cells.town.TownFile;
 import simgsm.console.Arguments;
@@ -24,6 +25,7 @@ import simgsm.console.UsageException;
  * @param port for terminals; 0 for any free one
  * @param controller the centre or osmo-bsc
  * @param isOsmocom whether the controller is osmo-bsc
+ * @param handover the controller's rule, for the window
  * @param followed robots whose pose is the place of a terminal
  */
 public record CellsSettings(
@@ -33,6 +35,7 @@ public record CellsSettings(
         HostPort controller,
         boolean isOsmocom,
         long seed,
+        HandoverRule handover,
         List<FollowedRobot> followed,
         Locale language) {
     public static final String PROGRAM = "simgsm-cells";
@@ -47,6 +50,7 @@ public record CellsSettings(
         HostPort controller = arguments.hostPort("center").orElse(HostPort.parse("127.0.0.1:3003"));
         InetAddress address = arguments.value("bind", CellsSettings::address).orElse(InetAddress.getLoopbackAddress());
         long seed = arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
+        HandoverRule handover = arguments.value("handover", HandoverRule::parse).orElse(HandoverRule.STANDARD);
         Path file = arguments.path("town").orElseThrow(() -> new UsageException("--town FILE.town is needed"));
         Town town = TownFile.read(ProgramFolder.find(CellsSettings.class, TOWNS, file));
         List<FollowedRobot> followed = new ArrayList<>();
@@ -54,7 +58,15 @@ public record CellsSettings(
             followed.add(Arguments.checked(() -> FollowedRobot.parse(text)));
         }
         return new CellsSettings(
-                town, address, port, controller, isOsmocom, seed, List.copyOf(followed), arguments.language());
+                town,
+                address,
+                port,
+                controller,
+                isOsmocom,
+                seed,
+                handover,
+                List.copyOf(followed),
+                arguments.language());
     }
 
     public InetSocketAddress controllerAddress() {

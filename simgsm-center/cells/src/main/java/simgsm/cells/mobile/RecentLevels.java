@@ -20,17 +20,17 @@ public final class RecentLevels {
         count = 0;
     }
 
-    /** Whether there are ten. */
-    public boolean isComplete() {
-        return count >= KEPT;
+    /** Whether there are so many, at most ten. */
+    public boolean has(int measurements) {
+        return count >= measurements;
     }
 
-    /** The average of a tower in dBm; of fewer measurements if there are no ten. */
-    public double averageDbm(int tower) {
-        int taken = Math.min(count, KEPT);
+    /** The average of a tower's latest measurements in dBm, at most ten; of fewer if there are not so many. */
+    public double averageDbm(int tower, int measurements) {
+        int taken = Math.min(count, Math.min(measurements, KEPT));
         double sum = 0;
         for (int i = 0; i < taken; i++) {
-            sum += kept[i][tower];
+            sum += kept[(count - 1 - i) % KEPT][tower];
         }
         return sum / Math.max(1, taken);
     }

@@ -22,6 +22,7 @@ import simgsm.cells.mobile.MobilePort;
 import simgsm.cells.radio.Propagation;
 import simgsm.cells.radio.RadioField;
 import simgsm.cells.radio.TowerState;
+import simgsm.cells.snapshot.HandoverRule;
 import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.TowerListener;
@@ -45,6 +46,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     private final Deque<PassingStep> passing = new ArrayDeque<>();
     private final Consumer<MobileEvent> listener;
     private boolean isPaused;
+    private HandoverRule handoverRule = HandoverRule.STANDARD;
 
     /** The towers are on and have no controller yet. */
     public CellNetwork(Town town, long seed, Consumer<MobileEvent> listener) {
@@ -57,6 +59,15 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
             indices.put(station, towers.size());
             towers.add(station);
         });
+    }
+
+    /** What the window takes for the controller's rule. */
+    public HandoverRule handoverRule() {
+        return handoverRule;
+    }
+
+    public void setHandoverRule(HandoverRule rule) {
+        handoverRule = rule;
     }
 
     // Time.

@@ -12,6 +12,7 @@ import simgsm.cells.mobile.MobileRadioState;
 import simgsm.cells.radio.RadioField;
 import simgsm.cells.radio.RadioScale;
 import simgsm.cells.snapshot.CellState;
+import simgsm.cells.snapshot.HandoverRule;
 import simgsm.cells.snapshot.MobileState;
 import simgsm.cells.snapshot.TownSnapshot;
 import simgsm.cells.snapshot.TownSnapshot.ControllerLink;
@@ -21,10 +22,6 @@ import simgsm.cells.tower.BaseStation;
 public final class TownSnapshots {
     /** Cells of a mobile besides the serving one. */
     private static final int NEIGHBOURS = 6;
-    /** Reports between decisions, and the margin, of algorithm 1 of osmo-bsc by default. */
-    private static final int DECISION_REPORTS = 6;
-
-    private static final double HANDOVER_MARGIN_DECIBELS = 3;
 
     private final int port;
     private final String controller;
@@ -70,6 +67,7 @@ public final class TownSnapshots {
     }
 
     private static MobileState mobile(CellNetwork network, Mobile mobile) {
+        HandoverRule rule = network.handoverRule();
         boolean isConnected = mobile.channel().isPresent();
         int serving = mobile.serving();
         double[] levels = mobile.levelsDbm();
@@ -91,9 +89,10 @@ public final class TownSnapshots {
                         : OptionalInt.empty(),
                 isConnected ? OptionalInt.of(mobile.radioLinkCount()) : OptionalInt.empty(),
                 isConnected
-                        ? OptionalInt.of(DECISION_REPORTS - mobile.reports() % DECISION_REPORTS)
+                        ? OptionalInt.of(rule.periodReports() - mobile.reports() % rule.periodReports())
                         : OptionalInt.empty(),
-                isConnected ? HANDOVER_MARGIN_DECIBELS : hysteresis(network, serving),
+                rule.periodReports(),
+                isConnected ? rule.marginDecibels() : hysteresis(network, serving),
                 mobile.gapMillis());
     }
 
@@ -119,6 +118,7 @@ public final class TownSnapshots {
 
     private static List<MobileState.Level> levels(CellNetwork network, Mobile mobile, double[] levels) {
         int serving = mobile.serving();
+        int averaged = network.handoverRule().averagedReports();
         boolean isConnected = mobile.channel().isPresent();
         List<Integer> order = new ArrayList<>();
         if (serving != IdleSelection.NONE) {
@@ -134,8 +134,8 @@ public final class TownSnapshots {
                 .map(tower -> new MobileState.Level(
                         network.towers().get(tower).tower().name(),
                         levels[tower],
-                        isConnected && mobile.recent().isComplete()
-                                ? OptionalDouble.of(mobile.recent().averageDbm(tower))
+                        isConnected && mobile.recent().has(averaged)
+                                ? OptionalDouble.of(mobile.recent().averageDbm(tower, averaged))
                                 : OptionalDouble.empty(),
                         isConnected || Double.isInfinite(mobile.selection().c2(tower))
                                 ? OptionalDouble.empty()

@@ -17,6 +17,7 @@ import simgsm.cells.town.TownPlace;
  * @param timingAdvance steps of 553.5 m; empty in idle mode
  * @param linkCounter radio link counter, SACCH blocks left; empty in idle mode
  * @param reportsToDecision reports until neighbours are compared the next time; empty in idle mode
+ * @param periodReports reports between two such comparisons
  * @param marginDecibels by which a neighbour's average must exceed the serving level; C2 hysteresis in idle mode
  * @param gapMillis silence that the phone heard across its last handover; empty before
  */
@@ -32,6 +33,7 @@ public record MobileState(
         OptionalInt timingAdvance,
         OptionalInt linkCounter,
         OptionalInt reportsToDecision,
+        int periodReports,
         double marginDecibels,
         OptionalInt gapMillis) {
     /** What a mobile is doing. */

@@ -13,11 +13,12 @@ import simgsm.ui.Theme;
 
 /** The reports until the next decision: a dot for each, filled for those that have come, and the number in words. */
 final class DecisionCount extends PaintedComponent {
-    /** osmo-bsc compares the neighbours at every sixth report. */
-    private static final int PERIOD = 6;
+    private static final int MOST_DOTS = 10;
 
     private final TextBundle texts;
     private transient OptionalInt left = OptionalInt.empty();
+    private int period = 1;
+    private double margin;
 
     DecisionCount(TextBundle texts) {
         super(AccessibleRole.LABEL);
@@ -26,13 +27,18 @@ final class DecisionCount extends PaintedComponent {
         setToolTipText(texts.of("decision.why"));
     }
 
-    void show(OptionalInt reports) {
-        change(() -> left = reports);
+    /** @param reports to the next decision; @param between two decisions; @param decibels margin of the better cell */
+    void show(OptionalInt reports, int between, double decibels) {
+        change(() -> {
+            left = reports;
+            period = between;
+            margin = decibels;
+        });
     }
 
     @Override
     protected String spoken() {
-        return left.isPresent() ? texts.of("decision", left.getAsInt()) : texts.of("decision.none");
+        return left.isPresent() ? texts.of("decision", left.getAsInt(), Math.round(margin)) : texts.of("decision.none");
     }
 
     @Override
@@ -49,8 +55,7 @@ final class DecisionCount extends PaintedComponent {
     protected void paint(Graphics2D g, double width, double height) {
         double x = 0;
         double radius = Theme.exact(4);
-        if (left.isPresent()) {
-            int period = Math.max(PERIOD, left.getAsInt());
+        if (left.isPresent() && period > 1 && period <= MOST_DOTS) {
             for (int i = 0; i < period; i++) {
                 var dot = new Ellipse2D.Double(x + 1, height / 2 - radius, 2 * radius, 2 * radius);
                 g.setColor(Theme.color(Ink.ACCENT));

@@ -173,7 +173,7 @@ final class MobileCard extends JPanel {
             state.show(StatusMark.RING, Ink.QUIET, texts.of("mobile.none"));
             radio.setText(" ");
             gap.setText(" ");
-            decision.show(OptionalInt.empty());
+            decision.show(OptionalInt.empty(), 1, 0);
             return;
         }
         MobileState it = mobile.get();
@@ -190,7 +190,7 @@ final class MobileCard extends JPanel {
                                 figure(it.timingAdvance()),
                                 figure(it.linkCounter()))
                         : texts.of("mobile.radio.idle", it.cell().isEmpty() ? "-" : it.cell()));
-        decision.show(it.reportsToDecision());
+        decision.show(it.reportsToDecision(), it.periodReports(), it.marginDecibels());
         gap.setText(
                 it.gapMillis().isPresent()
                         ? texts.of("mobile.gap", String.valueOf(it.gapMillis().getAsInt()))

@@ -115,6 +115,7 @@ final class SampleTown implements TownActions {
                     OptionalInt.empty(),
                     OptionalInt.empty(),
                     OptionalInt.empty(),
+                    6,
                     3,
                     OptionalInt.empty());
         }
@@ -134,6 +135,7 @@ final class SampleTown implements TownActions {
                         : OptionalInt.empty(),
                 isInCall ? OptionalInt.of(16) : OptionalInt.empty(),
                 isInCall ? OptionalInt.of(2) : OptionalInt.empty(),
+                6,
                 3,
                 isInCall ? OptionalInt.of(60) : OptionalInt.empty());
     }

@@ -184,7 +184,7 @@ class TownPanelTest {
         assertEquals("State of the mobile: connected, in a call", spoken("mobile.state"));
         assertEquals(
                 "RXQUAL 0   TA 1   link 16", find("mobile.radio", JLabel.class).getText());
-        assertEquals("decision in 2 reports", spoken("decision"));
+        assertEquals("decision in 2 reports, margin 3 dB", spoken("decision"));
         assertEquals("speech gap 60 ms", find("mobile.gap", JLabel.class).getText());
         assertTrue(spoken("levels").matches("west -\\d+ dBm, east -\\d+ dBm"), spoken("levels"));
     }

@@ -42,6 +42,13 @@ public final class HandoverAlgorithm {
         return algorithm;
     }
 
+    /** The margin in dB by which another cell has to be better. */
+    public int marginDecibels() {
+        return name.equals("power-budget")
+                ? powerBudget().hysteresisDecibels()
+                : strongestCell().marginDecibels();
+    }
+
     private static IllegalArgumentException wrong(String text) {
         return new IllegalArgumentException("expected " + EXPECTED + ", found " + text);
     }

@@ -265,7 +265,8 @@ public final class CallLeg implements PagedTransaction {
     private void restartGuard() {
         link.timers().cancel(guard);
         guard = state().guard(announcesTone)
-                .map(timer -> link.timers().start(timer.nanos(), () -> expired(timer)))
+                .map(timer -> link.timers()
+                        .start(timer == NetworkTimer.T303 ? call.setupNanos() : timer.nanos(), () -> expired(timer)))
                 .orElse(null);
     }
 

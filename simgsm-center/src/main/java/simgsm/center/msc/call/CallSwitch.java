@@ -34,6 +34,7 @@ public final class CallSwitch implements LinkUser {
     private final MobilityProcedures mobility;
     private final Consumer<NetworkCall> changes;
     private final boolean callWaiting;
+    private final long setupNanos;
     private final Set<NetworkCall> calls = new LinkedHashSet<>();
     private final Map<Link, LinkCalls> links = new HashMap<>();
     private final Optional<ToneSet> tones;
@@ -44,10 +45,16 @@ public final class CallSwitch implements LinkUser {
     /**
      * @param tones of the network to callers, if any
      * @param callWaiting whether a second call is offered to a mobile in a call whose subscriber has not set it
+     * @param setupNanos T303
      * @param changes is given each call that enters a state
      */
     public CallSwitch(
-            MobilityProcedures mobility, Optional<ToneSet> tones, boolean callWaiting, Consumer<NetworkCall> changes) {
+            MobilityProcedures mobility,
+            Optional<ToneSet> tones,
+            boolean callWaiting,
+            long setupNanos,
+            Consumer<NetworkCall> changes) {
+        this.setupNanos = setupNanos;
         this.tones = tones;
         this.mobility = mobility;
         this.changes = changes;
@@ -61,6 +68,10 @@ public final class CallSwitch implements LinkUser {
 
     Optional<ToneSet> tones() {
         return tones;
+    }
+
+    long setupNanos() {
+        return setupNanos;
     }
 
     public KeyTap keyTap() {

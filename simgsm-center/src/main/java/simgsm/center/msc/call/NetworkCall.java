@@ -43,6 +43,10 @@ public final class NetworkCall {
         this.originating = new CallLeg(this, caller, transaction, Optional.empty(), exchange.tones());
     }
 
+    long setupNanos() {
+        return exchange.setupNanos();
+    }
+
     /** Unique, rising from 1 in the order of SETUP. */
     public long id() {
         return id;

@@ -6,13 +6,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
+import simgsm.lesson.Lesson;
 import simgsm.lesson.LessonException;
 import simgsm.lesson.LessonLibrary;
 import simgsm.ui.Arrange;
@@ -21,15 +21,30 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** All lessons with title, minutes, and a button that opens one. Needs no display. */
+/** All lessons with title, minutes, a button that opens one, and one that shows the teacher's sheet. Needs no display. */
 public final class LessonList extends JPanel {
-    /** @param open receives the name of the chosen lesson */
-    public LessonList(Locale language, Consumer<String> open) {
+    /** What the user may do with a lesson. */
+    public interface Acts {
+        void open(String name);
+
+        /** @param markdown the teacher's sheet */
+        void showSheet(String title, String markdown);
+    }
+
+    private final LessonLibrary library;
+    private final Locale language;
+    private final TextBundle words;
+    private final Acts acts;
+
+    public LessonList(LessonLibrary library, Locale language, Acts acts) {
         super(new BorderLayout());
-        TextBundle words = DesktopTexts.in(language);
+        this.library = library;
+        this.language = language;
+        this.acts = acts;
+        words = DesktopTexts.in(language);
         List<Component> rows = new ArrayList<>();
-        for (String name : LessonLibrary.names()) {
-            rows.add(row(name, language, words, open));
+        for (String name : library.names()) {
+            rows.add(row(name));
         }
         JPanel column = Arrange.column(Theme.GRID, rows.toArray(Component[]::new));
         column.setBorder(Theme.padding(12));
@@ -40,20 +55,27 @@ public final class LessonList extends JPanel {
         setBackground(Theme.color(Ink.SURFACE));
     }
 
-    private static Component row(String name, Locale language, TextBundle words, Consumer<String> open) {
-        String title;
-        int minutes;
-        try {
-            title = LessonLibrary.texts(name, language).of("title");
-            minutes = LessonLibrary.lesson(name).minutes();
-        } catch (LessonException e) {
-            throw new IllegalStateException(e); // part of the jar, and tested
-        }
+    private Component row(String name) {
         GlossaryText text = new GlossaryText("lessons.title." + name, Optional.empty(), term -> {});
-        text.show(title + " (" + words.of("lesson.minutes", Integer.toString(minutes)) + ")");
-        UserAction begin = new UserAction("lessons.open." + name, words.of("lessons.open"), () -> open.accept(name));
-        JButton button = ComponentNames.name(
-                new JButton(begin), "lessons.open." + name, words.of("lessons.open") + ": " + title);
-        return Arrange.row(Theme.GRID, Arrange.growing(text), button);
+        try {
+            Lesson lesson = library.lesson(name);
+            String title = library.texts(lesson, language).of("title");
+            text.show(title + " (" + words.of("lesson.minutes", Integer.toString(lesson.minutes())) + ")");
+            List<Component> parts = new ArrayList<>(List.of(Arrange.growing(text)));
+            library.sheet(name, language)
+                    .ifPresent(sheet ->
+                            parts.add(button("lessons.sheet", name, title, () -> acts.showSheet(title, sheet))));
+            parts.add(button("lessons.open", name, title, () -> acts.open(name)));
+            return Arrange.row(Theme.GRID, parts.toArray(Component[]::new));
+        } catch (LessonException e) {
+            // A teacher's own lesson that is not right yet.
+            text.show(e.getMessage());
+            return text;
+        }
+    }
+
+    private JButton button(String key, String lesson, String title, Runnable act) {
+        UserAction action = new UserAction(key + "." + lesson, words.of(key), act);
+        return ComponentNames.name(new JButton(action), key + "." + lesson, words.of(key) + ": " + title);
     }
 }

@@ -20,7 +20,6 @@ import simgsm.draw.StatusMark;
 import simgsm.lesson.Glossary;
 import simgsm.lesson.Lesson;
 import simgsm.lesson.LessonAction;
-import simgsm.lesson.LessonLibrary;
 import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonStep;
 import simgsm.lesson.LessonTexts;
@@ -39,6 +38,7 @@ public final class LessonPanel extends JPanel {
     private static final int GAP = Theme.GRID;
 
     private final Lesson lesson;
+    private final List<String> all;
     private final LessonTexts texts;
     private final TextBundle words;
     private final UnaryOperator<String> numbers;
@@ -55,14 +55,21 @@ public final class LessonPanel extends JPanel {
     private final GlossaryText score;
 
     /**
+     * @param all names of all lessons in their order
      * @param numbers replaces names in braces by the student's own numbers
      * @param acts performs what the student does
      */
     public LessonPanel(
-            Lesson lesson, LessonTexts texts, Locale language, UnaryOperator<String> numbers, LessonActs acts) {
+            Lesson lesson,
+            LessonTexts texts,
+            List<String> all,
+            Locale language,
+            UnaryOperator<String> numbers,
+            LessonActs acts) {
         super(new BorderLayout());
         this.lesson = lesson;
         this.texts = texts;
+        this.all = all;
         this.numbers = numbers;
         this.acts = acts;
         words = DesktopTexts.in(language);
@@ -111,10 +118,9 @@ public final class LessonPanel extends JPanel {
         title.show(texts.of("title"));
         GlossaryText about = text("lesson.about");
         about.show(words.of("lesson.about", Integer.toString(lesson.minutes())));
-        List<String> names = LessonLibrary.names();
-        int at = names.indexOf(lesson.name());
-        JButton previous = other("lesson.previous", at > 0 ? names.get(at - 1) : "");
-        JButton next = other("lesson.next", at >= 0 && at + 1 < names.size() ? names.get(at + 1) : "");
+        int at = all.indexOf(lesson.name());
+        JButton previous = other("lesson.previous", at > 0 ? all.get(at - 1) : "");
+        JButton next = other("lesson.next", at >= 0 && at + 1 < all.size() ? all.get(at + 1) : "");
         return Arrange.column(Theme.HALF, title, Arrange.row(Theme.HALF, previous, next, Arrange.spring()), about);
     }
 

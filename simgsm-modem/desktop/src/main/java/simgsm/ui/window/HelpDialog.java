@@ -26,6 +26,7 @@ import javax.swing.KeyStroke;
 import javax.swing.table.DefaultTableModel;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
+import simgsm.lesson.LessonLibrary;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
@@ -33,6 +34,7 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.lesson.GlossaryList;
 import simgsm.ui.lesson.LessonList;
+import simgsm.ui.lesson.SheetPanel;
 
 /** The help of a window, opened by F1: what the window is for, all its keys, and the version. */
 final class HelpDialog {
@@ -40,6 +42,9 @@ final class HelpDialog {
     private static final int KEY_COLUMN_UNITS = 150;
 
     private HelpDialog() {}
+
+    /** The lessons that there are, and what begins one; empty where the program cannot. */
+    record Lessons(LessonLibrary library, Optional<Consumer<String>> chosen) {}
 
     /** A key and what it does. */
     record ShownKey(String key, String action) {}
@@ -98,21 +103,25 @@ final class HelpDialog {
      *
      * @param about what the window is for
      * @param version of the program
-     * @param lessonChosen begins a lesson; empty where the program cannot
+     * @param lessons that can be begun from here
      */
     static void open(
-            JFrame frame,
-            String about,
-            String version,
-            Locale language,
-            Optional<Consumer<String>> lessonChosen,
-            SettingsPanel.Acts settings) {
+            JFrame frame, String about, String version, Locale language, Lessons lessons, SettingsPanel.Acts settings) {
         TextBundle texts = DesktopTexts.in(language);
         JDialog dialog = new JDialog(frame, texts.of("window.help"));
         JTabbedPane tabs = ComponentNames.name(new JTabbedPane(), "help.tabs", texts.of("window.help"));
         tabs.addTab(texts.of("window.help"), content(frame.getRootPane(), about, version, texts));
-        tabs.addTab(
-                texts.of("lessons.title"), new LessonList(language, name -> begin(dialog, name, texts, lessonChosen)));
+        tabs.addTab(texts.of("lessons.title"), new LessonList(lessons.library(), language, new LessonList.Acts() {
+            @Override
+            public void open(String name) {
+                begin(dialog, name, texts, lessons);
+            }
+
+            @Override
+            public void showSheet(String title, String markdown) {
+                sheet(dialog, title, markdown, texts);
+            }
+        }));
         tabs.addTab(texts.of("glossary.title"), new GlossaryList(language));
         SettingsPanel.Acts closing = settings.beforeLanguage(dialog::dispose);
         tabs.addTab(texts.of("settings.title"), new SettingsPanel(language, texts, closing));
@@ -144,14 +153,29 @@ final class HelpDialog {
         return ComponentNames.name(lines, "about.versions", texts.of("about.title"));
     }
 
-    private static void begin(JDialog dialog, String name, TextBundle texts, Optional<Consumer<String>> lessonChosen) {
-        if (lessonChosen.isPresent()) {
+    /** Closed by Escape; the list of lessons stays open. */
+    private static void sheet(JDialog list, String title, String markdown, TextBundle texts) {
+        JDialog dialog = new JDialog(list, texts.of("lessons.sheet") + ": " + title);
+        dialog.setContentPane(new SheetPanel(markdown, title));
+        new UserAction("sheet.close", texts.of("window.help.close"), dialog::dispose)
+                .bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+        dialog.setSize(list.getSize());
+        dialog.setLocationRelativeTo(list);
+        dialog.setVisible(true);
+    }
+
+    private static void begin(JDialog dialog, String name, TextBundle texts, Lessons lessons) {
+        if (lessons.chosen().isPresent()) {
             dialog.dispose();
-            lessonChosen.get().accept(name);
+            lessons.chosen().get().accept(name);
         } else {
+            String folder = lessons.library()
+                    .folder(name)
+                    .map(own -> " --lessons " + own.getParent())
+                    .orElse("");
             JOptionPane.showMessageDialog(
                     dialog,
-                    new JTextArea(texts.of("lessons.elsewhere", name)),
+                    new JTextArea(texts.of("lessons.elsewhere", name + folder)),
                     texts.of("lessons.title"),
                     JOptionPane.PLAIN_MESSAGE);
         }

@@ -24,6 +24,7 @@ import simgsm.console.Program;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.draw.Appearance;
+import simgsm.lesson.LessonLibrary;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -60,6 +61,7 @@ public final class ProgramWindow {
     private final double zoom;
     private final Optional<WindowPlace> place;
     private final boolean endsWithInput;
+    private final LessonLibrary lessons;
     private final Optional<WindowMemory> memory;
     private final String rememberedAs;
     private final CountDownLatch ended = new CountDownLatch(1);
@@ -79,13 +81,14 @@ public final class ProgramWindow {
         this.place = place;
         this.language = arguments.language();
         this.endsWithInput = arguments.has("end-with-input") && !arguments.has("console");
+        this.lessons = LessonLibrary.of(arguments);
         this.memory = WindowMemory.of(arguments);
         this.rememberedAs = memory.isPresent() ? WindowMemory.nameOf(arguments) : "";
     }
 
     /**
-     * Reads {@code --theme}, {@code --zoom}, {@code --window}, {@code --lang} and {@code --end-with-input}; opens
-     * nothing.
+     * Reads {@code --theme}, {@code --zoom}, {@code --window}, {@code --lang}, {@code --lessons} and {@code
+     * --end-with-input}; opens nothing.
      *
      * @param otherwise the place without {@code --window}; empty for the desktop's choice
      * @throws UnavailableException without a display
@@ -228,7 +231,7 @@ public final class ProgramWindow {
                 content.help(),
                 Program.version(content.panel().getClass()),
                 language,
-                lessonChosen,
+                new HelpDialog.Lessons(lessons, lessonChosen),
                 new SettingsPanel.Acts(speak, this::dress, this::zoomTo, memory));
     }
 

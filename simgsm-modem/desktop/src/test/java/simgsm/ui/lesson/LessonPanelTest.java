@@ -4,16 +4,20 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Stream;
 import javax.swing.JButton;
+import javax.swing.JEditorPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import simgsm.draw.Appearance;
@@ -68,14 +72,16 @@ class LessonPanelTest {
         Theme.install(Appearance.LIGHT);
     }
 
+    private final LessonLibrary library = LessonLibrary.ofSuite();
+
     private LessonPanel panel(String name, String language) throws Exception {
         Locale locale = Locale.forLanguageTag(language);
-        return new LessonPanel(
-                LessonLibrary.lesson(name), LessonLibrary.texts(name, locale), locale, text -> text, acts);
+        Lesson lesson = library.lesson(name);
+        return new LessonPanel(lesson, library.texts(lesson, locale), library.names(), locale, text -> text, acts);
     }
 
     private static LessonView view(String name, LessonView.StepState state) throws Exception {
-        Lesson lesson = LessonLibrary.lesson(name);
+        Lesson lesson = LessonLibrary.ofSuite().lesson(name);
         return new LessonView(
                 5,
                 true,
@@ -87,7 +93,7 @@ class LessonPanelTest {
     }
 
     static Stream<String> names() {
-        return LessonLibrary.names().stream();
+        return LessonLibrary.ofSuite().names().stream();
     }
 
     @ParameterizedTest
@@ -165,12 +171,57 @@ class LessonPanelTest {
         assertEquals(List.of(), ComponentNames.unnamed(panel));
     }
 
+    private LessonList list(LessonLibrary lessons) {
+        return new LessonList(lessons, Locale.ENGLISH, new LessonList.Acts() {
+            @Override
+            public void open(String name) {
+                done.add(name);
+            }
+
+            @Override
+            public void showSheet(String title, String markdown) {
+                done.add(markdown);
+            }
+        });
+    }
+
+    private static void press(LessonList list, String name) {
+        ((JButton) ComponentNames.find(list, name).orElseThrow()).doClick();
+    }
+
     @Test
-    void theListsOfLessonsAndTermsAreNamed() {
-        LessonList list = new LessonList(Locale.ENGLISH, done::add);
+    void aTeachersLessonThatIsWrongStandsInTheListWithItsFault(@TempDir Path folder) throws Exception {
+        Path mine = Files.createDirectory(folder.resolve("mine"));
+        Files.writeString(mine.resolve("lesson.txt"), "minutes 5\nstep a\nwhen phone x\n");
+        LessonList list = list(LessonLibrary.with(folder));
+        JEditorPane row =
+                (JEditorPane) ComponentNames.find(list, "lessons.title.mine").orElseThrow();
+        assertTrue(
+                row.getText()
+                        .endsWith("lesson.txt, line 3: expected a source of centre, student, tool, trace; found phone"),
+                row.getText());
+        assertTrue(ComponentNames.find(list, "lessons.open.mine").isEmpty());
+    }
+
+    @Test
+    void aSheetKeepsTablesAndStarsInCode() {
+        String html = SheetHtml.of(
+                "# A <b>\n\n**Time** 5 of *x*, [a link](b.md)\n\n| `a` | c |\n|---|---|\n| `**#*0` | **d** |\n",
+                "#ffffff");
+        assertTrue(html.contains("<h1>A &lt;b></h1>"), html);
+        assertTrue(html.contains("<p><b>Time</b> 5 of <i>x</i>, a link</p>"), html);
+        assertTrue(html.contains("<tt>**#*0</tt></td><td valign='top'><b>d</b>"), html);
+    }
+
+    @Test
+    void theListsOfLessonsAndTermsAreNamed() throws Exception {
+        LessonList list = list(library);
         assertEquals(List.of(), ComponentNames.unnamed(list));
-        ((JButton) ComponentNames.find(list, "lessons.open.twelve-keys").orElseThrow()).doClick();
-        assertEquals(List.of("twelve-keys"), done);
+        press(list, "lessons.open.twelve-keys");
+        press(list, "lessons.sheet.twelve-keys");
+        assertEquals("twelve-keys", done.get(0));
+        assertTrue(done.get(1).contains("697, 770, 852, 941"), done.get(1));
+        assertEquals(List.of(), ComponentNames.unnamed(new SheetPanel(done.get(1), "Sheet")));
         assertEquals(List.of(), ComponentNames.unnamed(new GlossaryList(Locale.forLanguageTag("es"))));
     }
 }

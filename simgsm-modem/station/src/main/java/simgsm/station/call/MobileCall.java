@@ -32,6 +32,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private final SpeechPath speech;
     private final KeySignalling keys;
     private final boolean callWaiting;
+    private final boolean ignoresSetup;
     private final SecondCall second;
     private final StateMachine<CallHoldState, CallHoldEvent, CallHoldAction> hold;
     private final StateMachine<MobileCallState, MobileCallEvent, MobileCallAction> machine;
@@ -56,18 +57,23 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     /** Dialled while the previous call was being cleared. */
     private Optional<Msisdn> next = Optional.empty();
 
-    /** @param callWaiting whether a second call may wait; else its caller is told that the user is busy */
+    /**
+     * @param callWaiting whether a second call may wait; else its caller is told that the user is busy
+     * @param ignoresSetup a fault: calls that are offered are left unanswered
+     */
     public MobileCall(
             StationContext context,
             ServiceRequests services,
             SpeechPath speech,
             KeySignalling keys,
-            boolean callWaiting) {
+            boolean callWaiting,
+            boolean ignoresSetup) {
         this.context = context;
         this.services = services;
         this.speech = speech;
         this.keys = keys;
         this.callWaiting = callWaiting;
+        this.ignoresSetup = ignoresSetup;
         this.second = new SecondCall(context, this::heldEnded);
         hold = new StateMachine<>(CallHoldTable.TABLE, context.identity().number(), this::perform);
         machine = new StateMachine<>(MobileCallTable.TABLE, context.identity().number(), this::perform);
@@ -352,6 +358,10 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     SecondCall second() {
         return second;
+    }
+
+    boolean ignoresSetup() {
+        return ignoresSetup;
     }
 
     boolean acceptsWaitingCall() {

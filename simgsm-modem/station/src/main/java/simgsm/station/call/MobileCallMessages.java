@@ -78,7 +78,9 @@ public final class MobileCallMessages {
     }
 
     private void offered(CallControl.Setup setup) {
-        if (setup.transaction().fromOtherSide()
+        if (call.ignoresSetup()) {
+            context.log().trace(Level.INFO, "SETUP left unanswered, as the fault of this station has it");
+        } else if (setup.transaction().fromOtherSide()
                 || call.has(setup.transaction())
                 || call.second().has(setup.transaction())) {
             context.log().trace(Level.DEBUG, "SETUP of a known or foreign transaction ignored");

@@ -1,0 +1,95 @@
+package simgsm.ui.lesson;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** A teacher's sheet as HTML: of Markdown headings, paragraphs, lists, tables, bold, code and links, whose texts remain. */
+final class SheetHtml {
+    private final StringBuilder html = new StringBuilder();
+    private final List<String> paragraph = new ArrayList<>();
+    private final String headColor;
+    private boolean isTable;
+
+    private SheetHtml(String headColor) {
+        this.headColor = headColor;
+    }
+
+    /** @param headColor background of the first row of tables, as {@code #rrggbb} */
+    static String of(String markdown, String headColor) {
+        SheetHtml sheet = new SheetHtml(headColor);
+        sheet.html.append("<html><body style='margin:0'>");
+        markdown.lines().forEach(sheet::line);
+        sheet.end();
+        return sheet.html.append("</body></html>").toString();
+    }
+
+    private void line(String line) {
+        if (line.startsWith("|")) {
+            row(line);
+        } else if (line.startsWith("#")) {
+            end();
+            int level = line.indexOf(' ');
+            html.append("<h").append(level).append('>').append(inline(line.substring(level + 1)));
+            html.append("</h").append(level).append('>');
+        } else if (line.startsWith("- ")) {
+            end();
+            html.append("<p>\u2022 ").append(inline(line.substring(2))).append("</p>");
+        } else if (line.isBlank()) {
+            end();
+        } else {
+            endTable();
+            paragraph.add(line.strip());
+        }
+    }
+
+    private void row(String line) {
+        if (line.matches("[|: -]+")) {
+            return;
+        }
+        boolean isHead = !isTable;
+        if (isHead) {
+            end();
+            html.append("<table border='1' cellspacing='0' cellpadding='4' width='100%'>");
+            isTable = true;
+        }
+        html.append(isHead ? "<tr bgcolor='" + headColor + "'>" : "<tr>");
+        Arrays.stream(line.substring(1).split("(?<!\\\\)\\|"))
+                .forEach(cell -> html.append("<td valign='top'>")
+                        .append(inline(cell.strip().replace("\\|", "|")))
+                        .append("</td>"));
+        html.append("</tr>");
+    }
+
+    private void end() {
+        endTable();
+        if (!paragraph.isEmpty()) {
+            html.append("<p>").append(inline(String.join(" ", paragraph))).append("</p>");
+            paragraph.clear();
+        }
+    }
+
+    private void endTable() {
+        if (isTable) {
+            html.append("</table>");
+            isTable = false;
+        }
+    }
+
+    private static String inline(String text) {
+        StringBuilder out = new StringBuilder();
+        // What stands in code keeps its stars.
+        String[] parts = text.split("`", -1);
+        for (int i = 0; i < parts.length; i++) {
+            String escaped = parts[i].replace("&", "&amp;").replace("<", "&lt;");
+            if (i % 2 == 1) {
+                out.append("<tt>").append(escaped).append("</tt>");
+            } else {
+                out.append(escaped.replaceAll("\\[([^]]*)]\\([^)]*\\)", "$1")
+                        .replaceAll("\\*\\*([\\p{L}][^*]*)\\*\\*", "<b>$1</b>")
+                        .replaceAll("(?<![*\\p{L}])\\*([\\p{L}¿][^*]*)\\*(?![*\\p{L}])", "<i>$1</i>"));
+            }
+        }
+        return out.toString();
+    }
+}
