@@ -19,6 +19,7 @@ alone() { (cd / && "${other[@]}" env -i PATH=/usr/bin:/bin HOME=/nonexistent LAN
 fail() { echo "image: $*" >&2; exit 1; }
 if alone sh -c 'command -v javac' >/dev/null; then echo "image: note: this machine has a JDK on PATH; the image does not use it"; fi
 
+release=$(sed -n 's/^JAVA_VERSION="\([0-9]*\).*/\1/p' "$image/runtime/release")
 for program in "$image"/bin/*; do
     name=$(basename "$program")
     alone "$program" --help >/dev/null || fail "$name --help"
@@ -28,6 +29,13 @@ alone "$image/bin/simrobot" --print-world --world office.map | grep -q '^line,' 
 output=$(alone "$image/bin/simgsm" --port 0) || fail "the demo ended with $?: $output"
 grep -q 'sms-sent' <<<"$output" || fail "the demo's transcript lacks its message: $output"
 grep -q 'Todo fue' <<<"$output" || fail "the demo is not in Spanish: $(tail -1 <<<"$output")"
-loaded=$(alone "$image/runtime/bin/java" -Xlog:class+load -m simgsm.phone --version)
-! grep -q 'simgsm.*source: jrt:' <<<"$loaded" || fail "the class archive is not used"
+# Each class of the suite comes from an archive or, in an image of Java 25 or newer, from the program's own cache.
+for program in simgsm-center simgsm-phone simrobot simgsm-cells; do
+    loaded=$(alone JDK_JAVA_OPTIONS=-Xlog:class+load "$image/bin/$program" --version 2>&1)
+    ! grep 'sim.*source: jrt:' <<<"$loaded" || fail "$program: classes come from no archive"
+    grep -q 'simgsm.console.Program source: shared objects file' <<<"$loaded" || fail "$program: loads no class of the suite"
+    if [ "$release" -ge 25 ]; then
+        alone JDK_JAVA_OPTIONS="-XX:AOTMode=on" "$image/bin/$program" --version >/dev/null 2>&1 || fail "$program: its cache is not used"
+    fi
+done
 echo "image: $(basename "$image") runs read-only, without a JDK, in Spanish"

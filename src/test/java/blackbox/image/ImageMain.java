@@ -26,7 +26,6 @@ public final class ImageMain {
         Path image = Files.createDirectories(out.resolve("simgsm-" + version));
 
         List<ImageProgram> programs = ImageProgram.in(dist);
-        Launchers.write(image.resolve("bin"), programs);
         for (String part : List.of("worlds", "lessons", "docs")) {
             if (Files.exists(root.resolve(part))) {
                 Folders.copy(root.resolve(part), image.resolve(part));
@@ -37,7 +36,8 @@ public final class ImageMain {
         }
         RuntimeImage runtime = new RuntimeImage(image.resolve("runtime"));
         runtime.link(dist, programs);
-        runtime.archiveClasses(work);
+        runtime.archiveClasses(work, programs);
+        Launchers.write(image.resolve("bin"), image.resolve("runtime"), programs);
         if (!Tool.IS_WINDOWS) {
             List<ImageProgram> inMenu =
                     programs.stream().filter(program -> program.isInMenu(dist)).toList();

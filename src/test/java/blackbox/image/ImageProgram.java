@@ -95,6 +95,11 @@ record ImageProgram(
         return launcher;
     }
 
+    /** The name of its cache of linked classes, the same for programs of one module. */
+    String cacheName() {
+        return module.replace('.', '-');
+    }
+
     /** The words after the Java machine's options that start it, each for a shell. */
     String words() {
         return String.join(" ", Arrays.asList("-m", module, String.join(" ", arguments)))

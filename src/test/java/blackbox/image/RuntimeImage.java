@@ -4,19 +4,27 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import simgsm.console.QuickStart;
 
 /**
- * A Java with the suite's modules and no others, and an archive of their classes. The archive is the image's default one, so
- * every start uses it without an option; it holds no paths, so the image can be moved.
+ * A Java with the suite's modules and no others, and archives of their classes. One is the image's default archive, which
+ * every start uses without an option; a JDK 25 or newer adds a cache of linked classes for each program with a window. None
+ * holds a path, so the image can be moved.
  */
 final class RuntimeImage {
     /** Modules that nothing requires by name: compiler of behaviours, random numbers on 17, Spanish numbers and dates. */
     private static final List<String> FURTHER_MODULES =
             List.of("jdk.compiler", "jdk.zipfs", "jdk.random", "jdk.localedata");
+
+    /** Caches of linked classes; older JDKs have archives of classes only. */
+    private static final boolean HAS_CACHES = Runtime.version().feature() >= 25;
 
     private static final long TRAINING_SECONDS = 120;
     private static final long QUIET_MILLIS = 2_000;
@@ -61,14 +69,32 @@ final class RuntimeImage {
 
     /**
      * Plays the demo on the image, without windows and, where there is a display, with them, and archives the classes that it
-     * loaded. A demo that fails ends the build.
+     * loaded: in the image's default archive and, by a JDK 25 or newer, for each program with a window in a cache of its own. A
+     * demo that fails ends the build.
      */
-    void archiveClasses(Path work) throws IOException, InterruptedException {
+    void archiveClasses(Path work, List<ImageProgram> programs) throws IOException, InterruptedException {
         Path lists = Files.createDirectories(work.resolve("classes"));
-        play(lists, "--headless");
-        if (!Tool.IS_WINDOWS && System.getenv("DISPLAY") != null) {
-            play(lists, "--end-with-input");
+        // The demo's children inherit the option; each writes a list of its own.
+        String listing = "-XX:DumpLoadedClassList=" + lists.resolve("%p.lst");
+        play(demo("--headless"), listing, work.resolve("headless.log"));
+        try (VirtualDisplay display = VirtualDisplay.open().orElse(null)) {
+            if (display == null) {
+                System.out.println("image: neither a display nor Xvfb: windows will start slower");
+            } else if (HAS_CACHES) {
+                makeCaches(work, programs, display);
+            } else {
+                Path more = Files.createDirectories(work.resolve("windows"));
+                listing = "-XX:DumpLoadedClassList=" + more.resolve("%p.lst");
+                playInWindows(demo("--end-with-input"), display, listing, more, work.resolve("windows.log"));
+                for (Path list : files(more)) {
+                    Files.move(list, lists.resolve(list.getFileName()));
+                }
+            }
         }
+        makeDefaultArchive(work, lists);
+    }
+
+    private void makeDefaultArchive(Path work, Path lists) throws IOException, InterruptedException {
         TreeSet<String> classes = new TreeSet<>();
         for (Path list : files(lists)) {
             Files.readAllLines(list).stream()
@@ -90,18 +116,94 @@ final class RuntimeImage {
                         "-XX:SharedClassListFile=" + all));
     }
 
-    private void play(Path lists, String option) throws IOException, InterruptedException {
-        ProcessBuilder demo = new ProcessBuilder(
-                java(), "-m", "simgsm.center", "--demo", "--port", "0", "--no-sound", "--fresh", option);
-        // The demo's children inherit it; each writes a list of its own.
-        demo.environment().put("JDK_JAVA_OPTIONS", "-XX:DumpLoadedClassList=" + lists.resolve("%p.lst"));
-        Path log = lists.resolveSibling("demo" + option + ".log");
-        Process process =
-                demo.redirectErrorStream(true).redirectOutput(log.toFile()).start();
-        if (option.equals("--end-with-input")) {
-            awaitQuiet(lists);
+    /** Records what the demo's three programs and the towers load, and makes a cache of each record (JEP 483, 514). */
+    private void makeCaches(Path work, List<ImageProgram> programs, VirtualDisplay display)
+            throws IOException, InterruptedException {
+        Path records = Files.createDirectories(work.resolve("records"));
+        List<String> demo = recorded(records, "simgsm-center", demo("--end-with-input"));
+        demo.add(1, "-D" + QuickStart.RECORD_FOLDER + "=" + records);
+        playListed(demo, display, work, "windows");
+        Optional<ImageProgram> cells = programs.stream()
+                .filter(program -> program.module().equals("simgsm.cells"))
+                .findFirst();
+        if (cells.isPresent()) {
+            List<String> towers = List.of(
+                    java(),
+                    "-m",
+                    "simgsm.cells",
+                    "--town",
+                    "village.town",
+                    "--center",
+                    "127.0.0.1:9",
+                    "--port",
+                    "0",
+                    "--fresh",
+                    "--end-with-input");
+            playListed(recorded(records, cells.get().cacheName(), towers), display, work, "towers");
         }
+        for (ImageProgram program : programs) {
+            Path record = QuickStart.recordOf(records, program.cacheName());
+            Path cache = QuickStart.cacheOf(folder, program.cacheName());
+            if (Files.exists(record) && !Files.exists(cache)) {
+                List<String> command = new ArrayList<>(List.of(java()));
+                command.addAll(QuickStart.options());
+                command.addAll(List.of(
+                        "-Xlog:aot*=off",
+                        "-XX:AOTMode=create",
+                        "-XX:AOTConfiguration=" + record,
+                        "-XX:AOTCache=" + cache,
+                        "-m",
+                        program.module()));
+                Tool.run(work, command);
+            }
+        }
+    }
+
+    private void playListed(List<String> command, VirtualDisplay display, Path work, String name)
+            throws IOException, InterruptedException {
+        Path lists = Files.createDirectories(work.resolve(name));
+        String listing = "-Xlog:class+load:file=" + lists.resolve("%p.lst");
+        playInWindows(command, display, listing, lists, work.resolve(name + ".log"));
+    }
+
+    /** A command that also records what it loads. */
+    private static List<String> recorded(Path records, String program, List<String> command) {
+        List<String> recording = new ArrayList<>(command);
+        recording.addAll(1, QuickStart.recording(records, program));
+        recording.addAll(1, QuickStart.options());
+        return recording;
+    }
+
+    private List<String> demo(String option) {
+        return List.of(java(), "-m", "simgsm.center", "--demo", "--port", "0", "--no-sound", "--fresh", option);
+    }
+
+    private void play(List<String> command, String javaOption, Path log) throws IOException, InterruptedException {
+        Process process = start(command, javaOption, log, Map.of());
         process.getOutputStream().close();
+        end(process, log);
+    }
+
+    /** Opens the windows, and closes them when they have loaded all that they load, seen by lists that no longer grow. */
+    private void playInWindows(List<String> command, VirtualDisplay display, String javaOption, Path lists, Path log)
+            throws IOException, InterruptedException {
+        Map<String, String> environment = new HashMap<>();
+        display.in(environment);
+        Process process = start(command, javaOption, log, environment);
+        awaitQuiet(lists);
+        process.getOutputStream().close();
+        end(process, log);
+    }
+
+    private static Process start(List<String> command, String javaOption, Path log, Map<String, String> environment)
+            throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(command);
+        builder.environment().put("JDK_JAVA_OPTIONS", javaOption);
+        builder.environment().putAll(environment);
+        return builder.redirectErrorStream(true).redirectOutput(log.toFile()).start();
+    }
+
+    private static void end(Process process, Path log) throws IOException, InterruptedException {
         if (!process.waitFor(TRAINING_SECONDS, TimeUnit.SECONDS)) {
             process.destroy();
             throw new IOException("the demo does not end; " + log + " has its output");
@@ -111,19 +213,23 @@ final class RuntimeImage {
         }
     }
 
-    /** Waits until the windows have loaded all that they load, seen by lists that no longer grow. */
     private static void awaitQuiet(Path lists) throws IOException, InterruptedException {
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(TRAINING_SECONDS);
         long before = -1;
-        long size = 0;
+        long size = size(lists);
         while ((size != before || size == 0) && System.nanoTime() < deadline) {
             before = size;
             TimeUnit.MILLISECONDS.sleep(QUIET_MILLIS);
-            size = 0;
-            for (Path list : files(lists)) {
-                size += Files.size(list);
-            }
+            size = size(lists);
         }
+    }
+
+    private static long size(Path lists) throws IOException {
+        long size = 0;
+        for (Path list : files(lists)) {
+            size += Files.size(list);
+        }
+        return size;
     }
 
     private static List<Path> files(Path folder) throws IOException {

@@ -15,12 +15,15 @@ import simgsm.console.QuickStart;
  */
 public final class ChildPrograms implements AutoCloseable {
     private static final long FAREWELL_MILLIS = 8_000;
+    /** For a program that writes an archive of its classes at its end, with its window closed. */
+    private static final long ARCHIVING_MILLIS = 60_000;
+
     private final ProgramFolder programs;
     private final List<Child> started = new CopyOnWriteArrayList<>();
     /** They read no input, so its end does not end them. */
     private final List<Process> tools = new CopyOnWriteArrayList<>();
 
-    private record Child(String jar, String number, Process process) {}
+    private record Child(String jar, String number, Process process, long farewellMillis) {}
 
     private ChildPrograms(ProgramFolder programs) {
         this.programs = programs;
@@ -43,8 +46,8 @@ public final class ChildPrograms implements AutoCloseable {
     public Process start(String jar, String number, List<String> arguments, ProcessBuilder.Redirect output)
             throws IOException {
         boolean isHeadless = arguments.contains("--headless");
-        List<String> command =
-                programs.command(jar, isHeadless ? QuickStart.options() : QuickStart.options(programs, jar));
+        List<String> options = isHeadless ? QuickStart.options() : QuickStart.options(programs, jar);
+        List<String> command = programs.command(jar, options);
         command.addAll(arguments);
         Process process = new ProcessBuilder(command)
                 .redirectInput(ProcessBuilder.Redirect.PIPE)
@@ -52,7 +55,8 @@ public final class ChildPrograms implements AutoCloseable {
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         started.removeIf(child -> child.number.equals(number) && !child.process.isAlive());
-        started.add(new Child(jar, number, process));
+        long farewellMillis = QuickStart.writesAtEnd(options) ? ARCHIVING_MILLIS : FAREWELL_MILLIS;
+        started.add(new Child(jar, number, process, farewellMillis));
         return process;
     }
 
@@ -93,7 +97,10 @@ public final class ChildPrograms implements AutoCloseable {
                 .findFirst();
     }
 
-    /** Closes their standard input, and destroys those that have not ended after 8 s; tools at once. */
+    /**
+     * Closes their standard input, and destroys those that have not ended after 8 s, or 60 s in a run that writes archives;
+     * tools at once.
+     */
     @Override
     public void close() {
         tools.forEach(Process::destroyForcibly);
@@ -104,9 +111,9 @@ public final class ChildPrograms implements AutoCloseable {
                 // It has gone already.
             }
         }
-        long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MILLIS);
+        long from = System.nanoTime();
         for (Child child : started) {
-            await(child.process, deadline - System.nanoTime());
+            await(child.process, from + TimeUnit.MILLISECONDS.toNanos(child.farewellMillis) - System.nanoTime());
         }
         started.clear();
     }

@@ -12,14 +12,26 @@ import java.util.stream.Stream;
  * Options of the Java machine with which a program starts in less CPU time: only the first compiler, the serial collector,
  * and for a window program an archive of its classes. The archive lies beside the jars as {@code PROGRAM-KEY.jsa}; the first
  * run writes it when it ends. The key is made of the Java machine and the jars, so an archive is never used after either has
- * changed. An image has an archive of its own.
+ * changed. An image made by Java 25 or newer has a cache of linked classes for each window program,
+ * {@code lib/PROGRAM.aot}; an older one has an archive in the place where the Java machine looks by itself.
  */
 public final class QuickStart {
+    /**
+     * A system property: the folder in which the programs that an image starts record what they load, {@code PROGRAM.conf} each.
+     * The build of an image makes the caches from these.
+     */
+    public static final String RECORD_FOLDER = "simgsm.record";
+
     private static final List<String> OPTIONS = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
+    private static final String WRITE = "-XX:ArchiveClassesAtExit=";
+    private static final String RECORD = "-XX:AOTMode=record";
     private static final String JAR = ".jar";
     private static final String ARCHIVE = ".jsa";
+    private static final String CACHE = ".aot";
     /** The Java machine reports what it leaves out of an archive, which concerns no user. */
     private static final String QUIET = "-Xlog:cds*=off";
+
+    private static final String QUIET_CACHE = "-Xlog:aot*=off";
 
     private QuickStart() {}
 
@@ -34,19 +46,50 @@ public final class QuickStart {
      * @param jar its name in the folder
      */
     public static List<String> options(ProgramFolder programs, String jar) {
+        String program = jar.substring(0, jar.length() - JAR.length());
         List<String> options = new ArrayList<>(OPTIONS);
-        if (!programs.isImage()) {
-            try {
-                options.addAll(archive(programs.path(), jar));
-            } catch (IOException e) {
-                // It starts without.
-            }
+        if (programs.isImage()) {
+            options.addAll(cache(programs.path(), program));
+            return options;
+        }
+        try {
+            options.addAll(archive(programs.path(), program));
+        } catch (IOException e) {
+            // It starts without.
         }
         return options;
     }
 
-    private static List<String> archive(Path folder, String jar) throws IOException {
-        String program = jar.substring(0, jar.length() - JAR.length());
+    /** Whether a program with these options writes an archive at its end, which takes seconds. */
+    public static boolean writesAtEnd(List<String> options) {
+        return options.stream().anyMatch(option -> option.startsWith(WRITE) || option.equals(RECORD));
+    }
+
+    private static List<String> cache(Path image, String program) {
+        String records = System.getProperty(RECORD_FOLDER);
+        if (records != null) {
+            return recording(Path.of(records), program);
+        }
+        Path cache = cacheOf(image, program);
+        return Files.isReadable(cache) ? List.of("-XX:AOTCache=" + cache, QUIET_CACHE) : List.of();
+    }
+
+    /** Where the cache of a program lies. @param image the folder of the Java machine */
+    public static Path cacheOf(Path image, String program) {
+        return image.resolve("lib").resolve(program + CACHE);
+    }
+
+    /** The options of a program of Java 25 or newer that records what it loads. */
+    public static List<String> recording(Path folder, String program) {
+        return List.of(RECORD, "-XX:AOTConfiguration=" + recordOf(folder, program), QUIET_CACHE);
+    }
+
+    /** What a program has recorded. */
+    public static Path recordOf(Path folder, String program) {
+        return folder.resolve(program + ".conf");
+    }
+
+    private static List<String> archive(Path folder, String program) throws IOException {
         Path archive = folder.resolve(program + "-" + key(folder) + ARCHIVE);
         if (isComplete(archive)) {
             return List.of("-XX:SharedArchiveFile=" + archive, QUIET);
@@ -59,7 +102,7 @@ public final class QuickStart {
                 Files.deleteIfExists(old);
             }
         }
-        return List.of("-XX:ArchiveClassesAtExit=" + archive, QUIET);
+        return List.of(WRITE + archive, QUIET);
     }
 
     /** The Java machine writes the head last: that of an archive whose writing was ended is zero. */
