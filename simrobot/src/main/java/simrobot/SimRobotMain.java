@@ -173,7 +173,10 @@ public final class SimRobotMain {
             model.setResolution(WorldFile.resolution(arguments));
             simRobot.start();
             ports.start();
-            built.behaviours().start(simRobot, record::event);
+            built.behaviours().start(simRobot, event -> {
+                record.event(event);
+                console.ifPresent(printed -> printed.emit(event));
+            });
             if (console.isPresent()) {
                 RobotConsole commands = commands(arguments, built, console.get()::emit);
                 window.withConsole(() -> Program.runConsole(console.get(), arguments, commands));

@@ -23,6 +23,8 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
             colours();
             sizes();
             FlatPainter.replaceIn(defaults);
+            // arrow keys move through an open list; Enter takes the row, Escape leaves things as they were
+            defaults.put("ComboBox.noActionOnKeyNavigation", Boolean.TRUE);
         }
         return defaults;
     }

@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.awt.event.ActionEvent;
 import java.awt.image.BufferedImage;
+import javax.swing.Action;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JSpinner;
 import javax.swing.SwingUtilities;
@@ -175,5 +178,23 @@ class ThemeTest {
         assertEquals(128, Theme.color(Ink.ACCENT, 0.5).getAlpha());
         assertEquals(
                 Theme.color(Ink.ACCENT).getBlue(), Theme.color(Ink.ACCENT, 0.5).getBlue());
+    }
+
+    @Test
+    void keysInAnOpenListChangeNothingUntilEnter() {
+        Theme.install(Appearance.LIGHT);
+        boolean[] open = {true};
+        JComboBox<String> box = new JComboBox<>(new String[] {"none", "wander", "goto Behind"}) {
+            @Override
+            public boolean isPopupVisible() {
+                return open[0];
+            }
+        };
+        Action toEnd = SwingUtilities.getUIActionMap(box).get("endPassThrough");
+        toEnd.actionPerformed(new ActionEvent(box, ActionEvent.ACTION_PERFORMED, ""));
+        assertEquals("none", box.getSelectedItem());
+        open[0] = false;
+        toEnd.actionPerformed(new ActionEvent(box, ActionEvent.ACTION_PERFORMED, ""));
+        assertEquals("goto Behind", box.getSelectedItem(), "a closed box shows what it takes");
     }
 }

@@ -1,21 +1,27 @@
 package simgsm.phone.ui;
 
+import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
+import java.awt.event.HierarchyEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.beans.PropertyChangeListener;
 import javax.swing.AbstractAction;
 import javax.swing.ActionMap;
 import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import simgsm.phone.screen.PhoneKey;
 
 /**
  * Maps the computer's keyboard to the handset: typed characters are passed on in any keyboard layout; Enter, Escape and the
- * arrows are keys. A character stays pressed until a key is released. The keyboard's repetition of a phone key's symbol is
- * ignored.
+ * arrows are keys. A character stays pressed until a key is released or the focus leaves the panel, after which no release
+ * would be told. The keyboard's repetition of a phone key's symbol is ignored.
  */
 final class Keyboard {
+    private static final String FOCUS_OWNER = "focusOwner";
     private static final char NONE = '\0';
 
     private final HandsetControls controls;
@@ -52,7 +58,27 @@ final class Keyboard {
         bind(inputs, actions, controls, PhoneKey.SOFT_RIGHT, KeyEvent.VK_F5);
         bind(inputs, actions, controls, PhoneKey.MENU, KeyEvent.VK_CONTEXT_MENU);
         panel.setInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, inputs);
+        keyboard.watchFocus(panel);
         panel.setFocusable(true);
+    }
+
+    /** Listens as long as the panel is part of a window. */
+    private void watchFocus(JComponent panel) {
+        PropertyChangeListener moved = change -> {
+            Component owner = (Component) change.getNewValue();
+            if (owner == null || !SwingUtilities.isDescendingFrom(owner, panel)) {
+                release();
+            }
+        };
+        panel.addHierarchyListener(event -> {
+            if ((event.getChangeFlags() & HierarchyEvent.DISPLAYABILITY_CHANGED) != 0) {
+                KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+                focus.removePropertyChangeListener(FOCUS_OWNER, moved);
+                if (panel.isDisplayable()) {
+                    focus.addPropertyChangeListener(FOCUS_OWNER, moved);
+                }
+            }
+        });
     }
 
     private static void bind(InputMap inputs, ActionMap actions, HandsetControls controls, PhoneKey key, int code) {

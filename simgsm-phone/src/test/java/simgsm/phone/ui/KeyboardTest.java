@@ -3,12 +3,16 @@ package simgsm.phone.ui;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
+import java.awt.Component;
+import java.awt.DefaultKeyboardFocusManager;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.Action;
 import javax.swing.JComponent;
+import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
@@ -63,6 +67,32 @@ class KeyboardTest {
         letGo();
         type('5');
         assertEquals("55", bench.bench.snapshot().typed());
+    }
+
+    /** Tells listeners that the focus has moved, as the desktop does when another window is chosen. */
+    private static final class MovedFocus extends DefaultKeyboardFocusManager {
+        void to(Component owner) {
+            firePropertyChange("focusOwner", null, owner);
+        }
+    }
+
+    @Test
+    void aKeyHeldWhileTheFocusGoesElsewhereIsLetGo() {
+        KeyboardFocusManager before = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        MovedFocus focus = new MovedFocus();
+        KeyboardFocusManager.setCurrentKeyboardFocusManager(focus);
+        try {
+            bench.panel.addNotify();
+            type('5');
+            focus.to(bench.find("key.5"));
+            type('5');
+            assertEquals("5", bench.bench.snapshot().typed(), "still held");
+            focus.to(new JPanel());
+            type('5');
+            assertEquals("55", bench.bench.snapshot().typed(), "pressed again");
+        } finally {
+            KeyboardFocusManager.setCurrentKeyboardFocusManager(before);
+        }
     }
 
     @ParameterizedTest
