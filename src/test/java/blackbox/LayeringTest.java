@@ -53,7 +53,7 @@ class LayeringTest {
             simgsm.ui.window         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
             simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context
-            simgsm.station.call      : simgsm.state simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility
+            simgsm.station.call      : simgsm.ss simgsm.state simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility
             simgsm.station.sms       : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.station.context simgsm.station.mobility
             simgsm.station.ss        : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.ss simgsm.station.context simgsm.station.mobility
             simgsm.station           : simgsm.octets simgsm.net simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.sms simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.station.sms simgsm.station.ss

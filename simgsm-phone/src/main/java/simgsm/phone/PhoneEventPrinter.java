@@ -66,6 +66,8 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
             console.emit(Event.of("retrieved").with("number", digits(retrieved.peer())));
         } else if (event instanceof StationEvent.HeldCallEnded ended) {
             console.emit(Event.of("held-over").with("cause", ended.cause().code()));
+        } else if (event instanceof StationEvent.HeldByPeer peer) {
+            console.emit(Event.of(peer.onHold() ? "on-hold" : "on-hold-over"));
         } else if (event instanceof StationEvent.HoldRefused) {
             console.error("hold: the network refuses");
         } else if (event instanceof StationEvent.WaitingCallEnded) {

@@ -35,6 +35,28 @@ class CallHoldTest extends ThreePhones {
     }
 
     @Test
+    void whoIsHeldIsToldSoUntilTheCallIsTakenBack() {
+        aliceTalksWithBob();
+        hold(bob);
+        assertTrue(alice.isOnHold);
+        assertFalse(bob.isOnHold);
+        hold(bob);
+        assertFalse(alice.isOnHold);
+    }
+
+    @Test
+    void whoHoldsTheCallTooIsToldOfTheOthersHoldWhenItIsTakenBack() {
+        aliceTalksWithBob();
+        hold(bob);
+        hold(alice);
+        hold(bob);
+        assertTrue(bob.isOnHold);
+        hold(alice);
+        assertFalse(alice.isOnHold);
+        assertFalse(bob.isOnHold);
+    }
+
+    @Test
     void whoIsHeldHearsTheNetworksToneAndNothingOfTheOther() {
         aliceTalksWithBob();
         bob.level = 4000;

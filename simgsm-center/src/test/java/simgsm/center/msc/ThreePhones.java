@@ -42,6 +42,9 @@ abstract class ThreePhones {
         short level;
 
         int heardFrames;
+        /** What the network has told of the other party. */
+        boolean isOnHold;
+
         boolean heardSound;
         final Deque<IpaFrame> up = new ArrayDeque<>();
         final Deque<IpaFrame> down = new ArrayDeque<>();
@@ -111,7 +114,10 @@ abstract class ThreePhones {
                 told.add("refused " + end.error().map(error -> error.code()).orElse(-1));
             } else if (event instanceof StationEvent.CallHeld held) {
                 told.add("held " + held.peer().orElseThrow());
+            } else if (event instanceof StationEvent.HeldByPeer peer) {
+                isOnHold = peer.onHold();
             } else if (event instanceof StationEvent.CallRetrieved retrieved) {
+                isOnHold = false;
                 told.add("retrieved " + retrieved.peer().orElseThrow());
             } else if (event instanceof StationEvent.HeldCallEnded ended) {
                 told.add("held over " + ended.cause().code());

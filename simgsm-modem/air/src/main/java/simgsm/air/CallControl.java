@@ -2,6 +2,7 @@ package simgsm.air;
 
 import java.util.Optional;
 import simgsm.octets.Bounds;
+import simgsm.octets.OctetString;
 
 /** Call control messages (TS 24.008, 9.3), protocol discriminator 3. */
 public sealed interface CallControl extends Layer3Message {
@@ -118,6 +119,13 @@ public sealed interface CallControl extends Layer3Message {
     record RetrieveAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
     record RetrieveReject(TransactionIdentifier transaction, Cause cause) implements CallControl {}
+
+    /** A component of a supplementary service within the call (TS 24.008, 9.3.9). @param facility the element's value */
+    record Facility(TransactionIdentifier transaction, OctetString facility) implements CallControl {
+        public Facility {
+            facility.requireLength("facility", 0, SupplementaryService.MAX_FACILITY_LENGTH);
+        }
+    }
 
     record StatusEnquiry(TransactionIdentifier transaction) implements CallControl {}
 

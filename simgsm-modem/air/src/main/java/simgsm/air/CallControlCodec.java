@@ -47,6 +47,8 @@ final class CallControlCodec {
             CauseElement.write(out, reject.cause());
         } else if (message instanceof CallControl.RetrieveReject reject) {
             CauseElement.write(out, reject.cause());
+        } else if (message instanceof CallControl.Facility facility) {
+            out.octet(facility.facility().length()).string(facility.facility());
         } else if (message instanceof CallControl.Alerting alerting) {
             writeInBand(out, alerting.inBand());
         } else if (message instanceof CallControl.Disconnect disconnect) {
@@ -103,6 +105,8 @@ final class CallControlCodec {
             case DISCONNECT -> readDisconnect(ti, in);
             case RELEASE -> new CallControl.Release(ti, readOptionalCause(in));
             case RELEASE_COMPLETE -> new CallControl.ReleaseComplete(ti, readOptionalCause(in));
+            case FACILITY ->
+                new CallControl.Facility(ti, in.lengthAndValue("facility").rest());
             case STATUS_ENQUIRY -> new CallControl.StatusEnquiry(ti);
             default -> new CallControl.Status(ti, CauseElement.read(in), in.octet("call state") & 0x3f);
         };

@@ -51,6 +51,7 @@ public enum Layer3Type {
     START_DTMF(3, 0x35, Way.UP, StartDtmf.class, "Start DTMF"),
     START_DTMF_ACKNOWLEDGE(3, 0x36, Way.DOWN, StartDtmfAcknowledge.class, "Start DTMF Acknowledge"),
     START_DTMF_REJECT(3, 0x37, Way.DOWN, StartDtmfReject.class, "Start DTMF Reject"),
+    FACILITY(3, 0x3a, Way.BOTH, Facility.class, "Facility"),
     STATUS(3, 0x3d, Way.BOTH, Status.class, "Status"),
 
     HANDOVER_COMMAND(6, 0x2b, Way.DOWN, HandoverCommand.class, "Handover Command"),

@@ -23,13 +23,16 @@ final class ComponentText {
 
     /** What the message asks or answers, for its name; empty without a component. */
     static Optional<String> nameOf(SupplementaryService message) {
-        return facilityOf(message).map(facility -> {
-            try {
-                return name(ComponentCodec.decode(facility));
-            } catch (ComponentFault fault) {
-                return "unreadable component";
-            }
-        });
+        return facilityOf(message).map(ComponentText::nameOf);
+    }
+
+    /** What a facility element does. */
+    static String nameOf(OctetString facility) {
+        try {
+            return name(ComponentCodec.decode(facility));
+        } catch (ComponentFault fault) {
+            return "unreadable component";
+        }
     }
 
     private static Optional<OctetString> facilityOf(SupplementaryService message) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
+import simgsm.air.CallControl;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Header;
@@ -83,6 +84,9 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
                     + ComponentText.nameOf(service)
                             .map(what -> " (" + what + ")")
                             .orElse("");
+        }
+        if (message instanceof CallControl.Facility facility) {
+            return name + " (" + ComponentText.nameOf(facility.facility()) + ")";
         }
         return message instanceof ShortMessageControl.CpData data
                 ? name + " (" + relayName(data.relay(), direction) + ")"

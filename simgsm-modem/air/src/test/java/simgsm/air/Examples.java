@@ -145,6 +145,9 @@ public final class Examples {
             down(new HoldReject(ours(0), Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE), "031a02e0e5"),
             up(new Retrieve(theirs(0)), "831c"),
             down(new RetrieveAcknowledge(ours(0)), "031d"),
+            down(
+                    new CallControl.Facility(ours(0), OctetString.ofHex("a10e02010102011030068101428f0101")),
+                    "033a10a10e02010102011030068101428f0101"),
             down(new RetrieveReject(ours(0), Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE), "031e02e0e5"),
             down(new StopDtmfAcknowledge(theirs(0)), "8332"),
             up(new Disconnect(ours(0), Cause.NORMAL_CALL_CLEARING), "032502e090"),

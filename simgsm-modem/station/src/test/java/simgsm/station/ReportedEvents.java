@@ -44,6 +44,18 @@ final class ReportedEvents implements Consumer<StationEvent> {
             }
         } else if (event instanceof StationEvent.Connected connected) {
             lines.add("connected " + digits(connected.peer()));
+        } else if (event instanceof StationEvent.CallWaits waits) {
+            lines.add("waiting " + digits(waits.from()));
+        } else if (event instanceof StationEvent.CallHeld held) {
+            lines.add("held " + digits(held.peer()));
+        } else if (event instanceof StationEvent.CallRetrieved retrieved) {
+            lines.add("retrieved " + digits(retrieved.peer()));
+        } else if (event instanceof StationEvent.HeldCallEnded ended) {
+            lines.add("held over " + ended.cause().code());
+        } else if (event instanceof StationEvent.HoldRefused) {
+            lines.add("hold refused");
+        } else if (event instanceof StationEvent.HeldByPeer peer) {
+            lines.add(peer.onHold() ? "on hold" : "on hold over");
         } else if (event instanceof StationEvent.Released released) {
             lines.add("released " + released.cause().code());
         } else if (event instanceof StationEvent.NetworkPlaysTones tones) {

@@ -15,6 +15,7 @@ import simgsm.phone.screen.CallPhase;
  * @param ended the cause of the release, until the next key or call
  * @param waiting number of a second caller, empty text if unknown
  * @param held number of the party whose call is held, empty text if unknown
+ * @param onHold whether the other party holds this call
  */
 public record CallSnapshot(
         CallPhase phase,
@@ -24,13 +25,14 @@ public record CallSnapshot(
         String heard,
         Optional<Cause> ended,
         Optional<String> waiting,
-        Optional<String> held) {
+        Optional<String> held,
+        boolean onHold) {
     private static final int MAX_KEYS = 200;
 
     static final CallSnapshot NONE = begun(CallPhase.NONE, "");
 
     static CallSnapshot begun(CallPhase phase, String number) {
-        return new CallSnapshot(phase, number, 0, "", "", Optional.empty(), Optional.empty(), Optional.empty());
+        return new CallSnapshot(phase, number, 0, "", "", Optional.empty(), Optional.empty(), Optional.empty(), false);
     }
 
     /** The newest key from the far end. */
@@ -39,36 +41,40 @@ public record CallSnapshot(
     }
 
     CallSnapshot in(CallPhase next, String newNumber) {
-        return new CallSnapshot(next, newNumber, seconds, keyed, heard, ended, waiting, held);
+        return new CallSnapshot(next, newNumber, seconds, keyed, heard, ended, waiting, held, onHold);
     }
 
     CallSnapshot at(int newSeconds) {
-        return new CallSnapshot(phase, number, newSeconds, keyed, heard, ended, waiting, held);
+        return new CallSnapshot(phase, number, newSeconds, keyed, heard, ended, waiting, held, onHold);
     }
 
     CallSnapshot withKeyed(char key) {
-        return new CallSnapshot(phase, number, seconds, newest(keyed + key), heard, ended, waiting, held);
+        return new CallSnapshot(phase, number, seconds, newest(keyed + key), heard, ended, waiting, held, onHold);
     }
 
     CallSnapshot withHeard(char key) {
-        return new CallSnapshot(phase, number, seconds, keyed, newest(heard + key), ended, waiting, held);
+        return new CallSnapshot(phase, number, seconds, keyed, newest(heard + key), ended, waiting, held, onHold);
     }
 
     CallSnapshot ended(Cause cause) {
         return new CallSnapshot(
-                CallPhase.NONE, number, seconds, keyed, heard, Optional.of(cause), Optional.empty(), held);
+                CallPhase.NONE, number, seconds, keyed, heard, Optional.of(cause), Optional.empty(), held, false);
     }
 
     CallSnapshot withWaiting(Optional<String> caller) {
-        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, caller, held);
+        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, caller, held, onHold);
     }
 
     CallSnapshot withHeld(Optional<String> party) {
-        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, waiting, party);
+        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, waiting, party, onHold);
+    }
+
+    CallSnapshot withOnHold(boolean nowOnHold) {
+        return new CallSnapshot(phase, number, seconds, keyed, heard, ended, waiting, held, nowOnHold);
     }
 
     CallSnapshot withoutCause() {
-        return new CallSnapshot(phase, number, seconds, keyed, heard, Optional.empty(), waiting, held);
+        return new CallSnapshot(phase, number, seconds, keyed, heard, Optional.empty(), waiting, held, onHold);
     }
 
     private static String newest(String keys) {

@@ -14,18 +14,12 @@ import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneSet;
 import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.HomeKeys;
-import simgsm.phone.screen.KeyIntent;
 import simgsm.phone.screen.KeyMode;
-import simgsm.phone.screen.PhoneKey;
 import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.screen.ScreenNavigation;
 import simgsm.phone.screen.UserSettings;
 import simgsm.phone.screen.Words;
-import simgsm.phone.store.CallLog;
-import simgsm.phone.store.Contacts;
-import simgsm.phone.store.Mailbox;
 import simgsm.phone.store.MessageFolder;
-import simgsm.phone.store.PhoneImage;
 import simgsm.phone.store.StoredMessage;
 import simgsm.sim.SimPhoneBook;
 import simgsm.sms.ChannelList;
@@ -44,20 +38,18 @@ public final class Handset {
     private static final int KEY_MILLIS = 100;
     private static final int SAMPLES_PER_MILLI = 8;
     /** Shows the IMEI, without the network (TS 22.030, 6.7.2). */
-    private static final String IMEI_CODE = "*#06#";
+    static final String IMEI_CODE = "*#06#";
 
     private final Msisdn own;
     private final Consumer<StationEvent> listener;
     private final HandsetAudio audio;
     private final PhoneCall call = new PhoneCall();
-    private final Mailbox mailbox;
-    private final CallLog log = new CallLog();
+    private final HandsetStore store;
     private final CallHistory history;
     private final HandsetLog events;
-    private final Contacts contacts;
-    private final PhoneImage image;
     private final ScreenNavigation screens;
     private final HomeKeys home;
+    private final HandsetKeys keys;
     private final KeySender keysInBand;
     private final SignalledKeySender keysSignalled;
     /** Events that arrive while a message is being submitted, before the mailbox has it. */
@@ -67,10 +59,7 @@ public final class Handset {
     private StationCommands station;
     private Runnable whenSettled;
     private UserSettings settings;
-    private boolean ringIsSilent;
     private volatile HandsetSnapshot snapshot;
-    private Consumer<Map<String, String>> keep = texts -> {};
-    private UserSettings keptSettings;
 
     /** With European tones and an empty phone book. */
     public Handset(
@@ -109,14 +98,14 @@ public final class Handset {
         keysSignalled = new SignalledKeySender(() -> station, sent);
         audio = new HandsetAudio(output, this::keySender, tones, this::toneHeard);
         audio.setSound(settings.ringTone(), settings.volume());
-        mailbox = new Mailbox(wallClock);
-        history = new CallHistory(log, wallClock);
-        contacts = new Contacts(phoneBook);
-        events = new HandsetLog(wallClock, contacts::nameOf);
-        image = new PhoneImage(phoneBook, log, mailbox);
+        store = new HandsetStore(phoneBook, wallClock);
+        history = new CallHistory(store.log(), wallClock);
+        events = new HandsetLog(wallClock, store.contacts()::nameOf);
         phoneBook.whenChanged(this::changed);
-        screens = new ScreenNavigation(mailbox, log, contacts, () -> this.settings, this::about);
+        screens =
+                new ScreenNavigation(store.mailbox(), store.log(), store.contacts(), () -> this.settings, this::about);
         home = new HomeKeys(screens);
+        keys = new HandsetKeys(this, call, audio, store, screens, home);
     }
 
     private KeySender keySender() {
@@ -135,20 +124,18 @@ public final class Handset {
                         String.valueOf(cell.identity()),
                         String.valueOf(cell.areaCode()),
                         String.valueOf(cell.dbm()))));
-        lines.add(Words.of("about.names", contacts.all().size(), SimPhoneBook.CAPACITY));
+        lines.add(Words.of("about.names", store.contacts().all().size(), SimPhoneBook.CAPACITY));
         return lines;
     }
 
     /** What is kept for the next run: names, calls, messages, settings. */
     public Map<String, String> texts() {
-        Map<String, String> texts = image.texts();
-        texts.putAll(settings.texts());
-        return texts;
+        return store.texts(settings);
     }
 
     /** Takes over what an earlier run has kept, after {@link #attach}. @return the keys whose texts are not understood */
     public List<String> restore(Map<String, String> texts) {
-        List<String> wrong = new ArrayList<>(image.restore(texts));
+        List<String> wrong = new ArrayList<>(store.restore(texts));
         try {
             set(settings.restored(texts));
         } catch (IllegalArgumentException e) {
@@ -160,22 +147,26 @@ public final class Handset {
 
     /** Gives what is kept for the next run to this receiver, now and whenever it has changed, before its event is reported. */
     public void keepBy(Consumer<Map<String, String>> receiver) {
-        keep = receiver;
-        keep.accept(texts());
-    }
-
-    private void keepChanges() {
-        boolean isChanged = image.hasChanged() | !settings.equals(keptSettings);
-        keptSettings = settings;
-        if (isChanged) {
-            keep.accept(texts());
-        }
+        store.keepBy(receiver, settings);
     }
 
     /** Sets the station, once, before anything else. */
     public void attach(StationCommands newStation) {
         station = newStation;
         changed();
+    }
+
+    /** The keys, for a window and its keyboard. */
+    public HandsetKeys keys() {
+        return keys;
+    }
+
+    StationCommands station() {
+        return station;
+    }
+
+    UserSettings settings() {
+        return settings;
     }
 
     /** The current state; may be called from any thread. Null before {@link #attach}. */
@@ -236,7 +227,7 @@ public final class Handset {
         return isSent ? Optional.empty() : Optional.of(Refusal.USSD_UNDER_WAY);
     }
 
-    private void showImei() {
+    void showImei() {
         String imei = station.identity().imei().digits();
         home.clear();
         screens.showImei(imei);
@@ -291,7 +282,7 @@ public final class Handset {
     private Optional<Refusal> submit(Msisdn to, String text) {
         submitting = true;
         try {
-            mailbox.submitted(station.sendMessage(to, text), to.digits(), text);
+            store.mailbox().submitted(station.sendMessage(to, text), to.digits(), text);
             return Optional.empty();
         } catch (IllegalArgumentException tooLong) {
             return Optional.of(Refusal.TEXT_TOO_LONG);
@@ -325,8 +316,8 @@ public final class Handset {
 
     /** The received messages, oldest first, as they are before this call marks them as read. */
     public List<StoredMessage> readInbox() {
-        List<StoredMessage> inbox = mailbox.in(MessageFolder.INBOX);
-        mailbox.markAllRead(MessageFolder.INBOX);
+        List<StoredMessage> inbox = store.mailbox().in(MessageFolder.INBOX);
+        store.mailbox().markAllRead(MessageFolder.INBOX);
         changed();
         return inbox;
     }
@@ -339,7 +330,7 @@ public final class Handset {
     }
 
     private void checkSettled() {
-        boolean isSettled = audio.keysAreSent() && !mailbox.hasUnacknowledged() && !screens.awaitsUssd();
+        boolean isSettled = audio.keysAreSent() && !store.mailbox().hasUnacknowledged() && !screens.awaitsUssd();
         if (whenSettled != null && isSettled) {
             Runnable action = whenSettled;
             whenSettled = null;
@@ -354,180 +345,11 @@ public final class Handset {
         }
     }
 
-    // Keys of the window.
-
-    /** A key goes down; it sounds until {@link #keyUp}. */
-    public void keyDown(PhoneKey key, long nowNanos) {
-        timePassed(nowNanos);
-        home.hold(key, nowNanos);
-        if (!isPowered()) {
-            if (key == PhoneKey.END) {
-                powerOn();
-            }
-            return;
-        }
-        boolean hasHeld = call.snapshot().held().isPresent();
-        if (key == PhoneKey.END && (call.phase() != CallPhase.NONE || hasHeld && screens.isHome())) {
-            screens.home();
-            hangUp();
-        } else if (key == PhoneKey.CALL && call.phase() == CallPhase.RINGING) {
-            answer();
-        } else if (screens.isHome()) {
-            endTones();
-            perform(home.press(key, situation()));
-            if (home.typed().equals(IMEI_CODE)) {
-                showImei();
-            }
-        } else {
-            perform(screens.press(key, nowNanos));
-        }
-        changed();
-    }
-
-    /** The next key on the home screen ends what a released call has left. */
-    private void endTones() {
-        if (call.phase() == CallPhase.NONE) {
-            call.clearCause();
-            audio.stopTones();
-            if (audio.networkPlaysTones()) {
-                station.hangUp();
-            }
-        }
-    }
-
-    private void perform(KeyIntent intent) {
-        if (intent instanceof KeyIntent.PlayTone play) {
-            play(play.tone());
-        } else if (intent instanceof KeyIntent.DialText dial) {
-            dial(dial.text());
-        } else if (intent instanceof KeyIntent.SendText text) {
-            send(text);
-        } else if (intent instanceof KeyIntent.SendUssd code) {
-            ussd(code.text()).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, code.text()));
-        } else if (intent instanceof KeyIntent.ChangeSettings change) {
-            set(change.settings());
-        } else {
-            perform((KeyIntent.Simple) intent);
-        }
-    }
-
-    private void perform(KeyIntent.Simple intent) {
-        switch (intent) {
-            case NOTHING -> {}
-            case ANSWER -> answer();
-            case HANG_UP -> hangUp();
-            case SILENCE -> silence();
-            case HOLD -> hold().ifPresent(refusal -> screens.note(Note.Kind.REFUSED, ""));
-            case REJECT_SECOND -> rejectSecond();
-            case END_USSD -> station.endUssd();
-            case LOUDER -> set(settings.withVolume(settings.volume() + 1));
-            case QUIETER -> set(settings.withVolume(settings.volume() - 1));
-            case SWITCH_OFF -> powerOff();
-        }
-    }
-
-    private void silence() {
-        ringIsSilent = true;
-        audio.stopTones();
-    }
-
-    private void play(DtmfKey tone) {
-        boolean isConnected = call.phase() == CallPhase.CONNECTED;
-        if (isConnected) {
-            call.keyed(tone);
-        }
-        int millis = settings.toneLength().millis();
-        if (isConnected && millis > 0) {
-            audio.press(List.of(tone), millis, () -> {});
-        } else {
-            audio.keyDown(tone);
-        }
-    }
-
     /** Changes the user's settings. */
     public void set(UserSettings next) {
         settings = next;
         audio.setSound(next.ringTone(), next.volume());
         station.setCodec(next.codec());
-        changed();
-    }
-
-    private HomeKeys.Situation situation() {
-        CallSnapshot now = call.snapshot();
-        return new HomeKeys.Situation(
-                now.phase(),
-                ringIsSilent,
-                now.waiting().isPresent(),
-                now.held().isPresent(),
-                mailbox.unread(MessageFolder.INBOX),
-                log.unseenMissed());
-    }
-
-    private void dial(String text) {
-        if (ScreenNavigation.isServiceCode(text)) {
-            ussd(text).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, text));
-        } else if (!ScreenNavigation.isNumber(text)) {
-            screens.note(Note.Kind.NOT_A_NUMBER, text);
-        } else if (dial(Msisdn.parse(text)).isPresent()) {
-            screens.note(Note.Kind.REFUSED, text);
-        }
-    }
-
-    private void send(KeyIntent.SendText text) {
-        if (sendMessage(text.to(), text.text()).isPresent()) {
-            screens.note(Note.Kind.REFUSED, text.to().digits());
-        } else {
-            screens.submitted(text);
-        }
-    }
-
-    /** The key goes up again. */
-    public void keyUp(PhoneKey key, long nowNanos) {
-        timePassed(nowNanos);
-        audio.keyUp();
-        home.release(key);
-        changed();
-    }
-
-    /** A keyboard's Enter: the green key on the home screen and for a ringing call, else OK. */
-    public void enterDown(long nowNanos) {
-        boolean calls = screens.isHome() || call.phase() == CallPhase.RINGING;
-        keyDown(calls ? PhoneKey.CALL : PhoneKey.OK, nowNanos);
-    }
-
-    public void enterUp(long nowNanos) {
-        keyUp(PhoneKey.OK, nowNanos);
-    }
-
-    /** A character of a keyboard goes down: a letter during text entry, else the key of that name. */
-    public void charDown(char character, long nowNanos) {
-        if (!isPowered()) {
-            return;
-        }
-        if (screens.type(character)) {
-            changed();
-        } else if (character == '+' && screens.isHome() && call.phase() == CallPhase.NONE) {
-            home.plus();
-            changed();
-        } else {
-            PhoneKey.ofSymbol(character).ifPresent(key -> keyDown(key, nowNanos));
-        }
-    }
-
-    public void charUp(char character, long nowNanos) {
-        PhoneKey.ofSymbol(character).ifPresent(key -> keyUp(key, nowNanos));
-    }
-
-    /** The keyboard's key for erasing: what is before the cursor, else back to the page before. */
-    public void eraseDown() {
-        if (!isPowered()) {
-            return;
-        }
-        if (screens.isHome()) {
-            home.erase();
-        } else {
-            screens.eraseOrBack();
-        }
         changed();
     }
 
@@ -594,7 +416,7 @@ public final class Handset {
         } else if (event instanceof StationEvent.OfKey ofKey) {
             keysSignalled.accept(ofKey);
         } else if (event instanceof StationEvent.OfMessage message) {
-            mailbox.accept(message);
+            store.mailbox().accept(message);
         } else if (event instanceof StationEvent.OfUssd ofUssd) {
             screens.accept(ofUssd);
         }
@@ -605,9 +427,7 @@ public final class Handset {
         call.accept(event);
         audio.accept(event);
         if (event instanceof StationEvent.Calling || event instanceof StationEvent.Ringing) {
-            ringIsSilent = false;
-            home.clear();
-            screens.home();
+            keys.callBegins();
         } else if (event instanceof StationEvent.HoldRefused) {
             screens.note(Note.Kind.REFUSED, "");
         }
@@ -624,15 +444,15 @@ public final class Handset {
         listener.accept(event);
     }
 
-    private boolean isPowered() {
+    boolean isPowered() {
         return station.snapshot().powered();
     }
 
-    private void changed() {
+    void changed() {
         if (station == null) {
             return;
         }
-        keepChanges();
+        store.keepChanges(settings);
         snapshot = new HandsetSnapshot(
                 own,
                 station.snapshot(),
@@ -640,13 +460,13 @@ public final class Handset {
                 home.typed(),
                 home.caret(),
                 screens.current(),
-                screens.isHome() ? home.softKeys(situation()) : screens.softKeys(),
-                mailbox.in(MessageFolder.INBOX),
-                mailbox.in(MessageFolder.OUTBOX),
-                mailbox.in(MessageFolder.DRAFTS),
-                mailbox.in(MessageFolder.BROADCASTS),
-                contacts.names(),
-                log.unseenMissed(),
+                keys.softKeys(),
+                store.mailbox().in(MessageFolder.INBOX),
+                store.mailbox().in(MessageFolder.OUTBOX),
+                store.mailbox().in(MessageFolder.DRAFTS),
+                store.mailbox().in(MessageFolder.BROADCASTS),
+                store.contacts().names(),
+                store.log().unseenMissed(),
                 settings,
                 audio.sounding(),
                 audio.trace(),

@@ -89,6 +89,8 @@ public final class HandsetLog {
             add("log.retrieved", party(retrieved.peer()));
         } else if (event instanceof StationEvent.HeldCallEnded) {
             add("log.held_over");
+        } else if (event instanceof StationEvent.HeldByPeer peer) {
+            add(peer.onHold() ? "lcd.on_hold_by_peer" : "log.on_hold_over");
         } else if (event instanceof StationEvent.HoldRefused) {
             add("note.refused");
         } else if (event instanceof StationEvent.Released released) {

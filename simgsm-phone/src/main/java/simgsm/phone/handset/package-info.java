@@ -3,12 +3,12 @@
  * core on the station's owner thread; time comes in as nanoseconds, views take immutable snapshots.
  *
  * <pre>
- *   station's events --> Handset --> PhoneCall, Mailbox, HandsetAudio
- *   key pressed      --> Handset --> HomeKeys or ScreenNavigation --> KeyIntent --> Handset performs it:
+ *   station's events --> Handset --> PhoneCall, HandsetStore, HandsetAudio, HandsetLog
+ *   key pressed      --> HandsetKeys --> HomeKeys or ScreenNavigation --> KeyIntent --> Handset performs it:
  *   tone             --> HandsetAudio --> KeySender --> DtmfGenerator --> speech frames
  * </pre>
  *
  * <p>Read first: {@link simgsm.phone.handset.Handset}, then {@link simgsm.phone.handset.HandsetSnapshot} and
- * {@link simgsm.phone.handset.Screen}.
+ * {@link simgsm.phone.handset.HandsetKeys}.
  */
 package simgsm.phone.handset;

@@ -12,34 +12,34 @@ public interface HandsetControls {
     void perform(ObjLongConsumer<Handset> action);
 
     default void keyDown(PhoneKey key) {
-        perform((handset, now) -> handset.keyDown(key, now));
+        perform((handset, now) -> handset.keys().keyDown(key, now));
     }
 
     default void keyUp(PhoneKey key) {
-        perform((handset, now) -> handset.keyUp(key, now));
+        perform((handset, now) -> handset.keys().keyUp(key, now));
     }
 
     /** Presses the keyboard's Enter; its meaning depends on the screen. */
     default void enterDown() {
-        perform(Handset::enterDown);
+        perform((handset, now) -> handset.keys().enterDown(now));
     }
 
     default void enterUp() {
-        perform(Handset::enterUp);
+        perform((handset, now) -> handset.keys().enterUp(now));
     }
 
     /** Presses a character of the keyboard. */
     default void charDown(char character) {
-        perform((handset, now) -> handset.charDown(character, now));
+        perform((handset, now) -> handset.keys().charDown(character, now));
     }
 
     default void charUp(char character) {
-        perform((handset, now) -> handset.charUp(character, now));
+        perform((handset, now) -> handset.keys().charUp(character, now));
     }
 
     /** Presses the keyboard's key for erasing. */
     default void eraseDown() {
-        perform((handset, now) -> handset.eraseDown());
+        perform((handset, now) -> handset.keys().eraseDown());
     }
 
     /** Changes what the tone scope shows. */

@@ -53,8 +53,8 @@ final class LcdCall {
 
     void call(LcdPen pen, HandsetSnapshot phone) {
         CallSnapshot call = phone.call();
-        String phase = texts.of("lcd.call." + call.phase().name().toLowerCase(Locale.ROOT));
-        symbolOf(call.phase())
+        String phase = phaseOf(texts, call);
+        symbolOf(call)
                 .draw(
                         new GraphicsCanvas(pen.graphics()),
                         19 * pen.unit(),
@@ -125,9 +125,17 @@ final class LcdCall {
         pen.ink(Ink.LCD_INK);
     }
 
-    private static StatusMark symbolOf(CallPhase phase) {
-        return switch (phase) {
-            case CONNECTED -> StatusMark.DISC;
+    /** The call's phase in words. */
+    static String phaseOf(TextBundle texts, CallSnapshot call) {
+        return texts.of(
+                call.onHold()
+                        ? "lcd.on_hold_by_peer"
+                        : "lcd.call." + call.phase().name().toLowerCase(Locale.ROOT));
+    }
+
+    private static StatusMark symbolOf(CallSnapshot call) {
+        return switch (call.phase()) {
+            case CONNECTED -> call.onHold() ? StatusMark.HALF_DISC : StatusMark.DISC;
             case RINGING -> StatusMark.DIAMOND;
             default -> StatusMark.HALF_DISC;
         };

@@ -1,6 +1,5 @@
 package simgsm.phone.ui;
 
-import java.util.Locale;
 import java.util.stream.Collectors;
 import simgsm.console.TextBundle;
 import simgsm.phone.handset.CallSnapshot;
@@ -56,10 +55,6 @@ final class LcdSpoken {
         return home(phone);
     }
 
-    private String name(String family, Enum<?> item) {
-        return texts.of(family + item.name().toLowerCase(Locale.ROOT));
-    }
-
     /** The title and the selected row. */
     private String list(Screen.Listing list) {
         String title = words.of(list.title());
@@ -101,6 +96,6 @@ final class LcdSpoken {
         String held = call.held()
                 .map(number -> ", " + texts.of("lcd.held", phone.nameOf(number)))
                 .orElse("");
-        return name("lcd.call.", call.phase()) + " " + phone.nameOf(call.number()) + tone + meaning + waiting + held;
+        return LcdCall.phaseOf(texts, call) + " " + phone.nameOf(call.number()) + tone + meaning + waiting + held;
     }
 }

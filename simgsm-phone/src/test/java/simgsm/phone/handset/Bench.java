@@ -87,11 +87,11 @@ public final class Bench {
     }
 
     public void down(PhoneKey key) {
-        handset.keyDown(key, nowNanos);
+        handset.keys().keyDown(key, nowNanos);
     }
 
     public void up(PhoneKey key) {
-        handset.keyUp(key, nowNanos);
+        handset.keys().keyUp(key, nowNanos);
     }
 
     /** Presses keys one after the other, shortly. */
@@ -141,8 +141,8 @@ public final class Bench {
     /** Characters of a computer's keyboard. */
     public void type(String text) {
         text.chars().forEach(sign -> {
-            handset.charDown((char) sign, nowNanos);
-            handset.charUp((char) sign, nowNanos);
+            handset.keys().charDown((char) sign, nowNanos);
+            handset.keys().charUp((char) sign, nowNanos);
         });
     }
 

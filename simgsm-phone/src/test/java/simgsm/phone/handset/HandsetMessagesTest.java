@@ -147,7 +147,7 @@ class HandsetMessagesTest {
         for (int i = 0; i < 2; i++) {
             enter(bench);
         }
-        bench.handset.charDown('k', bench.nowNanos);
+        bench.handset.keys().charDown('k', bench.nowNanos);
         enter(bench);
         enter(bench);
         assertEquals(List.of("sms 5550200 k"), bench.station.asked);
@@ -166,8 +166,8 @@ class HandsetMessagesTest {
     }
 
     private static void enter(Bench bench) {
-        bench.handset.enterDown(bench.nowNanos);
-        bench.handset.enterUp(bench.nowNanos);
+        bench.handset.keys().enterDown(bench.nowNanos);
+        bench.handset.keys().enterUp(bench.nowNanos);
     }
 
     @Test
@@ -185,7 +185,7 @@ class HandsetMessagesTest {
     void aKeyboardWritesAnyLetter() {
         Bench bench = new Bench();
         bench.tap(PhoneKey.MESSAGE);
-        "** #*#90 **\u00e1".chars().forEach(letter -> bench.handset.charDown((char) letter, bench.nowNanos));
+        "** #*#90 **\u00e1".chars().forEach(letter -> bench.handset.keys().charDown((char) letter, bench.nowNanos));
         assertEquals("** #*#90 **\u00e1", ((Screen.Writing) bench.snapshot().screen()).text());
     }
 
@@ -198,7 +198,7 @@ class HandsetMessagesTest {
         assertEquals("3 Done", shownText(bench));
         assertEquals(0, bench.snapshot().unread());
         bench.tap(PhoneKey.OK);
-        bench.handset.charDown('k', bench.nowNanos);
+        bench.handset.keys().charDown('k', bench.nowNanos);
         bench.tap(PhoneKey.OK, PhoneKey.OK);
         assertEquals(List.of("sms 5550200 k"), bench.station.asked);
     }

@@ -11,6 +11,7 @@ import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.msc.link.PagedTransaction;
 import simgsm.dtmf.ToneSet;
+import simgsm.ss.HoldNotification;
 import simgsm.state.StateMachine;
 import simgsm.timer.Timer;
 
@@ -177,6 +178,13 @@ public final class CallLeg implements PagedTransaction {
             call.holdChanged(this);
         } else {
             link.send(new CallControl.RetrieveReject(transaction, Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE));
+        }
+    }
+
+    /** Tells this mobile that the other one holds the call, or has taken it back. */
+    void notifyHold(boolean onHold) {
+        if (state().speaks()) {
+            link.send(new CallControl.Facility(transaction, HoldNotification.encode(onHold)));
         }
     }
 

@@ -142,6 +142,7 @@ public final class NetworkCall {
     void holdChanged(CallLeg leg) {
         CallLeg other = other(leg);
         if (other != null) {
+            other.notifyHold(leg.isHeld());
             other.heldByOther(leg.isHeld() && !other.isHeld());
             leg.heldByOther(!leg.isHeld() && other.isHeld());
         }

@@ -35,7 +35,15 @@ public final class CallHoldTable {
         /** The active call has ended. */
         ACTIVE_ENDED,
         /** The held call has ended. */
-        HELD_ENDED
+        HELD_ENDED,
+        /** The network holds the active call after all; none is beside it, or one waits. */
+        HELD_LATE,
+        /** The same, while the calls were to change places. */
+        SWAP_HELD_LATE,
+        /** The network gives the held call back after all. */
+        RETRIEVED_LATE,
+        /** The same, while there is another call. */
+        RETRIEVED_IN_VAIN
     }
 
     /** Actions. */
@@ -84,7 +92,11 @@ public final class CallHoldTable {
                 .on(SWAP_HELD, EXPIRED, IDLE, CLEAR_HELD, PARK, REPORT_REFUSED)
                 .stay(EnumSet.of(IDLE), ACTIVE_ENDED)
                 .stay(EnumSet.of(IDLE), HELD_ENDED)
-                // Late answers.
+                // Late answers: the network has done what the user was told that it had not.
+                .on(IDLE, HELD_LATE, IDLE, PARK)
+                .on(IDLE, SWAP_HELD_LATE, SWAP_HELD, START_TIMER)
+                .on(IDLE, RETRIEVED_LATE, IDLE, RESUME)
+                .on(IDLE, RETRIEVED_IN_VAIN, IDLE, CLEAR_HELD)
                 .stay(EnumSet.of(IDLE), HOLD_ACKNOWLEDGE)
                 .stay(EnumSet.of(IDLE), HOLD_REJECT)
                 .stay(EnumSet.of(IDLE), RETRIEVE_ACKNOWLEDGE)

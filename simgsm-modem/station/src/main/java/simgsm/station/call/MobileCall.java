@@ -1,7 +1,9 @@
 package simgsm.station.call;
 
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.MobilityManagement.ServiceType;
@@ -46,6 +48,9 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     private Cause reportedCause = Cause.NORMAL_CALL_CLEARING;
 
+    /** The calls, by their transactions as in the messages sent, that the other party holds. */
+    private final Set<TransactionIdentifier> heldByPeer = new HashSet<>();
+
     /** Whether the message being processed announces tones of the network. */
     private boolean tonesAnnounced;
 
@@ -74,7 +79,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         this.keys = keys;
         this.callWaiting = callWaiting;
         this.ignoresSetup = ignoresSetup;
-        this.second = new SecondCall(context, this::heldEnded);
+        this.second = new SecondCall(context, this::heldEnded, heldByPeer::remove);
         hold = new StateMachine<>(CallHoldTable.TABLE, context.identity().number(), this::perform);
         machine = new StateMachine<>(MobileCallTable.TABLE, context.identity().number(), this::perform);
     }
@@ -96,8 +101,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             }
             return true;
         }
-        boolean isRetrieving = hold.state() == CallHoldState.RETRIEVE_REQUEST;
-        return state() == MobileCallState.NULL && !isRetrieving && begin(number);
+        return state() == MobileCallState.NULL && !isRetrieving() && begin(number);
     }
 
     private boolean begin(Msisdn number) {
@@ -201,9 +205,37 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     boolean holdAnswered(CallControl message) {
         CallHoldEvent event = HOLD_ANSWERS.get(message.getClass());
         if (event != null) {
-            hold.fire(event);
+            hold.fire(hold.state() == CallHoldState.IDLE ? late(event, message.transaction()) : event);
         }
         return event != null;
+    }
+
+    /** What an answer means for which nothing waits any more. */
+    private CallHoldEvent late(CallHoldEvent event, TransactionIdentifier received) {
+        if (event == CallHoldEvent.HOLD_ACKNOWLEDGE && state() == MobileCallState.ACTIVE && has(received)) {
+            return second.isHeld() ? CallHoldEvent.SWAP_HELD_LATE : CallHoldEvent.HELD_LATE;
+        }
+        boolean isBack = event == CallHoldEvent.RETRIEVE_ACKNOWLEDGE
+                && second.isHeld()
+                && second.transaction().equals(received.answered());
+        if (isBack) {
+            return state() == MobileCallState.NULL ? CallHoldEvent.RETRIEVED_LATE : CallHoldEvent.RETRIEVED_IN_VAIN;
+        }
+        return event;
+    }
+
+    /** The network has told whether the other party of one of the calls holds it. */
+    void heldByPeer(TransactionIdentifier received, boolean onHold) {
+        TransactionIdentifier own = received.answered();
+        boolean isNew = onHold ? heldByPeer.add(own) : heldByPeer.remove(own);
+        if (isNew && has(received)) {
+            report(new StationEvent.HeldByPeer(onHold));
+        }
+    }
+
+    /** While the held call is given back another cannot take its place. */
+    boolean isRetrieving() {
+        return hold.state() == CallHoldState.RETRIEVE_REQUEST;
     }
 
     private void perform(CallHoldAction action) {
@@ -233,6 +265,9 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         transaction = party.received().answered();
         peer = party.number();
         fire(party.isHeld() ? MobileCallEvent.CALL_RETRIEVED : MobileCallEvent.ANSWER_WAITING);
+        if (heldByPeer.contains(transaction)) {
+            report(new StationEvent.HeldByPeer(true));
+        }
     }
 
     /** Without a held and a current call the connection is not needed. */
@@ -333,6 +368,9 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         boolean accepted = machine.fire(event);
         if (accepted && state() == MobileCallState.NULL) {
             keys.end();
+            if (event != MobileCallEvent.CALL_HELD) {
+                heldByPeer.remove(transaction);
+            }
             transaction = null;
             peer = Optional.empty();
             if (event != MobileCallEvent.CALL_HELD) {

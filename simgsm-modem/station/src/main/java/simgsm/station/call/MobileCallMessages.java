@@ -10,6 +10,7 @@ import simgsm.air.Layer3Type;
 import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.TransactionIdentifier;
+import simgsm.ss.HoldNotification;
 import simgsm.station.context.StationContext;
 
 /** Passes the network's call control messages to the call or the waiting call; answers those of other transactions. */
@@ -38,6 +39,9 @@ public final class MobileCallMessages {
     public void arrived(CallControl message) {
         if (message instanceof CallControl.Setup setup) {
             offered(setup);
+        } else if (message instanceof CallControl.Facility facility && isKnown(message)) {
+            HoldNotification.decode(facility.facility())
+                    .ifPresent(onHold -> call.heldByPeer(facility.transaction(), onHold));
         } else if (isKnown(message) && call.holdAnswered(message)) {
             context.log().trace(Level.DEBUG, "{0} answers a request to hold or retrieve", message);
         } else if (call.has(message.transaction())) {
@@ -86,7 +90,7 @@ public final class MobileCallMessages {
             context.log().trace(Level.DEBUG, "SETUP of a known or foreign transaction ignored");
         } else if (call.acceptsWaitingCall()) {
             call.second().offered(setup);
-        } else if (call.state() != MobileCallState.NULL) {
+        } else if (call.state() != MobileCallState.NULL || call.isRetrieving()) {
             refuse(setup.transaction(), Cause.USER_BUSY);
         } else {
             call.offered(setup.transaction(), setup.calling());

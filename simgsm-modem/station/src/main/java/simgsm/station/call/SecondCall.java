@@ -1,6 +1,7 @@
 package simgsm.station.call;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
@@ -20,13 +21,17 @@ final class SecondCall {
     /** Runs when a held call has ended. */
     private final Runnable heldEnded;
 
+    private final Consumer<TransactionIdentifier> over;
+
     private Optional<Party> party = Optional.empty();
     /** The transaction, as received, of a call that was cleared here and that the network has not released yet. */
     private Optional<TransactionIdentifier> cleared = Optional.empty();
 
-    SecondCall(StationContext context, Runnable heldEnded) {
+    /** @param over is given the transaction, as sent, of each call that has ended */
+    SecondCall(StationContext context, Runnable heldEnded, Consumer<TransactionIdentifier> over) {
         this.context = context;
         this.heldEnded = heldEnded;
+        this.over = over;
     }
 
     boolean isPresent() {
@@ -118,6 +123,7 @@ final class SecondCall {
     void end(Cause cause) {
         Optional<Party> ended = party;
         party = Optional.empty();
+        ended.ifPresent(call -> over.accept(call.received().answered()));
         if (ended.isPresent() && ended.get().isHeld()) {
             context.events().add(new StationEvent.HeldCallEnded(cause));
             heldEnded.run();

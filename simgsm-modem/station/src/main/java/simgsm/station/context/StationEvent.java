@@ -67,6 +67,9 @@ public sealed interface StationEvent {
     /** The held call has ended. */
     record HeldCallEnded(Cause cause) implements OfCall {}
 
+    /** The other party holds the current call, or has taken it back. */
+    record HeldByPeer(boolean onHold) implements OfCall {}
+
     /** The network does not hold the call, or does not give it back. */
     record HoldRefused() implements OfCall {}
 

@@ -1,0 +1,220 @@
+package simgsm.phone.handset;
+
+import java.util.List;
+import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.CallPhase;
+import simgsm.phone.screen.HomeKeys;
+import simgsm.phone.screen.KeyIntent;
+import simgsm.phone.screen.PhoneKey;
+import simgsm.phone.screen.Screen.Note;
+import simgsm.phone.screen.ScreenNavigation;
+import simgsm.phone.screen.SoftKeys;
+import simgsm.phone.store.MessageFolder;
+
+/** The keys of the window and of a keyboard: what each does by the screen and the call, performed on the handset. */
+public final class HandsetKeys {
+    private final Handset handset;
+    private final PhoneCall call;
+    private final HandsetAudio audio;
+    private final HandsetStore store;
+    private final ScreenNavigation screens;
+    private final HomeKeys home;
+    private boolean ringIsSilent;
+
+    HandsetKeys(
+            Handset handset,
+            PhoneCall call,
+            HandsetAudio audio,
+            HandsetStore store,
+            ScreenNavigation screens,
+            HomeKeys home) {
+        this.handset = handset;
+        this.call = call;
+        this.audio = audio;
+        this.store = store;
+        this.screens = screens;
+        this.home = home;
+    }
+
+    /** A key goes down; it sounds until {@link #keyUp}. */
+    public void keyDown(PhoneKey key, long nowNanos) {
+        handset.timePassed(nowNanos);
+        home.hold(key, nowNanos);
+        if (!handset.isPowered()) {
+            if (key == PhoneKey.END) {
+                handset.powerOn();
+            }
+            return;
+        }
+        boolean hasHeld = call.snapshot().held().isPresent();
+        if (key == PhoneKey.END && (call.phase() != CallPhase.NONE || hasHeld && screens.isHome())) {
+            screens.home();
+            handset.hangUp();
+        } else if (key == PhoneKey.CALL && call.phase() == CallPhase.RINGING) {
+            handset.answer();
+        } else if (screens.isHome()) {
+            endTones();
+            perform(home.press(key, situation()));
+            if (home.typed().equals(Handset.IMEI_CODE)) {
+                handset.showImei();
+            }
+        } else {
+            perform(screens.press(key, nowNanos));
+        }
+        handset.changed();
+    }
+
+    /** The next key on the home screen ends what a released call has left. */
+    private void endTones() {
+        if (call.phase() == CallPhase.NONE) {
+            call.clearCause();
+            audio.stopTones();
+            if (audio.networkPlaysTones()) {
+                handset.station().hangUp();
+            }
+        }
+    }
+
+    private void perform(KeyIntent intent) {
+        if (intent instanceof KeyIntent.PlayTone play) {
+            play(play.tone());
+        } else if (intent instanceof KeyIntent.DialText dial) {
+            dial(dial.text());
+        } else if (intent instanceof KeyIntent.SendText text) {
+            send(text);
+        } else if (intent instanceof KeyIntent.SendUssd code) {
+            handset.ussd(code.text()).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, code.text()));
+        } else if (intent instanceof KeyIntent.ChangeSettings change) {
+            handset.set(change.settings());
+        } else {
+            perform((KeyIntent.Simple) intent);
+        }
+    }
+
+    private void perform(KeyIntent.Simple intent) {
+        switch (intent) {
+            case NOTHING -> {}
+            case ANSWER -> handset.answer();
+            case HANG_UP -> handset.hangUp();
+            case SILENCE -> silence();
+            case HOLD -> handset.hold().ifPresent(refusal -> screens.note(Note.Kind.REFUSED, ""));
+            case REJECT_SECOND -> handset.rejectSecond();
+            case END_USSD -> handset.station().endUssd();
+            case LOUDER ->
+                handset.set(handset.settings().withVolume(handset.settings().volume() + 1));
+            case QUIETER ->
+                handset.set(handset.settings().withVolume(handset.settings().volume() - 1));
+            case SWITCH_OFF -> handset.powerOff();
+        }
+    }
+
+    private void silence() {
+        ringIsSilent = true;
+        audio.stopTones();
+    }
+
+    private void play(DtmfKey tone) {
+        boolean isConnected = call.phase() == CallPhase.CONNECTED;
+        if (isConnected) {
+            call.keyed(tone);
+        }
+        int millis = handset.settings().toneLength().millis();
+        if (isConnected && millis > 0) {
+            audio.press(List.of(tone), millis, () -> {});
+        } else {
+            audio.keyDown(tone);
+        }
+    }
+
+    /** A call begins: a ringing one is to be heard. */
+    void callBegins() {
+        ringIsSilent = false;
+        home.clear();
+        screens.home();
+    }
+
+    /** What the keys under the display do. */
+    SoftKeys softKeys() {
+        return screens.isHome() ? home.softKeys(situation()) : screens.softKeys();
+    }
+
+    private HomeKeys.Situation situation() {
+        CallSnapshot now = call.snapshot();
+        return new HomeKeys.Situation(
+                now.phase(),
+                ringIsSilent,
+                now.waiting().isPresent(),
+                now.held().isPresent(),
+                store.mailbox().unread(MessageFolder.INBOX),
+                store.log().unseenMissed());
+    }
+
+    private void dial(String text) {
+        if (ScreenNavigation.isServiceCode(text)) {
+            handset.ussd(text).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, text));
+        } else if (!ScreenNavigation.isNumber(text)) {
+            screens.note(Note.Kind.NOT_A_NUMBER, text);
+        } else if (handset.dial(Msisdn.parse(text)).isPresent()) {
+            screens.note(Note.Kind.REFUSED, text);
+        }
+    }
+
+    private void send(KeyIntent.SendText text) {
+        if (handset.sendMessage(text.to(), text.text()).isPresent()) {
+            screens.note(Note.Kind.REFUSED, text.to().digits());
+        } else {
+            screens.submitted(text);
+        }
+    }
+
+    /** The key goes up again. */
+    public void keyUp(PhoneKey key, long nowNanos) {
+        handset.timePassed(nowNanos);
+        audio.keyUp();
+        home.release(key);
+        handset.changed();
+    }
+
+    /** A keyboard's Enter: the green key on the home screen and for a ringing call, else OK. */
+    public void enterDown(long nowNanos) {
+        boolean calls = screens.isHome() || call.phase() == CallPhase.RINGING;
+        keyDown(calls ? PhoneKey.CALL : PhoneKey.OK, nowNanos);
+    }
+
+    public void enterUp(long nowNanos) {
+        keyUp(PhoneKey.OK, nowNanos);
+    }
+
+    /** A character of a keyboard goes down: a letter during text entry, else the key of that name. */
+    public void charDown(char character, long nowNanos) {
+        if (!handset.isPowered()) {
+            return;
+        }
+        if (screens.type(character)) {
+            handset.changed();
+        } else if (character == '+' && screens.isHome() && call.phase() == CallPhase.NONE) {
+            home.plus();
+            handset.changed();
+        } else {
+            PhoneKey.ofSymbol(character).ifPresent(key -> keyDown(key, nowNanos));
+        }
+    }
+
+    public void charUp(char character, long nowNanos) {
+        PhoneKey.ofSymbol(character).ifPresent(key -> keyUp(key, nowNanos));
+    }
+
+    /** The keyboard's key for erasing: what is before the cursor, else back to the page before. */
+    public void eraseDown() {
+        if (!handset.isPowered()) {
+            return;
+        }
+        if (screens.isHome()) {
+            home.erase();
+        } else {
+            screens.eraseOrBack();
+        }
+        handset.changed();
+    }
+}
