@@ -3,7 +3,6 @@ package simrobot.ui.telephone;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -14,12 +13,12 @@ import simgsm.ui.Drawing;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 import simrobot.ui.TelephoneSnapshot;
-import vericommand.ReplyTone;
+import vericommand.OrderCourse;
 import vericommand.VeriCommandSnapshot;
 
 /**
  * What happens, in one line to be read from the last row of a class: the key that sounds with its two frequencies, the
- * order in words, the newest reply.
+ * order in words, what has become of it.
  */
 public final class PresentationView extends PaintedComponent {
     private static final double HEIGHT_UNITS = 96;
@@ -50,7 +49,7 @@ public final class PresentationView extends PaintedComponent {
                 .orElse("");
         String newTones =
                 line.heard().modem().digit().map(digit -> hertz(digit.key())).orElse("");
-        String newCourse = course(line);
+        String newCourse = course(line.orders());
         boolean nowSounding = line.heard().modem().isSounding();
         if (!newKey.equals(key) || !newCourse.equals(course) || nowSounding != isSounding) {
             change(() -> {
@@ -67,27 +66,15 @@ public final class PresentationView extends PaintedComponent {
         return Math.round(key.rowHertz()) + " + " + Math.round(key.columnHertz()) + " Hz";
     }
 
-    /** The order and the newest two replies, as {@code forward 20 cm - 6 executing - 3 executed}. */
-    private String course(TelephoneSnapshot line) {
-        VeriCommandSnapshot order = line.orders();
-        List<String> replies = order.message()
-                ? order.replies()
-                : line.tones()
-                        .chars()
-                        .mapToObj(tone -> String.valueOf((char) tone))
-                        .toList();
-        Stream<String> newest =
-                replies.stream().skip(Math.max(0, replies.size() - 2)).map(this::reply);
+    /** The order and what has become of it, as {@code forward 20 cm - 3 executed}. */
+    private String course(VeriCommandSnapshot order) {
         String ordered = order.words().isEmpty() ? order.keys() : order.words();
-        return Stream.concat(Stream.of(ordered), newest)
-                .filter(text -> !text.isEmpty())
-                .collect(Collectors.joining("  \u2013  "));
+        String outcome = order.course() == OrderCourse.NONE ? order.verdictText() : outcome(order.course());
+        return Stream.of(ordered, outcome).filter(text -> !text.isEmpty()).collect(Collectors.joining("  \u2013  "));
     }
 
-    private String reply(String text) {
-        char tone = text.isEmpty() ? ' ' : text.charAt(0);
-        boolean known = tone >= '1' && tone < '1' + ReplyTone.values().length;
-        return known ? tone + " " + ReplyTone.values()[tone - '1'].words(language) : text;
+    private String outcome(OrderCourse course) {
+        return course.tone().map(tone -> tone.key() + " ").orElse("") + course.words(language);
     }
 
     @Override
