@@ -36,7 +36,7 @@ import simrobot.world.World;
 public final class EditorPanel extends JPanel {
     private static final double[] RASTERS_METERS = {0, 0.1, 0.5};
     private static final String ENDING = "map";
-    private static final int KEEP_AFTER_MILLIS = 2_000;
+    private static final int KEEP_AFTER_MILLIS = 200;
 
     private final TextBundle texts;
     private final OperatorActions operator;

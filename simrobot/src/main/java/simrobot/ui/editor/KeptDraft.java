@@ -9,7 +9,7 @@ import simrobot.world.World;
 import simrobot.world.WorldReader;
 
 /**
- * The copy of an unsaved draft on the disk, {@code .NAME.draft} beside the world's file. It is there from 2 s after a change
+ * The copy of an unsaved draft on the disk, {@code .NAME.draft} beside the world's file. It is there from 0.2 s after a change
  * until the draft is saved or dropped; where the process ends in between, the editor offers it when it opens that file next.
  */
 final class KeptDraft {
