@@ -54,6 +54,8 @@ final class EventsCard extends JPanel {
     private final JCheckBox onlySelected;
     private List<LoggedEvent> events = List.of();
     private String selected = "";
+    private List<LoggedEvent> filtered = List.of();
+    private String filteredFor = "";
 
     EventsCard(TextBundle texts) {
         super(new BorderLayout());
@@ -79,18 +81,28 @@ final class EventsCard extends JPanel {
     }
 
     void show(List<LoggedEvent> newest, String robot) {
-        if (newest != events || !robot.equals(selected)) {
-            boolean sameRobot = robot.equals(selected);
-            events = newest;
-            selected = robot;
-            if (isShowing() || model.rows.isEmpty() || !sameRobot) {
-                filter();
-            }
+        events = newest;
+        selected = robot;
+        update();
+    }
+
+    /** A hidden log is not filtered. */
+    private void update() {
+        if (isVisible() && (events != filtered || !selected.equals(filteredFor))) {
+            filter();
         }
+    }
+
+    @Override
+    public void setVisible(boolean visible) {
+        super.setVisible(visible);
+        update();
     }
 
     /** A list that shows its end keeps showing it. */
     private void filter() {
+        filtered = events;
+        filteredFor = selected;
         var bar = pane.getVerticalScrollBar();
         boolean atEnd = bar.getValue() + bar.getVisibleAmount() >= bar.getMaximum() - Theme.px(4);
         model.show(

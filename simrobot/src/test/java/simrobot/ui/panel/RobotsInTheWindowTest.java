@@ -13,6 +13,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JList;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -289,6 +290,7 @@ class RobotsInTheWindowTest {
                 new LoggedEvent(1_230_000_000L, "bert", new RobotEvent.OrderVerified("**#**20**", "accepted")),
                 new LoggedEvent(2_000_000_000L, "anna", new RobotEvent.StatusChanged(RobotStatus.COLLISION)));
         bench.show();
+        bench.click("tab.events");
         EventsCard card = card();
         assertEquals(
                 "0:00:00.00\tanna\tadded, number 5550200\n"
@@ -299,6 +301,18 @@ class RobotsInTheWindowTest {
         assertEquals("0:00:00.00\tanna\tadded, number 5550200\n0:00:02.00\tanna\tCollision\n", card.copied());
         ((JList<?>) bench.component("events")).setSelectedIndex(1);
         assertEquals("0:00:02.00\tanna\tCollision\n", card.copied());
+        assertEquals("Collision", ((JTextArea) bench.component("events.whole")).getText());
+    }
+
+    @Test
+    void eventsThatCameWhileTheLogWasHiddenAreThereWhenItIsShown() {
+        bench.events = List.of(new LoggedEvent(0, "anna", new RobotEvent.Added("5550200")));
+        bench.show();
+        LoggedEvent collision = new LoggedEvent(9, "anna", new RobotEvent.StatusChanged(RobotStatus.COLLISION));
+        bench.events = List.of(bench.events.get(0), collision);
+        bench.show();
+        bench.click("tab.events");
+        assertEquals(2, ((JList<?>) bench.component("events")).getModel().getSize());
     }
 
     @Test
