@@ -18,6 +18,7 @@ import java.net.Socket;
 import java.net.URL;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.zip.GZIPInputStream;
@@ -286,7 +287,9 @@ class WebServerTest {
                 simulation.robot("ann").orElseThrow().place(0, 0, 1);
             }
             byte[] second = part(in);
-            assertFalse(java.util.Arrays.equals(first, second));
+            while (Arrays.equals(first, second)) {
+                second = part(in); // on a slow machine the first is repeated before the robot has moved
+            }
             assertArrayEquals(second, part(in), "and the same again, now and then");
         }
     }

@@ -116,9 +116,9 @@ public final class EditorPanel extends JPanel {
     private JPanel editRow() {
         return Arrange.row(
                 Theme.HALF,
-                ToolButtons.icon(new JButton(), undo),
-                ToolButtons.icon(new JButton(), redo),
-                ToolButtons.icon(new JButton(), delete),
+                named(undo),
+                named(redo),
+                named(delete),
                 rasters(),
                 ToolButtons.icon(new JButton(), action("smaller", Symbol.MINUS.icon(), 0, () -> floor.zoom(0.8))),
                 ToolButtons.icon(new JButton(), action("larger", Symbol.PLUS.icon(), 0, () -> floor.zoom(1.25))),

@@ -158,6 +158,7 @@ final class Inspector extends JPanel {
     }
 
     private void toggleNewRobotForm() {
+        wanted.run();
         if (isLow && !robotTab.isSelected()) {
             robotTab.doClick(0);
         }

@@ -126,6 +126,15 @@ class RunningPageTest {
     }
 
     @Test
+    void theKeyForANewRobotOpensTheHiddenInspector() throws Exception {
+        WindowBench bench = bench(Locale.ENGLISH, 940, 400);
+        assertFalse(isShown(bench.component("newcomer.name"), bench.panel));
+        press(bench, KeyStroke.getKeyStroke(KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK));
+        bench.resize(940, 400).resize(940, 400);
+        assertTrue(isShown(bench.component("newcomer.name"), bench.panel));
+    }
+
+    @Test
     void aPresentationHasOnlyTheFloorAndOneLine() throws Exception {
         WindowBench bench = bench(Locale.ENGLISH, 1100, 800);
         VeriCommandSnapshot order = new VeriCommandSnapshot(
