@@ -2,6 +2,7 @@ package simrobot.app;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,9 +31,18 @@ public final class RecentWorlds {
     RecentWorlds(Optional<WindowMemory> memory) {
         this.memory = memory;
         files = memory.map(kept -> kept.list(LIST)).orElse(List.of()).stream()
-                .map(Path::of)
+                .flatMap(text -> path(text).stream())
                 .limit(MOST)
                 .toList();
+    }
+
+    /** Empty for a text that something else has written. */
+    private static Optional<Path> path(String text) {
+        try {
+            return Optional.of(Path.of(text));
+        } catch (InvalidPathException e) {
+            return Optional.empty();
+        }
     }
 
     /** Those of the user; empty where nothing is remembered. */
@@ -72,10 +82,11 @@ public final class RecentWorlds {
         return files.stream().filter(Files::isReadable).toList();
     }
 
-    /** Puts a world first. */
+    /** Puts a world first, unless it is one that the program carries itself. */
     public synchronized void add(Path world) {
         Path file = world.toAbsolutePath().normalize();
-        if (files.isEmpty() || !files.get(0).equals(file)) {
+        boolean isFile = Files.isReadable(file);
+        if (isFile && (files.isEmpty() || !files.get(0).equals(file))) {
             List<Path> next = new ArrayList<>(files);
             next.remove(file);
             next.add(0, file);

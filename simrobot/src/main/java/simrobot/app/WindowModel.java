@@ -301,8 +301,9 @@ public final class WindowModel implements OperatorActions {
     @Override
     public void load(Path file) {
         worker.execute(() -> {
-            if (read(file)) {
-                recent.add(file);
+            Path place = WorldFile.find(Optional.of(file));
+            if (read(place)) {
+                recent.add(place);
             }
         });
     }

@@ -95,6 +95,15 @@ class RecentWorldsTest {
     }
 
     @Test
+    void aListThatSomethingElseHasWrittenIsLeftOut() throws Exception {
+        memory.get()
+                .keepList(
+                        "robot-worlds",
+                        List.of("a\u0000b", folder.toString(), world("a.map").toString()));
+        assertEquals(Optional.of(folder.resolve("a.map")), first());
+    }
+
+    @Test
     void withoutAMemoryTheyLastForTheSession() throws Exception {
         RecentWorlds recent = new RecentWorlds(Optional.empty());
         recent.add(world("a.map"));

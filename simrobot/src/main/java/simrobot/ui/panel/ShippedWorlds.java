@@ -14,6 +14,9 @@ final class ShippedWorlds {
     static final List<String> NAMES =
             List.of("demo.map", "office.map", "corridor.map", "maze.map", "treadmill.map", "empty.map");
 
+    /** Below the program's own folder or one above it. */
+    static final Path FOLDER = Path.of("worlds");
+
     private ShippedWorlds() {}
 
     /** What a world is for; empty for a file that does not hold one of these worlds. */

@@ -12,7 +12,9 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JFileChooser;
+import javax.swing.JLabel;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
@@ -27,6 +29,9 @@ import simrobot.ui.ToolButtons;
 
 /** The button with the world's name; its menu lists the worlds in its folder. */
 public final class WorldChoice {
+    /** In a folder; a picture is opened by name, for most pictures are no worlds. */
+    private static final List<String> LISTED = List.of("map", "wld", "yaml", "yml");
+
     private static final List<String> ENDINGS = List.of("map", "wld", "yaml", "yml", "png", "pgm");
 
     private final TextBundle texts;
@@ -70,24 +75,21 @@ public final class WorldChoice {
     public JPopupMenu menu() {
         JPopupMenu menu = new JPopupMenu();
         List<Path> neighbours = neighbours();
-        for (Path neighbour : neighbours) {
-            String name = neighbour.getFileName().toString();
-            String shown = ShippedWorlds.about(texts, neighbour)
-                    .map(about -> name + "  \u2013  " + about)
-                    .orElse(name);
-            menu.add(loading(neighbour, shown));
-        }
+        neighbours.forEach(world -> menu.add(loading(world)));
         menu.addSeparator();
         List<Path> recent = operator.recentWorlds().stream()
                 .filter(world -> !neighbours.contains(world))
                 .toList();
         if (!recent.isEmpty()) {
-            menu.add(ComponentNames.name(
-                    Theme.label(texts.of("tool.world.recent"), Theme::small, Ink.QUIET),
-                    "world.recent",
-                    texts.of("tool.world.recent")));
+            menu.add(heading("tool.world.recent"));
             recent.forEach(
                     world -> menu.add(loading(world, texts.of("tool.world.in", world.getFileName(), folder(world)))));
+            menu.addSeparator();
+        }
+        if (neighbours.stream()
+                .noneMatch(world -> ShippedWorlds.about(texts, world).isPresent())) {
+            menu.add(heading("tool.world.shipped"));
+            ShippedWorlds.NAMES.forEach(name -> menu.add(loading(ShippedWorlds.FOLDER.resolve(name))));
             menu.addSeparator();
         }
         menu.add(edit);
@@ -96,6 +98,21 @@ public final class WorldChoice {
         menu.add(new UserAction("world.reload", texts.of("tool.world.reload"), () -> operator.load(file)));
         menu.add(new UserAction("world.open", texts.of("tool.world.open"), this::choose));
         return menu;
+    }
+
+    private JComponent heading(String key) {
+        JLabel label = Theme.label(texts.of(key), Theme::small, Ink.QUIET);
+        label.setBorder(Theme.padding(4, 12, 2, 12));
+        return ComponentNames.name(label, key, texts.of(key));
+    }
+
+    private UserAction loading(Path world) {
+        String name = String.valueOf(world.getFileName());
+        return loading(
+                world,
+                ShippedWorlds.about(texts, world)
+                        .map(about -> name + "  \u2013  " + about)
+                        .orElse(name));
     }
 
     private UserAction loading(Path world, String shown) {
@@ -132,7 +149,7 @@ public final class WorldChoice {
 
     private static boolean isWorld(Path candidate) {
         String name = candidate.getFileName().toString().toLowerCase(Locale.ROOT);
-        return ENDINGS.stream().anyMatch(ending -> name.endsWith("." + ending));
+        return LISTED.stream().anyMatch(ending -> name.endsWith("." + ending));
     }
 
     private void choose() {
