@@ -177,14 +177,16 @@ public final class CenterWindow implements CenterActions {
         });
     }
 
-    /** A program that has ended is started again with its number; else the next free number is used. */
+    /** A program that has ended is started again as it was; else the next free number is used. */
     private synchronized void start(String jar, AtomicLong next, Function<WindowCascade, WindowPlace> place)
             throws IOException {
         if (children == null) {
             children = ChildPrograms.besideOwn();
         }
-        Optional<String> ended = children.endedNumber(jar);
-        String number = ended.isPresent() ? ended.get() : numberFor(next);
+        if (children.startAgain(jar).isPresent()) {
+            return;
+        }
+        String number = numberFor(next);
         if (cascade == null) {
             cascade = new WindowCascade(Display.usableArea());
         }

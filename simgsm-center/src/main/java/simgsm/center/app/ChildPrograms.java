@@ -23,9 +23,9 @@ public final class ChildPrograms implements AutoCloseable {
     /** They read no input, so its end does not end them. */
     private final List<Process> tools = new CopyOnWriteArrayList<>();
 
-    private record Child(String jar, String number, Process process, long farewellMillis) {}
+    private record Child(String jar, String number, List<String> arguments, Process process, long farewellMillis) {}
 
-    private ChildPrograms(ProgramFolder programs) {
+    ChildPrograms(ProgramFolder programs) {
         this.programs = programs;
     }
 
@@ -56,7 +56,7 @@ public final class ChildPrograms implements AutoCloseable {
                 .start();
         started.removeIf(child -> child.number.equals(number) && !child.process.isAlive());
         long farewellMillis = QuickStart.writesAtEnd(options) ? ARCHIVING_MILLIS : FAREWELL_MILLIS;
-        started.add(new Child(jar, number, process, farewellMillis));
+        started.add(new Child(jar, number, List.copyOf(arguments), process, farewellMillis));
         return process;
     }
 
@@ -89,12 +89,20 @@ public final class ChildPrograms implements AutoCloseable {
         return process;
     }
 
-    /** The number of the first program of this jar that was started here and has ended since. */
-    public Optional<String> endedNumber(String jar) {
-        return started.stream()
+    /**
+     * Starts the first program of this jar that was started here and has ended since: with its number and arguments, so in its
+     * place and world. Its standard output is discarded.
+     *
+     * @return the new process; empty if none has ended
+     */
+    public Optional<Process> startAgain(String jar) throws IOException {
+        Optional<Child> ended = started.stream()
                 .filter(child -> child.jar.equals(jar) && !child.process.isAlive())
-                .map(Child::number)
                 .findFirst();
+        if (ended.isEmpty()) {
+            return Optional.empty();
+        }
+        return Optional.of(start(jar, ended.get().number, ended.get().arguments, ProcessBuilder.Redirect.DISCARD));
     }
 
     /**

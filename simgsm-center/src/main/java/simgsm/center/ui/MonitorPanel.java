@@ -98,8 +98,7 @@ public final class MonitorPanel extends JPanel {
                 texts.of("divider.ladder"),
                 Locale.forLanguageTag(texts.of("window.language")),
                 LEAST_LADDER_UNITS);
-        split =
-                new DividedPanel(true, listsCard, ladderCard, divider, LEAST_LISTS_UNITS, MonitorPanel::ladderWidth);
+        split = new DividedPanel(true, listsCard, ladderCard, divider, LEAST_LISTS_UNITS, MonitorPanel::ladderWidth);
         listsSwitch = toggle("lists.shown", "window.lists", Symbol.LIST, this::showLists);
         listsSwitch.setSelected(true);
         listsSwitch.setHideActionText(true);

@@ -95,8 +95,7 @@ public final class LadderPanel extends JPanel {
                 texts.of("divider.message"),
                 Locale.forLanguageTag(texts.of("window.language")),
                 LEAST_UNITS);
-        split = new DividedPanel(
-                false, pane, detail, divider, LEAST_UNITS, room -> (int) (room * (1 - LADDER_SHARE)));
+        split = new DividedPanel(false, pane, detail, divider, LEAST_UNITS, room -> (int) (room * (1 - LADDER_SHARE)));
         split.showSecond(false);
         add(tools(), BorderLayout.NORTH);
         add(split, BorderLayout.CENTER);
