@@ -46,17 +46,17 @@ final class Launchers {
                 home=${home%%/bin/*}
                 case " $* " in
                 *" --headless "* | *" --run"*) quick= ;;
-                *) quick="-XX:TieredStopAtLevel=1 -XX:+UseSerialGC" ;;
+                *) quick="%s" ;;
                 esac
                 exec "$home/runtime/bin/java" $quick %s%s "$@"
-                """.formatted(cache, program.words());
+                """.formatted(String.join(" ", QuickStart.options()), cache, program.words());
     }
 
     private static String batch(ImageProgram program, String cache) {
         return """
                 @echo off\r
                 rem Starts a program of the SimGSM suite with the Java of this image.\r
-                "%%~dp0..\\runtime\\bin\\java.exe" -XX:TieredStopAtLevel=1 -XX:+UseSerialGC %s%s %%*\r
-                """.formatted(cache, program.words());
+                "%%~dp0..\\runtime\\bin\\java.exe" %s %s%s %%*\r
+                """.formatted(String.join(" ", QuickStart.options()), cache, program.words());
     }
 }

@@ -35,9 +35,13 @@ public final class CenterMain {
     private CenterMain() {}
 
     public static void main(String[] args) {
+        OptionalInt status = QuickDemo.run(args);
+        if (status.isPresent()) {
+            System.exit(status.getAsInt());
+        }
         new Program(Center.NAME, options())
                 .showingErrors(StartErrorWindow::show, "headless", "new-sim", "lessons", "check")
-                .runAndExit(args, arguments -> run(arguments, args));
+                .runAndExit(args, CenterMain::run);
     }
 
     private static Options options() {
@@ -149,7 +153,7 @@ public final class CenterMain {
                                 + CapturePlan.DEFAULT_LIMIT_MIB);
     }
 
-    private static int run(Arguments given, String... words) throws Exception {
+    private static int run(Arguments given) throws Exception {
         if (given.has("new-sim")) {
             return NewSims.make(given);
         }
@@ -164,12 +168,6 @@ public final class CenterMain {
         }
         if (given.has("lesson") && given.has("headless")) {
             throw new UsageException("--lesson with --headless needs --check");
-        }
-        if (given.has("demo")) {
-            OptionalInt status = QuickDemo.run(given, words);
-            if (status.isPresent()) {
-                return status.getAsInt();
-            }
         }
         Arguments arguments = WindowMemory.recall(given, given.has("demo") ? WindowedDemo.CENTER : "center");
         CenterSettings settings = CenterSettings.read(arguments);

@@ -7,7 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
-import simgsm.console.Arguments;
+import simgsm.console.ExitStatus;
+import simgsm.console.Program;
 import simgsm.console.ProgramFolder;
 import simgsm.console.QuickStart;
 
@@ -20,27 +21,59 @@ public final class QuickDemo {
     private static final String SECOND = "simgsm.quick";
 
     private static final String JAR = "simgsm-center.jar";
+    /** Options with which the program opens no window. */
+    private static final String[] WINDOWLESS = {
+        "--headless", "--help", "-h", "--version", "-V", "--new-sim", "--lessons", "--check"
+    };
+
     private static final long FAREWELL_SECONDS = 10;
 
     private QuickDemo() {}
 
     /**
-     * Runs the demo in a second process.
+     * Runs the demo in a second process. It is called before anything else of the program is loaded, because that would take as
+     * long as the start of the second process.
      *
-     * @param words the command line
-     * @return its exit status; empty where the demo is to run in this process: without a display, from an image, in the second
-     *     process, or with options of the Java machine that the user has chosen
+     * @param words the command line, not checked yet
+     * @return its exit status; empty where the program is to run in this process: without the demo's windows, from an image, in
+     *     the second process, with options of the Java machine that the user has chosen, or where none can be started
      */
-    public static OptionalInt run(Arguments arguments, String... words) throws IOException, InterruptedException {
-        if (arguments.has("headless") || System.getProperty(SECOND) != null || !mayHaveDisplay() || !isPlainCommand()) {
+    public static OptionalInt run(String... words) {
+        if (!has(words, "--demo") || System.getProperty(SECOND) != null || !mayHaveDisplay()) {
             return OptionalInt.empty();
         }
-        ProgramFolder programs = ProgramFolder.of(QuickDemo.class);
-        if (programs.isImage()) {
-            return OptionalInt.empty();
+        for (String windowless : WINDOWLESS) {
+            if (has(words, windowless)) {
+                return OptionalInt.empty();
+            }
         }
+        try {
+            ProgramFolder programs = ProgramFolder.of(QuickDemo.class);
+            if (programs.isImage() || !isPlainCommand()) {
+                return OptionalInt.empty();
+            }
+            return OptionalInt.of(run(programs, words));
+        } catch (IOException e) {
+            return OptionalInt.empty();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return OptionalInt.of(ExitStatus.FAILED);
+        }
+    }
+
+    private static boolean has(String[] words, String option) {
+        for (String word : words) {
+            if (word.equals(option) || word.startsWith(option + "=")) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static int run(ProgramFolder programs, String... words) throws IOException, InterruptedException {
         List<String> options = new ArrayList<>(QuickStart.options(programs, JAR));
         options.add("-D" + SECOND + "=true");
+        options.add("-D" + Program.IN_TERMINAL + "=" + (System.console() != null));
         List<String> command = programs.command(JAR, options);
         command.addAll(List.of(words));
         command.add("--end-with-input");
@@ -49,10 +82,10 @@ public final class QuickDemo {
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         Runtime.getRuntime().addShutdownHook(new Thread(() -> end(second), "end of the demo"));
-        if (arguments.has("end-with-input")) {
+        if (has(words, "--end-with-input")) {
             passEndOfInput(second);
         }
-        return OptionalInt.of(second.waitFor());
+        return second.waitFor();
     }
 
     /** Whether there may be a display, told without loading a desktop's libraries. */

@@ -19,7 +19,8 @@ import java.util.Optional;
  * line on standard error and an exit status.
  */
 public final class Program {
-    private static final System.Logger LOG = System.getLogger(Program.class.getName());
+    /** A system property: true if another process in a terminal has started this one and shows what it prints. */
+    public static final String IN_TERMINAL = "simgsm.terminal";
 
     /** The help of {@code --console}, for programs that have it. */
     public static final String CONSOLE_HELP =
@@ -95,7 +96,7 @@ public final class Program {
             return body.run(arguments);
         } catch (UsageException e) {
             err.println(name + ": " + e.getMessage() + "; see --help");
-            if (System.console() == null) {
+            if (System.console() == null && !Boolean.getBoolean(IN_TERMINAL)) {
                 showError(args, given, e.getMessage());
             }
             return ExitStatus.USAGE;
@@ -107,7 +108,7 @@ public final class Program {
             Thread.currentThread().interrupt();
             return ExitStatus.FAILED;
         } catch (Exception e) {
-            LOG.log(System.Logger.Level.DEBUG, "the run failed", e);
+            System.getLogger(Program.class.getName()).log(System.Logger.Level.DEBUG, "the run failed", e);
             return failed(ExitStatus.FAILED, e, err, args, given);
         }
     }

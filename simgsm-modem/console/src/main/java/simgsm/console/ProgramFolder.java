@@ -31,8 +31,11 @@ public record ProgramFolder(Path path, boolean isImage) {
      * @throws IOException if the class comes neither from a jar nor from an image
      */
     public static ProgramFolder of(Class<?> member) throws IOException {
-        URI own = location(member)
-                .orElseThrow(() -> new IOException("the Java machine does not tell where " + member + " lies"));
+        Optional<URI> known = location(member);
+        if (known.isEmpty()) {
+            throw new IOException("the Java machine does not tell where " + member + " lies");
+        }
+        URI own = known.get();
         if (own.getScheme().equals(IMAGE_SCHEME)) {
             return new ProgramFolder(Path.of(System.getProperty("java.home")), true);
         }

@@ -2,15 +2,15 @@ package simgsm.console;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 
 /**
- * Options of the Java machine with which a program starts in less CPU time: only the first compiler, the serial collector,
- * and for a window program an archive of its classes. The archive lies beside the jars as {@code PROGRAM-KEY.jsa}; the first
+ * Options of the Java machine with which a program starts in less CPU time: only the first compiler, on one thread, the
+ * serial collector, and for a window program an archive of its classes. The archive lies beside the jars as {@code PROGRAM-KEY.jsa}; the first
  * run writes it when it ends. The key is made of the Java machine and the jars, so an archive is never used after either has
  * changed. An image made by Java 25 or newer has a cache of linked classes for each window program,
  * {@code lib/PROGRAM.aot}; an older one has an archive in the place where the Java machine looks by itself.
@@ -22,11 +22,13 @@ public final class QuickStart {
      */
     public static final String RECORD_FOLDER = "simgsm.record";
 
-    private static final List<String> OPTIONS = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
+    private static final List<String> OPTIONS =
+            List.of("-XX:TieredStopAtLevel=1", "-XX:CICompilerCount=1", "-XX:+UseSerialGC");
     private static final String WRITE = "-XX:ArchiveClassesAtExit=";
     private static final String RECORD = "-XX:AOTMode=record";
     private static final String JAR = ".jar";
     private static final String ARCHIVE = ".jsa";
+    private static final int KEY_DIGITS = 8;
     private static final String CACHE = ".aot";
     /** The Java machine reports what it leaves out of an archive, which concerns no user. */
     private static final String QUIET = "-Xlog:cds*=off";
@@ -79,9 +81,17 @@ public final class QuickStart {
         return image.resolve("lib").resolve(program + CACHE);
     }
 
-    /** The options of a program of Java 25 or newer that records what it loads. */
+    /**
+     * The options of a program of Java 25 or newer that records what it loads. It does not record what is compiled: with that
+     * each start compiles at once all that the recorded run has compiled, which takes longer than it gains.
+     */
     public static List<String> recording(Path folder, String program) {
-        return List.of(RECORD, "-XX:AOTConfiguration=" + recordOf(folder, program), QUIET_CACHE);
+        return List.of(
+                "-XX:+UnlockDiagnosticVMOptions",
+                "-XX:-AOTRecordTraining",
+                RECORD,
+                "-XX:AOTConfiguration=" + recordOf(folder, program),
+                QUIET_CACHE);
     }
 
     /** What a program has recorded. */
@@ -97,8 +107,10 @@ public final class QuickStart {
         if (!Files.isWritable(folder)) {
             return List.of();
         }
-        for (Path old : files(folder, ".*" + ARCHIVE)) {
-            if (old.getFileName().toString().matches(program + "-[0-9a-f]{8}" + ARCHIVE)) {
+        for (Path old : files(folder, ARCHIVE)) {
+            String name = old.getFileName().toString();
+            if (name.startsWith(program + "-")
+                    && name.length() == archive.getFileName().toString().length()) {
                 Files.deleteIfExists(old);
             }
         }
@@ -120,17 +132,26 @@ public final class QuickStart {
         for (String property : List.of("java.home", "java.vm.name", "java.vm.version")) {
             all.append(System.getProperty(property)).append('\n');
         }
-        for (Path file : files(folder, ".*" + JAR)) {
-            all.append(file).append(Files.size(file)).append(Files.getLastModifiedTime(file));
+        for (Path file : files(folder, JAR)) {
+            all.append(file)
+                    .append(Files.size(file))
+                    .append(Files.getLastModifiedTime(file).toMillis());
         }
-        return String.format("%08x", all.toString().hashCode());
+        String key = Integer.toHexString(all.toString().hashCode());
+        return "0".repeat(KEY_DIGITS - key.length()) + key;
     }
 
-    private static List<Path> files(Path folder, String pattern) throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            return files.filter(file -> file.getFileName().toString().matches(pattern))
-                    .sorted()
-                    .toList();
+    /** Sorted. They are found without streams, which a Java machine without an archive takes long to begin. */
+    private static List<Path> files(Path folder, String ending) throws IOException {
+        List<Path> files = new ArrayList<>();
+        try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {
+            for (Path file : all) {
+                if (file.getFileName().toString().endsWith(ending)) {
+                    files.add(file);
+                }
+            }
         }
+        files.sort(null);
+        return files;
     }
 }

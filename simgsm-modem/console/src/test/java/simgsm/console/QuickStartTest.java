@@ -64,8 +64,22 @@ class QuickStartTest {
     }
 
     @Test
-    void anImageHasItsOwnArchive() {
-        assertEquals(QuickStart.options(), QuickStart.options(new ProgramFolder(folder, true), "simgsm-phone.jar"));
+    void aRunThatMakesAnArchiveIsToldFromOneThatUsesIt() throws IOException {
+        ProgramFolder programs = new ProgramFolder(folder, false);
+        assertTrue(QuickStart.writesAtEnd(QuickStart.options(programs, "simgsm-phone.jar")));
+        Files.writeString(archive(MAKE), "archive");
+        assertFalse(QuickStart.writesAtEnd(QuickStart.options(programs, "simgsm-phone.jar")));
+    }
+
+    @Test
+    void anImageUsesTheCacheThatItHasAndMakesNone() throws IOException {
+        ProgramFolder image = new ProgramFolder(folder, true);
+        assertEquals(QuickStart.options(), QuickStart.options(image, "simgsm-phone.jar"));
+        Path cache = QuickStart.cacheOf(folder, "simgsm-phone");
+        Files.createDirectories(cache.getParent());
+        Files.writeString(cache, "cache");
+        assertTrue(QuickStart.options(image, "simgsm-phone.jar").contains("-XX:AOTCache=" + cache));
+        assertEquals(QuickStart.options(), QuickStart.options(image, "simrobot.jar"));
     }
 
     private Path archive(String option) {

@@ -6,8 +6,6 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.Arrays;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import javax.swing.JComponent;
 import javax.swing.Painter;
 import javax.swing.UIDefaults;
@@ -48,16 +46,18 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         GRIP
     }
 
-    /** Region, states and kind of painter: {@code Button[Focused+MouseOver].backgroundPainter}. */
-    private static final Pattern KEY = Pattern.compile("([^\\[]+)\\[([^\\]]*)\\]\\.(\\w+Painter)");
-
-    /** Replaces Nimbus's painters by flat ones. */
+    /** Replaces Nimbus's painters by flat ones. Their keys have region, states and kind: {@code Button[Focused].backgroundPainter}. */
     static void replaceIn(UIDefaults defaults) {
         for (Object key : defaults.keySet().toArray()) {
-            Matcher match = KEY.matcher(key.toString());
-            FlatPainter painter = match.matches() ? of(match.group(1), match.group(2), match.group(3)) : null;
-            if (painter != null) {
-                defaults.put(key, painter);
+            String name = key.toString();
+            int states = name.indexOf('[');
+            int kind = name.indexOf("].", states);
+            if (states > 0 && kind > 0 && name.endsWith("Painter")) {
+                FlatPainter painter =
+                        of(name.substring(0, states), name.substring(states + 1, kind), name.substring(kind + 2));
+                if (painter != null) {
+                    defaults.put(key, painter);
+                }
             }
         }
     }
