@@ -2,7 +2,6 @@ package simgsm.cells.mobile;
 
 import java.lang.System.Logger.Level;
 import java.util.ArrayDeque;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Queue;
@@ -13,8 +12,6 @@ import simgsm.abis.RslMessage.Sapi;
 import simgsm.air.MobileIdentity;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
-import simgsm.cells.radio.RadioScale;
-import simgsm.cells.radio.ReceptionQuality;
 import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.ChannelUser;
@@ -34,8 +31,6 @@ public final class Mobile {
     public static final long PERIOD_NANOS = 480_000_000L;
 
     private static final System.Logger LOG = System.getLogger(Mobile.class.getName());
-    /** Above this share of lost blocks the link layer's repetitions are of no use. */
-    private static final double UNUSABLE = 0.9;
     /** Messages that wait in one direction at most; the terminal's own time-outs end the transaction long before. */
     private static final int MOST_HELD = 1_000;
 
@@ -43,7 +38,6 @@ public final class Mobile {
     private static final long RETURN_NANOS = 500_000_000L;
 
     private static final int ABNORMAL_RELEASE = 1;
-    private static final int POWER_LEVEL = 5;
 
     private final MobilePort port;
     private final MobileNetwork network;
@@ -54,7 +48,7 @@ public final class Mobile {
     private final SubscriberIdentity identity = new SubscriberIdentity();
     private final ChannelRequests requests;
     private final MobileSpeech speech;
-    private final RecentLevels recent;
+    private final RadioLink link;
     private final ChannelChange change;
     private final CellNotice notice = new CellNotice(this::send);
     private final StateMachine<MobileRadioState, MobileRadioEvent, MobileRadioAction> machine;
@@ -68,11 +62,6 @@ public final class Mobile {
     private TowerChannel channel;
 
     private ImmediateAssignment granted;
-    private RadioLinkCounter uplinkCounter = new RadioLinkCounter(4);
-    private RadioLinkCounter counter = new RadioLinkCounter(4);
-    private int reports;
-    private int quality;
-    private double erasure;
     private boolean isGone;
 
     private long measuredNanos;
@@ -105,7 +94,7 @@ public final class Mobile {
 
         @Override
         public void speechArrived(TowerChannel from, byte[] rtp) {
-            if (from == channel && machine.state() == MobileRadioState.DEDICATED && !isLost(frameErasure())) {
+            if (from == channel && machine.state() == MobileRadioState.DEDICATED && !link.losesDownlinkFrame()) {
                 speech.deliver(rtp);
             }
         }
@@ -132,7 +121,7 @@ public final class Mobile {
         this.timers = timers;
         walker = new Walker(place);
         reception = new Reception(network);
-        recent = new RecentLevels(network.towers().size());
+        link = new RadioLink(this, network, reception);
         selection = new IdleSelection(network.towers().size());
         requests = new ChannelRequests(network, timers, receiver);
         speech = new MobileSpeech(port, timers, millis -> network.happened(new MobileEvent.SpeechGap(this, millis)));
@@ -165,7 +154,7 @@ public final class Mobile {
         return nameOf(serving());
     }
 
-    private String nameOf(int tower) {
+    String nameOf(int tower) {
         return tower == IdleSelection.NONE
                 ? ""
                 : network.towers().get(tower).tower().name();
@@ -181,7 +170,7 @@ public final class Mobile {
 
     /** The levels of the last measurements in the connection. */
     public RecentLevels recent() {
-        return recent;
+        return link.recent();
     }
 
     /** The levels of all towers at the last measurement, in dBm. */
@@ -191,16 +180,16 @@ public final class Mobile {
 
     /** RXQUAL at the last measurement in a connection. */
     public int quality() {
-        return quality;
+        return link.quality();
     }
 
     public int radioLinkCount() {
-        return counter.count();
+        return link.count();
     }
 
     /** Measurement reports on this channel so far. */
     public int reports() {
-        return reports;
+        return link.reports();
     }
 
     /** The silence across the last handover. */
@@ -237,17 +226,9 @@ public final class Mobile {
 
     /** An RTP packet of the terminal. */
     public void speechArrived(byte[] rtp) throws ProtocolViolation {
-        if (machine.state() == MobileRadioState.DEDICATED && channel.isTraffic() && !isLost(frameErasure())) {
+        if (machine.state() == MobileRadioState.DEDICATED && channel.isTraffic() && !link.losesUplinkFrame()) {
             channel.sendSpeech(speech.convert(rtp));
         }
-    }
-
-    private boolean isLost(double share) {
-        return share > 0 && network.random() < share;
-    }
-
-    private double frameErasure() {
-        return erasure;
     }
 
     /** The terminal's connection is closed. */
@@ -334,9 +315,7 @@ public final class Mobile {
             machine.fire(MobileRadioEvent.CHANNEL_LOST);
             return;
         }
-        int timeout = tower.cell().map(cell -> cell.radioLinkTimeout()).orElse(32);
-        counter = new RadioLinkCounter(timeout);
-        uplinkCounter = new RadioLinkCounter(timeout);
+        link.begin(tower);
         change.begin();
         take(assigned.get());
         passed(PassingStep.Kind.IMMEDIATE_ASSIGNMENT, cell(), "", granted.timingAdvance());
@@ -346,12 +325,10 @@ public final class Mobile {
     /** Moves to a channel. */
     void take(TowerChannel newChannel) {
         channel = newChannel;
-        reports = 0;
-        recent.clear();
+        link.moved();
         if (newChannel.isTraffic()) {
             speech.restart();
         }
-        measureQuality();
     }
 
     TowerChannel current() {
@@ -372,8 +349,7 @@ public final class Mobile {
 
     /** Whether a block from a tower reaches the mobile now, by chance. */
     boolean receives(int tower) {
-        return network.towers().get(tower).isInService()
-                && !isLost(ReceptionQuality.blockErasureRate(reception.errorRate(tower)));
+        return network.towers().get(tower).isInService() && link.receivesBlock(tower);
     }
 
     int timingAdvance(int tower) {
@@ -418,9 +394,7 @@ public final class Mobile {
     }
 
     private boolean isReachable() {
-        return machine.state() == MobileRadioState.DEDICATED
-                && channel.isActive()
-                && ReceptionQuality.blockErasureRate(reception.errorRate(serving())) < UNUSABLE;
+        return machine.state() == MobileRadioState.DEDICATED && channel.isActive() && link.isUsable();
     }
 
     private void pass(RslMessage.DataRequest message) {
@@ -450,7 +424,7 @@ public final class Mobile {
         measuredNanos = now;
         reception.measure(walker.place());
         if (machine.state() == MobileRadioState.DEDICATED) {
-            measureQuality();
+            link.measure();
             report();
             passHeld();
         } else if (channel == null && identity.number().isPresent()) {
@@ -466,12 +440,6 @@ public final class Mobile {
         } else {
             notice.tell(network.towers().get(tower).cell(), reception.levelsDbm()[tower]);
         }
-    }
-
-    private void measureQuality() {
-        double errorRate = reception.errorRate(serving());
-        quality = RadioScale.rxqual(errorRate);
-        erasure = ReceptionQuality.frameErasureRate(errorRate);
     }
 
     private void chooseCell(long now) {
@@ -493,41 +461,9 @@ public final class Mobile {
     }
 
     private void report() {
-        recent.add(reception.levelsDbm());
-        double lost = ReceptionQuality.blockErasureRate(reception.errorRate(serving()));
-        boolean isUplinkGood = !isLost(lost) && channel.isActive();
-        boolean isDownlinkGood = !isLost(lost) && channel.isActive();
-        sendReport(isUplinkGood);
-        if (uplinkCounter.block(isUplinkGood)) {
-            channel.forsake(true);
-        }
-        if (counter.block(isDownlinkGood)) {
+        if (link.report(channel)) {
             network.happened(new MobileEvent.RadioLinkFailed(this));
             machine.fire(MobileRadioEvent.LINK_FAILED);
-        }
-    }
-
-    private void sendReport(boolean isReceived) {
-        int tower = serving();
-        List<Integer> neighbours = reception.neighbours(tower);
-        int level = RadioScale.rxlev(reception.levelsDbm()[tower]);
-        int sent = channel.measured(
-                level,
-                quality,
-                POWER_LEVEL,
-                reception.timingAdvance(tower, walker.place()),
-                isReceived ? Optional.of(reception.report(tower, neighbours)) : Optional.empty());
-        if (sent >= 0) {
-            reports++;
-            network.happened(new MobileEvent.Reported(
-                    this,
-                    sent,
-                    nameOf(tower),
-                    level,
-                    neighbours.stream()
-                            .map(each -> new MobileEvent.NeighbourLevel(
-                                    nameOf(each), RadioScale.rxlev(reception.levelsDbm()[each])))
-                            .toList()));
         }
     }
 

@@ -27,6 +27,11 @@ public final class Walker {
         return points.isEmpty() ? List.of() : points.subList(next, points.size());
     }
 
+    /** 0 while it stands. */
+    double metresPerSecond() {
+        return points.isEmpty() ? 0 : metresPerSecond;
+    }
+
     /** Stands here from now on. */
     public void standAt(TownPlace newPlace) {
         place = newPlace;

@@ -1,0 +1,139 @@
+package simgsm.cells.mobile;
+
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.MeasurementResults;
+import simgsm.cells.radio.FrameLosses;
+import simgsm.cells.radio.RadioScale;
+import simgsm.cells.radio.ReceptionQuality;
+import simgsm.cells.tower.BaseStation;
+import simgsm.cells.tower.TowerChannel;
+import simgsm.cells.town.Frequencies;
+
+/** How well a mobile and the tower of its channel receive each other: quality, lost frames and blocks, reports, the link's end. */
+final class RadioLink {
+    /** Above this share of lost blocks the link layer's repetitions are of no use. */
+    private static final double UNUSABLE = 0.9;
+
+    private static final int STANDARD_TIMEOUT = 32;
+    private static final int POWER_LEVEL = 5;
+
+    private final Mobile mobile;
+    private final MobileNetwork network;
+    private final Reception reception;
+    private final RecentLevels recent;
+    private final FrameLosses downlinkLosses;
+    private final FrameLosses uplinkLosses;
+    private RadioLinkCounter downlink = new RadioLinkCounter(STANDARD_TIMEOUT);
+    private RadioLinkCounter uplink = new RadioLinkCounter(STANDARD_TIMEOUT);
+    private int reports;
+    private int quality;
+    private double erasure;
+
+    RadioLink(Mobile mobile, MobileNetwork network, Reception reception) {
+        this.mobile = mobile;
+        this.network = network;
+        this.reception = reception;
+        recent = new RecentLevels(network.towers().size());
+        downlinkLosses = new FrameLosses(network::random);
+        uplinkLosses = new FrameLosses(network::random);
+    }
+
+    /** The levels of the last measurements. */
+    RecentLevels recent() {
+        return recent;
+    }
+
+    /** RXQUAL at the last measurement. */
+    int quality() {
+        return quality;
+    }
+
+    /** The mobile's radio link counter. */
+    int count() {
+        return downlink.count();
+    }
+
+    /** Measurement reports on this channel so far. */
+    int reports() {
+        return reports;
+    }
+
+    /** The mobile comes onto its first channel. */
+    void begin(BaseStation tower) {
+        int timeout = tower.cell().map(cell -> cell.radioLinkTimeout()).orElse(STANDARD_TIMEOUT);
+        downlink = new RadioLinkCounter(timeout);
+        uplink = new RadioLinkCounter(timeout);
+    }
+
+    /** The mobile is on another channel. */
+    void moved() {
+        reports = 0;
+        recent.clear();
+        measure();
+    }
+
+    /** Takes the levels of the last measurement. */
+    void measure() {
+        double errorRate = reception.errorRate(mobile.serving());
+        quality = RadioScale.rxqual(errorRate);
+        erasure = ReceptionQuality.frameErasureRate(errorRate);
+    }
+
+    boolean losesDownlinkFrame() {
+        return loses(downlinkLosses);
+    }
+
+    boolean losesUplinkFrame() {
+        return loses(uplinkLosses);
+    }
+
+    private boolean loses(FrameLosses losses) {
+        int arfcn = network.towers().get(mobile.serving()).tower().arfcn();
+        return losses.next(erasure, mobile.walker().metresPerSecond(), Frequencies.downlinkMegahertz(arfcn));
+    }
+
+    /** Whether a block from a tower reaches the mobile now, by chance. */
+    boolean receivesBlock(int tower) {
+        double lost = ReceptionQuality.blockErasureRate(reception.errorRate(tower));
+        return lost <= 0 || network.random() >= lost;
+    }
+
+    /** Whether messages get through, if repeated. */
+    boolean isUsable() {
+        return ReceptionQuality.blockErasureRate(reception.errorRate(mobile.serving())) < UNUSABLE;
+    }
+
+    /** Sends a report and counts the blocks of both directions. @return whether the link has failed */
+    boolean report(TowerChannel channel) {
+        recent.add(reception.levelsDbm());
+        int tower = mobile.serving();
+        boolean isUplinkGood = receivesBlock(tower) && channel.isActive();
+        boolean isDownlinkGood = receivesBlock(tower) && channel.isActive();
+        sendReport(channel, tower, isUplinkGood);
+        if (uplink.block(isUplinkGood)) {
+            channel.forsake(true);
+        }
+        return downlink.block(isDownlinkGood);
+    }
+
+    private void sendReport(TowerChannel channel, int tower, boolean isReceived) {
+        List<Integer> neighbours = reception.neighbours(tower);
+        int level = RadioScale.rxlev(reception.levelsDbm()[tower]);
+        Optional<MeasurementResults> report =
+                isReceived ? Optional.of(reception.report(tower, neighbours)) : Optional.empty();
+        int sent = channel.measured(level, quality, POWER_LEVEL, mobile.timingAdvance(tower), report);
+        if (sent >= 0) {
+            reports++;
+            network.happened(new MobileEvent.Reported(
+                    mobile,
+                    sent,
+                    mobile.nameOf(tower),
+                    level,
+                    neighbours.stream()
+                            .map(each -> new MobileEvent.NeighbourLevel(
+                                    mobile.nameOf(each), RadioScale.rxlev(reception.levelsDbm()[each])))
+                            .toList()));
+        }
+    }
+}

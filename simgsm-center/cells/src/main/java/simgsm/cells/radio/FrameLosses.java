@@ -1,0 +1,56 @@
+package simgsm.cells.radio;
+
+import java.util.function.DoubleSupplier;
+
+/**
+ * The lost speech frames of one direction of a call. They come in bursts as long as the fades of a Rayleigh channel at the
+ * mobile's speed: a chain of two states, lost and received (Gilbert), whose share of lost frames is given.
+ */
+public final class FrameLosses {
+    private static final double FRAME_SECONDS = 0.02;
+    private static final double METRES_PER_SECOND_OF_LIGHT = 299_792_458;
+    /** People and cars move about a mobile that stands: 3 km/h, the slowest profile of TS 45.005 (TU3). */
+    private static final double LEAST_METRES_PER_SECOND = 3 / 3.6;
+
+    private final DoubleSupplier random;
+    private boolean isLost;
+
+    /** @param random from 0 to less than 1 */
+    public FrameLosses(DoubleSupplier random) {
+        this.random = random;
+    }
+
+    /**
+     * Whether the next frame is lost.
+     *
+     * @param share of lost frames in the long run, 0 to 1; without losses no number is drawn
+     */
+    public boolean next(double share, double metresPerSecond, double megahertz) {
+        if (share <= 0 || share >= 1) {
+            isLost = share >= 1;
+        } else {
+            double burst = burstFrames(share, dopplerHertz(metresPerSecond, megahertz));
+            double lossRate = isLost ? 1 - 1 / burst : share / (1 - share) / burst;
+            isLost = random.getAsDouble() < lossRate;
+        }
+        return isLost;
+    }
+
+    static double dopplerHertz(double metresPerSecond, double megahertz) {
+        return Math.max(metresPerSecond, LEAST_METRES_PER_SECOND) * megahertz * 1e6 / METRES_PER_SECOND_OF_LIGHT;
+    }
+
+    /** Mean number of frames that are lost in a row: those of a fade, at least as many as by chance. */
+    static double burstFrames(double share, double dopplerHertz) {
+        return Math.max(1 / (1 - share), fadeSeconds(share, dopplerHertz) / FRAME_SECONDS);
+    }
+
+    /**
+     * The average duration of fades below the level under which a Rayleigh channel is for this share of the time:
+     * (exp(r^2) - 1) / (r f sqrt(2 pi)) at r = sqrt(-ln(1 - share)) of the effective level (Jakes).
+     */
+    static double fadeSeconds(double share, double dopplerHertz) {
+        double ratio = Math.sqrt(-Math.log1p(-share));
+        return Math.expm1(ratio * ratio) / (ratio * dopplerHertz * Math.sqrt(2 * Math.PI));
+    }
+}
