@@ -8,7 +8,7 @@ import java.util.function.DoubleSupplier;
  */
 public final class FrameLosses {
     private static final double FRAME_SECONDS = 0.02;
-    private static final double METRES_PER_SECOND_OF_LIGHT = 299_792_458;
+    private static final double LIGHT_METRES_PER_SECOND = 299_792_458;
     /** People and cars move about a mobile that stands: 3 km/h, the slowest profile of TS 45.005 (TU3). */
     private static final double LEAST_METRES_PER_SECOND = 3 / 3.6;
 
@@ -37,7 +37,7 @@ public final class FrameLosses {
     }
 
     static double dopplerHertz(double metresPerSecond, double megahertz) {
-        return Math.max(metresPerSecond, LEAST_METRES_PER_SECOND) * megahertz * 1e6 / METRES_PER_SECOND_OF_LIGHT;
+        return Math.max(metresPerSecond, LEAST_METRES_PER_SECOND) * megahertz * 1e6 / LIGHT_METRES_PER_SECOND;
     }
 
     /** Mean number of frames that are lost in a row: those of a fade, at least as many as by chance. */

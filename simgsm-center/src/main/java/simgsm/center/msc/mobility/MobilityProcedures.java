@@ -187,7 +187,8 @@ public final class MobilityProcedures implements LinkUser {
             if (!hasKey) {
                 refuse(link);
             } else if (own.isEmpty()) {
-                link.send(new MobilityManagement.CmServiceReject(RejectCause.IMSI_UNKNOWN_IN_VLR));
+                // Detached meanwhile.
+                link.radio().release();
             } else {
                 if (own.get() != link) {
                     own.get().takeOver(link);
