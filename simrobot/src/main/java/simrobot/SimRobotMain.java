@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -115,7 +116,7 @@ public final class SimRobotMain {
         double speed = SimRobotOptions.speed(arguments);
         Path file = arguments.path("replay").orElseThrow();
         if (!arguments.has("headless")) {
-            return replayInWindow(ProgramWindow.of(arguments, Optional.empty()), arguments.language(), file, speed);
+            return replayInWindow(arguments, ProgramWindow.of(arguments, Optional.empty()), file, speed);
         }
         OptionalDouble pace = arguments.has("speed") ? OptionalDouble.of(speed) : OptionalDouble.empty();
         return new HeadlessReplay(Program.standardOutput(), System.err, pace).play(file);
@@ -129,11 +130,13 @@ public final class SimRobotMain {
         }
     }
 
-    /** Replays in the window, from the beginning. */
-    private static int replayInWindow(ProgramWindow window, Locale language, Path file, double speed)
-            throws IOException, InterruptedException {
+    /** Replays in the window, from the beginning or from where the arguments say. */
+    private static int replayInWindow(Arguments arguments, ProgramWindow window, Path file, double speed)
+            throws UsageException, IOException, InterruptedException {
+        long from = arguments.integer("replay-from", 0, 0, Integer.MAX_VALUE);
         try (ReplayThread replay = opened(file)) {
-            ReplayModel model = new ReplayModel(replay, new RefusalTexts(language));
+            ReplayModel model = new ReplayModel(replay, new RefusalTexts(arguments.language()));
+            replay.seek(replay.recording().firstNanos() + TimeUnit.SECONDS.toNanos(from));
             replay.onFailure(fault -> FatalError.end(NAME, fault));
             replay.setSpeed(speed);
             replay.setPaused(false);

@@ -88,6 +88,7 @@ public final class SimRobotOptions {
                         "FILE",
                         "replay a recorded session, in the window with a timeline; headless its events,"
                                 + "\nat the pace of --speed or at once")
+                .value("replay-from", "SECONDS", "in the window: begin the replay there")
                 .value("speed", "N", "simulated seconds per second (1)")
                 .value(
                         "noise",

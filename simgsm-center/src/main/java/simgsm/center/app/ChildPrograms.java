@@ -41,7 +41,7 @@ public final class ChildPrograms implements AutoCloseable {
     /**
      * Starts a program. Its standard error is this program's; the caller reads or discards its standard output.
      *
-     * @param number the telephone number that it registers with
+     * @param number the telephone number that it registers with; empty for none
      */
     public Process start(String jar, String number, List<String> arguments, ProcessBuilder.Redirect output)
             throws IOException {
@@ -97,7 +97,7 @@ public final class ChildPrograms implements AutoCloseable {
      */
     public Optional<Process> startAgain(String jar) throws IOException {
         Optional<Child> ended = started.stream()
-                .filter(child -> child.jar.equals(jar) && !child.process.isAlive())
+                .filter(child -> child.jar.equals(jar) && !child.process.isAlive() && !child.number.isEmpty())
                 .findFirst();
         if (ended.isEmpty()) {
             return Optional.empty();

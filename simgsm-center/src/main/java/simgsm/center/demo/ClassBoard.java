@@ -6,8 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import simgsm.console.Event;
+import simgsm.ui.lesson.ClassView;
 
 /**
  * The results of a class: what each student's robot has been told, and when it stood at the goal. Events and their times
@@ -22,6 +24,9 @@ final class ClassBoard {
     private final double goalX;
     private final double goalY;
     private final Map<String, Result> results = new LinkedHashMap<>();
+    private ClassView.Phase phase = ClassView.Phase.FREE;
+    private long startedNanos;
+    private long stoppedNanos;
 
     /** The goal in metres. */
     ClassBoard(double goalX, double goalY) {
@@ -29,7 +34,10 @@ final class ClassBoard {
         this.goalY = goalY;
     }
 
-    /** A student's result; seconds from the first key or message to the goal, not a number before it. */
+    /**
+     * A student's result; seconds to the goal from the beginning of the challenge, without one from the first key or message; not
+     * a number before the goal.
+     */
     static final class Result {
         final String phone;
         final String number;
@@ -42,6 +50,14 @@ final class ClassBoard {
         private Result(String phone, String number) {
             this.phone = phone;
             this.number = number;
+        }
+
+        private void begin(long nowNanos) {
+            beganNanos = nowNanos;
+            keys = 0;
+            orders = 0;
+            collisions = 0;
+            seconds = Double.NaN;
         }
 
         boolean isAtGoal() {
@@ -79,7 +95,7 @@ final class ClassBoard {
     /** An event of SimRobot. What comes after the goal does not count. @return whether a result has changed */
     boolean event(Event event, long nowNanos) {
         Result result = results.get(event.fields().getOrDefault("robot", ""));
-        if (result == null || result.isAtGoal()) {
+        if (result == null || result.isAtGoal() || phase == ClassView.Phase.STOPPED) {
             return false;
         }
         switch (event.name()) {
@@ -111,6 +127,51 @@ final class ClassBoard {
         if (result.beganNanos >= 0 && Math.hypot(x - goalX, y - goalY) <= GOAL_RADIUS_METERS) {
             result.seconds = (nowNanos - result.beganNanos) / NANOS_PER_SECOND;
         }
+    }
+
+    /** A challenge begins: all results are set back, and the time runs for all. */
+    void start(long nowNanos) {
+        phase = ClassView.Phase.RUNNING;
+        startedNanos = nowNanos;
+        results.values().forEach(result -> result.begin(nowNanos));
+    }
+
+    /** The challenge ends; what comes afterwards does not count. */
+    void stop(long nowNanos) {
+        if (phase == ClassView.Phase.RUNNING) {
+            phase = ClassView.Phase.STOPPED;
+            stoppedNanos = nowNanos;
+        }
+    }
+
+    ClassView.Phase phase() {
+        return phase;
+    }
+
+    /** Whole seconds of the challenge; 0 before the first. */
+    long seconds(long nowNanos) {
+        return switch (phase) {
+            case FREE -> 0;
+            case RUNNING -> TimeUnit.NANOSECONDS.toSeconds(nowNanos - startedNanos);
+            case STOPPED -> TimeUnit.NANOSECONDS.toSeconds(stoppedNanos - startedNanos);
+        };
+    }
+
+    /** When a student's run began; empty before. */
+    OptionalLong beganNanos(String phone) {
+        return results.values().stream()
+                .filter(result -> result.phone.equals(phone) && result.beganNanos >= 0)
+                .mapToLong(result -> result.beganNanos)
+                .findFirst();
+    }
+
+    /** For the window: {@link #ranked} with the first marked if it is at the goal. */
+    List<ClassView.Row> rows() {
+        List<ClassView.Row> rows = new ArrayList<>();
+        for (Result result : ranked()) {
+            rows.add(new ClassView.Row(result.cells(), rows.isEmpty() && result.isAtGoal()));
+        }
+        return rows;
     }
 
     /** The best first: those at the goal by their time; then fewer collisions, and fewer keys. */

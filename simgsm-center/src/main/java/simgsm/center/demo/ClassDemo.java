@@ -9,11 +9,18 @@ import java.net.NetworkInterface;
 import java.net.SocketException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDateTime;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import simgsm.center.app.CenterEventPrinter;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterTexts;
@@ -27,7 +34,10 @@ import simgsm.console.HostPort;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.lesson.ClassActs;
 import simgsm.ui.lesson.ClassFrame;
+import simgsm.ui.lesson.ClassView;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.WindowPlace;
@@ -56,7 +66,13 @@ public final class ClassDemo {
     private final int students;
     private final PrintStream out = Program.standardOutput();
     private final ClassBoard board = new ClassBoard(GOAL_X, GOAL_Y);
-    private volatile List<List<String>> rows = List.of();
+    /** Where each robot stood when the class began, as x, y and heading. */
+    private final Map<String, List<String>> homes = new LinkedHashMap<>();
+
+    private ClassView view = new ClassView(List.of(), ClassView.Phase.FREE, 0, Optional.empty());
+    private boolean isChanged = true;
+    private Optional<String> notice = Optional.empty();
+    private long readyNanos;
 
     private ClassDemo(Arguments arguments, CenterSettings settings) throws UsageException {
         this.arguments = arguments;
@@ -65,7 +81,6 @@ public final class ClassDemo {
         for (int i = 0; i < students; i++) {
             board.add(name(i), phone(i), robot(i));
         }
-        refresh();
     }
 
     private static String name(int student) {
@@ -92,19 +107,20 @@ public final class ClassDemo {
         }
     }
 
-    /** What each student's machine starts. */
+    /** What a student's machine starts. */
+    private String command(String number, String host, DemoPrograms programs) {
+        HostPort center = new HostPort(host, programs.center().port());
+        String card = settings.home().isClosed() ? " --sim " + number + ".sim" : "";
+        return "java -jar simgsm-phone.jar --number " + number + " --center " + center + card;
+    }
+
     private void printStudents(DemoPrograms programs) throws SocketException {
         for (String host : hosts()) {
-            String center = new HostPort(host, programs.center().port()).toString();
             for (int i = 0; i < students; i++) {
-                String card = settings.home().isClosed() ? " --sim " + phone(i) + ".sim" : "";
                 out.print(Event.of("student")
                                 .with("number", phone(i))
                                 .with("robot", robot(i))
-                                .with(
-                                        "command",
-                                        "java -jar simgsm-phone.jar --number " + phone(i) + " --center " + center
-                                                + card)
+                                .with("command", command(phone(i), host, programs))
                         + "\n");
             }
         }
@@ -137,13 +153,36 @@ public final class ClassDemo {
     }
 
     private synchronized void event(Event event) {
-        if (board.event(event, System.nanoTime())) {
-            refresh();
+        isChanged |= board.event(event, System.nanoTime());
+        String robot = event.fields().getOrDefault("robot", "");
+        switch (event.name()) {
+            case "ready" -> readyNanos = System.nanoTime();
+            case "pose" ->
+                homes.putIfAbsent(
+                        robot,
+                        Stream.of("x", "y", "heading")
+                                .map(field -> event.fields().getOrDefault(field, "0"))
+                                .toList());
+            case "lesson" -> {
+                String name = event.fields().getOrDefault("name", "");
+                notice = Optional.of(DesktopTexts.in(settings.language()).of("class.lesson", name));
+                isChanged = true;
+            }
+            default -> {
+                // no matter of the class
+            }
         }
     }
 
-    private void refresh() {
-        rows = board.ranked().stream().map(ClassBoard.Result::cells).toList();
+    /** The same object until something has changed. */
+    private synchronized ClassView view() {
+        long seconds = board.seconds(System.nanoTime());
+        if (isChanged || seconds != view.seconds()) {
+            view = new ClassView(board.rows(), board.phase(), seconds, notice);
+            isChanged = false;
+            notice = Optional.empty();
+        }
+        return view;
     }
 
     private synchronized void printResults() {
@@ -165,11 +204,93 @@ public final class ClassDemo {
         public void ended() {}
     }
 
-    /** The recording of the class, for a replay of the best runs; the one before is overwritten. */
-    private static Path recording() throws IOException {
-        Path folder = DataDirectory.defaultPath(System.getenv(), System.getProperties())
-                .resolve("lessons");
-        return Files.createDirectories(folder).resolve("class.rec");
+    /** A file for the recording of this class; those of earlier ones stay. */
+    private static Path recording(LocalDateTime now) throws IOException {
+        Path folder = Files.createDirectories(DataDirectory.defaultPath(System.getenv(), System.getProperties())
+                .resolve("lessons"));
+        String name = "class-" + now.format(DateTimeFormatter.ofPattern("yyyy-MM-dd-HHmm", Locale.ROOT));
+        Path file = folder.resolve(name + ".rec");
+        for (int another = 2; Files.exists(file); another++) {
+            file = folder.resolve(name + "-" + another + ".rec");
+        }
+        return file;
+    }
+
+    /** What the window of the class does. */
+    private final class Acts implements ClassActs {
+        private final DemoPrograms programs;
+        private final ChildConsole robots;
+        private final String recording;
+        private final String host;
+
+        private Acts(DemoPrograms programs, ChildConsole robots, String recording) throws SocketException {
+            this.programs = programs;
+            this.robots = robots;
+            this.recording = recording;
+            this.host = hosts().get(0);
+        }
+
+        /** The motors' switch ends what a robot does, so that it can be placed. */
+        @Override
+        public void start() {
+            synchronized (ClassDemo.this) {
+                board.start(System.nanoTime());
+                isChanged = true;
+                homes.forEach((robot, place) -> {
+                    order("@" + robot + " motors off");
+                    order("@" + robot + " place " + String.join(" ", place));
+                    order("@" + robot + " motors on");
+                });
+            }
+        }
+
+        private void order(String line) {
+            try {
+                robots.command(line);
+            } catch (IOException e) {
+                notice = Optional.of(String.valueOf(e.getMessage()));
+            }
+        }
+
+        @Override
+        public void stop() {
+            synchronized (ClassDemo.this) {
+                board.stop(System.nanoTime());
+                isChanged = true;
+            }
+        }
+
+        @Override
+        public void replay(String phone) throws IOException {
+            long from;
+            synchronized (ClassDemo.this) {
+                from = Math.max(0, board.beganNanos(phone).orElse(readyNanos) - readyNanos);
+            }
+            List<String> options = new ArrayList<>(List.of("--replay", recording));
+            options.addAll(List.of("--replay-from", String.valueOf(TimeUnit.NANOSECONDS.toSeconds(from))));
+            options.addAll(
+                    List.of("--end-with-input", "--lang", settings.language().getLanguage()));
+            programs.children().start("simrobot.jar", "", options, Redirect.DISCARD);
+        }
+
+        @Override
+        public List<String> commands() {
+            return IntStream.range(0, students)
+                    .mapToObj(i -> command(phone(i), host, programs))
+                    .toList();
+        }
+
+        @Override
+        public String pattern() {
+            return command("N", host, programs);
+        }
+
+        @Override
+        public Optional<String> warning() {
+            return settings.address().isLoopbackAddress()
+                    ? Optional.of(CenterTexts.in(settings.language()).of("class.bind"))
+                    : Optional.empty();
+        }
     }
 
     private int runWindowed(DemoPrograms programs) throws Exception {
@@ -186,13 +307,13 @@ public final class ClassDemo {
                 zoom,
                 "--window",
                 layout.phone().toString());
-        String recording = recording().toString();
+        String recording = recording(LocalDateTime.now()).toString();
         out.print(Event.of("recording")
                         .with("file", recording)
                         .with("command", "java -jar simrobot.jar --replay " + recording)
                 + "\n");
         out.flush();
-        new ChildConsole(
+        ChildConsole robots = new ChildConsole(
                 "robots",
                 startRobots(
                         programs,
@@ -204,6 +325,10 @@ public final class ClassDemo {
                         "--window",
                         layout.robot().toString()),
                 new Robots());
+        for (int i = 0; i < students; i++) {
+            robots.command("@" + name(i) + " pose");
+        }
+        Acts acts = new Acts(programs, robots, recording);
         ProgramWindow window = ProgramWindow.of(
                 arguments.with("zoom", zoom).with("window", layout.center().toString()), Optional.empty());
         CenterWindow.Watch watch = new CenterWindow.Watch(
@@ -215,7 +340,8 @@ public final class ClassDemo {
                         screen.y(),
                         column,
                         screen.height(),
-                        () -> rows),
+                        acts,
+                        this::view),
                 false);
         CenterWindow.run(programs.center(), arguments, settings, programs.children(), window, watch);
         printResults();

@@ -23,7 +23,7 @@ import simgsm.ui.Theme;
 final class PassingPanel extends JPanel {
     private static final int ONE_ROW_UNITS = 780;
     private static final int NUMBER_COLUMNS = 8;
-    private static final int AREA_AND_PORT_COLUMNS = 10;
+    private static final int AREA_AND_PORT_COLUMNS = 11;
 
     private final TextBundle texts;
     private final JTextField incoming = new ReadingField(NUMBER_COLUMNS);

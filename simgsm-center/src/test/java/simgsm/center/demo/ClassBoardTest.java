@@ -63,6 +63,27 @@ class ClassBoardTest {
     }
 
     @Test
+    void aChallengeSetsResultsBackAndItsTimeRunsForAllUntilItIsStopped() {
+        event(1, "keys robot=a keys=*");
+        event(2, "pose robot=a x=10 y=5");
+        assertEquals(0, board.seconds(3_000_000_000L));
+        assertTrue(board.rows().get(0).isBest());
+
+        board.start(10_000_000_000L);
+        assertEquals(List.of("100", "200", "0", "0", "0", ""), first());
+        assertFalse(board.rows().get(0).isBest());
+        event(12, "keys robot=b keys=*");
+        event(13, "pose robot=b x=10 y=5");
+        assertEquals(List.of("101", "201", "0", "1", "0", "3.0"), first());
+        assertEquals(3, board.seconds(13_900_000_000L));
+
+        board.stop(14_000_000_000L);
+        assertFalse(event(15, "keys robot=a keys=*"));
+        assertEquals(4, board.seconds(99_000_000_000L));
+        assertEquals(10_000_000_000L, board.beganNanos("100").getAsLong());
+    }
+
+    @Test
     void otherEventsAndRobotsChangeNothing() {
         assertFalse(event(1, "tone robot=a key=1"));
         assertFalse(event(1, "keys robot=c keys=1"));

@@ -13,7 +13,6 @@ import java.util.Set;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JEditorPane;
-import javax.swing.JTable;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -158,35 +157,6 @@ class LessonPanelTest {
                 text, javax.swing.event.HyperlinkEvent.EventType.ACTIVATED, null, "SUBMIT"));
         assertEquals(List.of("SUBMIT"), done);
         assertEquals("A SUBMIT is a TPDU", text.getText());
-    }
-
-    @Test
-    void theTableOfAClassShowsTheNewestResults() {
-        ClassPanel panel = new ClassPanel(Locale.ENGLISH);
-        panel.show(List.of(List.of("5550100", "5550200", "1", "9", "0", "12.5")));
-        panel.show(List.of(List.of("5550101", "5550201", "2", "18", "1", "")));
-        JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
-        assertEquals(1, table.getRowCount());
-        assertEquals("5550101", table.getValueAt(0, 0));
-        assertEquals(List.of(), ComponentNames.unnamed(panel));
-    }
-
-    private LessonList list(LessonLibrary lessons) {
-        return new LessonList(lessons, Locale.ENGLISH, new LessonList.Acts() {
-            @Override
-            public void open(String name) {
-                done.add(name);
-            }
-
-            @Override
-            public void showSheet(String title, String markdown) {
-                done.add(markdown);
-            }
-        });
-    }
-
-    private static void press(LessonList list, String name) {
-        ((JButton) ComponentNames.find(list, name).orElseThrow()).doClick();
     }
 
     @Test
