@@ -2,6 +2,8 @@ package simgsm.ui.lesson;
 
 import java.awt.Component;
 import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.Locale;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
@@ -18,13 +20,20 @@ import simgsm.ui.window.WindowKeys;
 public final class ClassFrame {
     private ClassFrame() {}
 
-    /** Opens the window; on the event thread. The place is in pixels of the screen. */
+    /** Opens the window, which is closed with the program's other windows only; on the event thread. The place is in pixels of the screen. */
     public static void open(
             Locale language, int x, int y, int width, int height, ClassActs acts, Supplier<ClassView> source) {
         ClassPanel panel = new ClassPanel(language, acts);
         JFrame frame = new JFrame(DesktopTexts.in(language).of("class.title"));
         frame.setContentPane(panel);
-        frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
+        // The results last as long as the class: there is no other way back to them.
+        frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                frame.setExtendedState(JFrame.ICONIFIED);
+            }
+        });
         frame.setBounds(x, y, width, height);
         frame.setIconImages(WindowIcon.images(Symbol.PERSON));
         WindowKeys.install(frame.getRootPane(), language);
