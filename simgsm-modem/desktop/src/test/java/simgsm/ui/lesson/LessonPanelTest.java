@@ -159,6 +159,24 @@ class LessonPanelTest {
         assertEquals("A SUBMIT is a TPDU", text.getText());
     }
 
+    private LessonList list(LessonLibrary lessons) {
+        return new LessonList(lessons, Locale.ENGLISH, new LessonList.Acts() {
+            @Override
+            public void open(String name) {
+                done.add(name);
+            }
+
+            @Override
+            public void showSheet(String title, String markdown) {
+                done.add(markdown);
+            }
+        });
+    }
+
+    private static void press(LessonList list, String name) {
+        ((JButton) ComponentNames.find(list, name).orElseThrow()).doClick();
+    }
+
     @Test
     void aTeachersLessonThatIsWrongStandsInTheListWithItsFault(@TempDir Path folder) throws Exception {
         Path mine = Files.createDirectory(folder.resolve("mine"));
