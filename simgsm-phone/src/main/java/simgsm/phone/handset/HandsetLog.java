@@ -49,6 +49,17 @@ public final class HandsetLog {
         isPublished = false;
     }
 
+    /** Keys that are pressed one by one are one event, until something else happens. */
+    private void addKeys(String keys) {
+        Entry last = entries.peekLast();
+        if (last != null && last.words().key().equals("log.keys")) {
+            entries.removeLast();
+            add("log.keys", last.words().arguments().get(0) + keys);
+        } else {
+            add("log.keys", keys);
+        }
+    }
+
     /** Adds what the user is to know of the event. */
     void accept(StationEvent event) {
         if (event instanceof StationEvent.StationRegistered registered) {
@@ -104,7 +115,7 @@ public final class HandsetLog {
 
     private void acceptHandset(HandsetEvent event) {
         if (event instanceof HandsetEvent.KeysSent sent) {
-            add("log.keys", sent.keys());
+            addKeys(sent.keys());
         } else if (event instanceof HandsetEvent.KeysNotSent refused) {
             add("note.keys_refused", String.valueOf(refused.cause().code()));
         } else if (event instanceof HandsetEvent.ImeiShown shown) {

@@ -49,20 +49,22 @@ final class EventsPanel extends JPanel {
         if (entries == shown) {
             return;
         }
-        int known = shown.size();
-        boolean hasGrown = known > 0 && entries.size() > known && entries.get(known - 1) == shown.get(known - 1);
-        boolean isAtEnd = area.getCaretPosition() == area.getDocument().getLength();
-        String added = (hasGrown ? entries.subList(known, entries.size()) : entries)
-                .stream().map(this::line).collect(Collectors.joining("\n"));
-        shown = entries;
-        if (hasGrown) {
-            area.append("\n" + added);
-        } else {
-            area.setText(added);
+        int length = area.getDocument().getLength();
+        boolean isAtEnd = area.getCaretPosition() == length;
+        int same = 0;
+        while (same < Math.min(shown.size(), entries.size()) && shown.get(same) == entries.get(same)) {
+            same++;
         }
-        if (isAtEnd || !hasGrown) {
+        int kept = lines(entries.subList(0, same)).length();
+        area.replaceRange(lines(entries.subList(same, entries.size())), kept, length);
+        shown = entries;
+        if (isAtEnd) {
             area.setCaretPosition(area.getDocument().getLength());
         }
+    }
+
+    private String lines(List<HandsetLog.Entry> entries) {
+        return entries.stream().map(entry -> line(entry) + "\n").collect(Collectors.joining());
     }
 
     private String line(HandsetLog.Entry entry) {

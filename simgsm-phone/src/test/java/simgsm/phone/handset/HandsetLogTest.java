@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.phone.screen.PhoneKey;
 import simgsm.phone.screen.Words;
 import simgsm.sim.SimPhoneBook;
 import simgsm.station.context.StationEvent;
@@ -53,6 +54,25 @@ class HandsetLogTest {
                         "log.tone.plain 9",
                         "log.released NORMAL_CALL_CLEARING"),
                 logged(bench));
+    }
+
+    @Test
+    void keysThatArePressedOneByOneAreOneEvent() {
+        Bench bench = Bench.connected();
+        for (PhoneKey key : new PhoneKey[] {PhoneKey.STAR, PhoneKey.STAR, PhoneKey.FIVE}) {
+            bench.down(key);
+            bench.speechMillis(100);
+            bench.up(key);
+            bench.speechMillis(100);
+        }
+        bench.farEndPlays('7');
+        bench.down(PhoneKey.ONE);
+        bench.speechMillis(100);
+        bench.up(PhoneKey.ONE);
+        bench.speechMillis(100);
+        List<String> log = logged(bench);
+        assertEquals(
+                List.of("log.keys **5", "log.tone 7 tone.7", "log.keys 1"), log.subList(log.size() - 3, log.size()));
     }
 
     @Test

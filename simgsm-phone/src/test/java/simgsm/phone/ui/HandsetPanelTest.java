@@ -211,7 +211,8 @@ class HandsetPanelTest {
     }
 
     private static String lastLineOf(JTextArea area) {
-        return area.getText().substring(area.getText().lastIndexOf('\n') + 1);
+        String text = area.getText().stripTrailing();
+        return text.substring(text.lastIndexOf('\n') + 1);
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.awt.Component;
 import java.awt.DefaultKeyboardFocusManager;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Locale;
@@ -51,6 +52,14 @@ class KeyboardTest {
             letGo();
         }
         assertEquals("0123456789*#", bench.bench.snapshot().typed());
+    }
+
+    @Test
+    void aDigitWithAltIsAKeyOfTheWindowAndAHashWithItIsAHash() {
+        assertNull(bindingOf(KeyStroke.getKeyStroke(Character.valueOf('2'), InputEvent.ALT_DOWN_MASK)));
+        assertEquals("typed", bindingOf(KeyStroke.getKeyStroke(Character.valueOf('#'), InputEvent.ALT_DOWN_MASK)));
+        int altGraph = InputEvent.ALT_DOWN_MASK | InputEvent.ALT_GRAPH_DOWN_MASK;
+        assertEquals("typed", bindingOf(KeyStroke.getKeyStroke(Character.valueOf('2'), altGraph)));
     }
 
     @Test
