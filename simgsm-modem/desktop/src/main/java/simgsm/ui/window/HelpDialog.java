@@ -38,7 +38,7 @@ import simgsm.ui.lesson.SheetPanel;
 
 /** The help of a window, opened by F1: what the window is for, all its keys, and the version. */
 final class HelpDialog {
-    private static final Dimension SIZE_UNITS = new Dimension(560, 480);
+    private static final Dimension SIZE_UNITS = new Dimension(720, 520);
     private static final int KEY_COLUMN_UNITS = 150;
 
     private HelpDialog() {}
@@ -94,7 +94,9 @@ final class HelpDialog {
 
     private static String text(int modifiers, int keyCode) {
         String held = InputEvent.getModifiersExText(modifiers);
-        String key = KeyEvent.getKeyText(keyCode);
+        // Java's names are words such as "Equals"; these codes are the signs themselves
+        boolean isSign = keyCode >= KeyEvent.VK_COMMA && keyCode <= KeyEvent.VK_CLOSE_BRACKET;
+        String key = isSign ? String.valueOf((char) keyCode) : KeyEvent.getKeyText(keyCode);
         return held.isEmpty() ? key : held + "+" + key;
     }
 
@@ -104,9 +106,16 @@ final class HelpDialog {
      * @param about what the window is for
      * @param version of the program
      * @param lessons that can be begun from here
+     * @param first key of the text of the tab that is shown first
      */
     static void open(
-            JFrame frame, String about, String version, Locale language, Lessons lessons, SettingsPanel.Acts settings) {
+            JFrame frame,
+            String about,
+            String version,
+            Locale language,
+            Lessons lessons,
+            SettingsPanel.Acts settings,
+            String first) {
         TextBundle texts = DesktopTexts.in(language);
         JDialog dialog = new JDialog(frame, texts.of("window.help"));
         JTabbedPane tabs = ComponentNames.name(new JTabbedPane(), "help.tabs", texts.of("window.help"));
@@ -126,6 +135,7 @@ final class HelpDialog {
         SettingsPanel.Acts closing = settings.beforeLanguage(dialog::dispose);
         tabs.addTab(texts.of("settings.title"), new SettingsPanel(language, texts, closing));
         tabs.addTab(texts.of("about.title"), versions(frame.getTitle(), version, texts));
+        tabs.setSelectedIndex(tabs.indexOfTab(texts.of(first)));
         dialog.setContentPane(tabs);
         UserAction close = new UserAction("help.close", texts.of("window.help.close"), dialog::dispose);
         close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));

@@ -8,6 +8,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
@@ -19,6 +20,7 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import simgsm.console.Arguments;
 import simgsm.console.Program;
 import simgsm.console.UnavailableException;
@@ -56,6 +58,7 @@ public final class ProgramWindow {
             Runnable closed) {}
 
     private static final int HUNDRED_PERCENT = 100;
+    private static final int SHARING_MILLIS = 500;
 
     private final Appearance appearance;
     private final double zoom;
@@ -68,6 +71,8 @@ public final class ProgramWindow {
     private Optional<Consumer<String>> lessonChosen = Optional.empty();
 
     // on the event thread, once the window is open
+    private SharedSettings shared;
+    private Timer sharing;
     private Locale language;
     private JFrame frame;
     private Content content;
@@ -134,6 +139,7 @@ public final class ProgramWindow {
         SwingUtilities.invokeLater(() -> {
             Theme.install(appearance, zoom);
             open(made.get());
+            memory.ifPresent(this::share);
         });
         if (endsWithInput) {
             EndOfInput.then(this::close);
@@ -142,6 +148,9 @@ public final class ProgramWindow {
         // The end of the process may take a second or two.
         SwingUtilities.invokeLater(() -> {
             keep();
+            if (sharing != null) {
+                sharing.stop();
+            }
             Stream.of(Window.getWindows()).forEach(Window::dispose);
         });
     }
@@ -217,22 +226,28 @@ public final class ProgramWindow {
         frame.setTitle(content.title());
         frame.setContentPane(content.panel());
         WindowKeys.install(frame.getRootPane(), language);
-        new UserAction("window.help", DesktopTexts.in(language).of("window.help"), this::help)
+        new UserAction("window.help", DesktopTexts.in(language).of("window.help"), () -> help("window.help"))
                 .bindInWindow(
                         frame.getRootPane(),
                         KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0),
                         KeyStroke.getKeyStroke(KeyEvent.VK_F10, 0));
     }
 
-    private void help() {
-        Optional<Consumer<Locale>> speak = contents.isPresent() ? Optional.of(this::speak) : Optional.empty();
+    /** @param tab key of the text of the tab that is shown first */
+    private void help(String tab) {
+        Consumer<Locale> speakAndStay = next -> {
+            speak(next);
+            help("settings.title");
+        };
+        Optional<Consumer<Locale>> speak = contents.isPresent() ? Optional.of(speakAndStay) : Optional.empty();
         HelpDialog.open(
                 frame,
                 content.help(),
                 Program.version(content.panel().getClass()),
                 language,
                 new HelpDialog.Lessons(lessons, lessonChosen),
-                new SettingsPanel.Acts(speak, this::dress, this::zoomTo, memory));
+                new SettingsPanel.Acts(speak, this::dress, this::zoomTo, memory),
+                tab);
     }
 
     /**
@@ -251,8 +266,25 @@ public final class ProgramWindow {
             frame.validate();
             frame.repaint();
             content.shown().run();
-            memory.ifPresent(kept -> kept.keep("lang", next.getLanguage()));
         });
+    }
+
+    private void share(WindowMemory kept) {
+        shared = new SharedSettings(kept, this::settings, this::adopt);
+        sharing = new Timer(SHARING_MILLIS, event -> shared.look());
+        sharing.start();
+    }
+
+    private Map<String, String> settings() {
+        String theme = Theme.appearance().word();
+        return contents.isPresent() ? Map.of("theme", theme, "lang", language.getLanguage()) : Map.of("theme", theme);
+    }
+
+    private void adopt(Map<String, String> changed) {
+        Optional.ofNullable(changed.get("theme")).map(Appearance::parse).ifPresent(this::dress);
+        if (contents.isPresent() && changed.containsKey("lang")) {
+            speak(Locale.forLanguageTag(changed.get("lang")));
+        }
     }
 
     private void dress(Appearance next) {
@@ -264,7 +296,7 @@ public final class ProgramWindow {
         WindowKeys.zoomTo(frame.getRootPane(), percent / (double) HUNDRED_PERCENT);
     }
 
-    /** Keeps place and zoom, and the colours if they have changed. */
+    /** Keeps place and zoom, and what was changed of theme and language. */
     private void keep() {
         if (memory.isEmpty() || frame == null || !frame.isShowing()) {
             return;
@@ -278,9 +310,7 @@ public final class ProgramWindow {
                             (int) Math.round(Theme.zoom() * HUNDRED_PERCENT),
                             Display.screens());
         }
-        if (Theme.appearance() != appearance) {
-            memory.get().keep("theme", Theme.appearance().word());
-        }
+        shared.tell();
     }
 
     private void lay() {

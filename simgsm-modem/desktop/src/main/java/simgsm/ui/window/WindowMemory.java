@@ -146,6 +146,13 @@ public final class WindowMemory {
         write(ALL_WINDOWS, values);
     }
 
+    /** The values of all windows, as they are kept now. */
+    Map<String, String> shared() {
+        Map<String, String> values = new TreeMap<>(read(ALL_WINDOWS));
+        values.entrySet().removeIf(value -> !isGood(value.getKey(), value.getValue()));
+        return values;
+    }
+
     /** Keeps a list under a name that no window has; at most 99 items. */
     public void keepList(String name, List<String> items) {
         Map<String, String> values = new TreeMap<>();

@@ -45,6 +45,13 @@ class HelpDialogTest {
     }
 
     @Test
+    void keysWithASignAreShownByIt() {
+        JPanel zoomed = new JPanel();
+        new UserAction("larger", "Larger", () -> {}).onKey(zoomed, KeyEvent.VK_EQUALS, InputEvent.CTRL_DOWN_MASK);
+        assertEquals(List.of(new HelpDialog.ShownKey("Ctrl+=", "Larger")), HelpDialog.keysOf(zoomed));
+    }
+
+    @Test
     void keysOfAHiddenPageAreNotListed() {
         JPanel editor = new JPanel();
         new UserAction("wall", "Draw a wall", () -> {}).onKey(editor, KeyEvent.VK_W, InputEvent.CTRL_DOWN_MASK);

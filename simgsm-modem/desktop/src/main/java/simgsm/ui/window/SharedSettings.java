@@ -1,0 +1,59 @@
+package simgsm.ui.window;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+
+/**
+ * Theme and language, which all windows of a user share: tells the others a change made in this window, and takes over one
+ * made in another while this one is open. Values are those of the options {@code --theme} and {@code --lang}; they pass
+ * through the {@link WindowMemory}. What differs when the window opens stays as it is.
+ */
+final class SharedSettings {
+    private final WindowMemory memory;
+    private final Supplier<Map<String, String>> own;
+    private final Consumer<Map<String, String>> adopt;
+    private Map<String, String> lastOwn;
+    private Map<String, String> lastKept;
+
+    /**
+     * @param own what this window has now
+     * @param adopt gives this window what another one has changed
+     */
+    SharedSettings(WindowMemory memory, Supplier<Map<String, String>> own, Consumer<Map<String, String>> adopt) {
+        this.memory = memory;
+        this.own = own;
+        this.adopt = adopt;
+        lastOwn = own.get();
+        lastKept = memory.shared();
+    }
+
+    /** Tells and takes over; to be called from time to time on the event thread. */
+    void look() {
+        tell();
+        Map<String, String> kept = memory.shared();
+        if (!kept.equals(lastKept)) {
+            Map<String, String> changed = changes(lastKept, kept);
+            lastKept = kept;
+            adopt.accept(changed);
+            lastOwn = own.get();
+        }
+    }
+
+    /** Tells the other windows what has changed in this one. */
+    void tell() {
+        Map<String, String> now = own.get();
+        if (!now.equals(lastOwn)) {
+            changes(lastOwn, now).forEach(memory::keep);
+            lastOwn = now;
+            lastKept = memory.shared();
+        }
+    }
+
+    private static Map<String, String> changes(Map<String, String> before, Map<String, String> now) {
+        Map<String, String> changed = new TreeMap<>(now);
+        changed.entrySet().removeAll(before.entrySet());
+        return changed;
+    }
+}
