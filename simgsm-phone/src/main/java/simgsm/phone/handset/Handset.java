@@ -435,7 +435,7 @@ public final class Handset {
 
     private void toneHeard(DtmfKey key) {
         call.toneHeard(key);
-        report(new HandsetEvent.ToneHeard(key));
+        report(new HandsetEvent.ToneHeard(key, call.snapshot().meaningOf(key)));
     }
 
     private void report(StationEvent event) {

@@ -1,5 +1,6 @@
 package simgsm.phone.handset;
 
+import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.station.context.StationEvent;
@@ -18,6 +19,15 @@ public sealed interface HandsetEvent extends StationEvent.OfTerminal {
     /** The last sample of a played sound has been sent. */
     record SoundPlayed(int millis) implements HandsetEvent {}
 
-    /** A key from the far end, at its decision, while its tone sounds. */
-    record ToneHeard(DtmfKey key) implements HandsetEvent {}
+    /**
+     * A key from the far end, at its decision, while its tone sounds.
+     *
+     * @param meaning the key of its meaning as a robot's reply
+     */
+    record ToneHeard(DtmfKey key, Optional<String> meaning) implements HandsetEvent {
+        /** A robot's. */
+        public ToneHeard(DtmfKey key) {
+            this(key, ToneMeaning.textKey(key));
+        }
+    }
 }

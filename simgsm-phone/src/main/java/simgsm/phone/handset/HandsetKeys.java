@@ -47,8 +47,7 @@ public final class HandsetKeys {
             }
             return;
         }
-        boolean hasHeld = call.snapshot().held().isPresent();
-        if (key == PhoneKey.END && (call.phase() != CallPhase.NONE || hasHeld && screens.isHome())) {
+        if (key == PhoneKey.END && endsCall()) {
             screens.home();
             handset.hangUp();
         } else if (key == PhoneKey.CALL && call.phase() == CallPhase.RINGING) {
@@ -63,6 +62,13 @@ public final class HandsetKeys {
             perform(screens.press(key, nowNanos));
         }
         handset.changed();
+    }
+
+    /** The red key ends the current call, and a held one once the end of the call before it has been read. */
+    private boolean endsCall() {
+        CallSnapshot now = call.snapshot();
+        boolean endsHeld = now.held().isPresent() && now.ended().isEmpty() && screens.isHome();
+        return now.phase() != CallPhase.NONE || endsHeld;
     }
 
     /** The next key on the home screen ends what a released call has left. */

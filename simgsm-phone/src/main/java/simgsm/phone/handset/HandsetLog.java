@@ -122,7 +122,7 @@ public final class HandsetLog {
             add("log.imei", shown.imei());
         } else if (event instanceof HandsetEvent.ToneHeard heard) {
             String key = String.valueOf(heard.key().symbol());
-            ToneMeaning.textKey(heard.key())
+            heard.meaning()
                     .ifPresentOrElse(
                             meaning -> add("log.tone", key, Words.of(meaning)), () -> add("log.tone.plain", key));
         }

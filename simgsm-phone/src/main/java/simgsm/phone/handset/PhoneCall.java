@@ -17,6 +17,9 @@ final class PhoneCall {
 
     private long formerlyHeldFrames;
 
+    private boolean heldIncoming;
+    private boolean formerlyHeldIncoming;
+
     CallPhase phase() {
         return call.phase();
     }
@@ -28,9 +31,9 @@ final class PhoneCall {
 
     void accept(StationEvent.OfCall event) {
         if (event instanceof StationEvent.Calling calling) {
-            begin(CallPhase.CALLING, calling.number().digits());
+            begin(CallPhase.CALLING, calling.number().digits(), false);
         } else if (event instanceof StationEvent.Ringing ringing) {
-            begin(CallPhase.RINGING, digits(ringing.from()));
+            begin(CallPhase.RINGING, digits(ringing.from()), true);
         } else if (event instanceof StationEvent.CalledPartyAlerted) {
             call = call.in(CallPhase.ALERTING, call.number());
         } else if (event instanceof StationEvent.Connected connected) {
@@ -55,7 +58,7 @@ final class PhoneCall {
     /** A waiting call is answered without ringing first. */
     private void connected(String number) {
         if (phase() == CallPhase.NONE) {
-            begin(CallPhase.CONNECTED, number);
+            begin(CallPhase.CONNECTED, number, true);
         }
         call = call.in(CallPhase.CONNECTED, number);
     }
@@ -64,7 +67,9 @@ final class PhoneCall {
     private void park(String number) {
         formerlyHeldFrames = heldFrames;
         heldFrames = frames;
-        call = CallSnapshot.begun(CallPhase.NONE, "").withHeld(Optional.of(number));
+        formerlyHeldIncoming = heldIncoming;
+        heldIncoming = call.incoming();
+        call = CallSnapshot.begun(CallPhase.NONE, "", false).withHeld(Optional.of(number));
         frames = 0;
     }
 
@@ -72,12 +77,13 @@ final class PhoneCall {
         boolean isSwap = call.held().filter(held -> !held.equals(number)).isPresent();
         long back = isSwap ? formerlyHeldFrames : heldFrames;
         Optional<String> held = isSwap ? call.held() : Optional.empty();
-        call = CallSnapshot.begun(CallPhase.CONNECTED, number).withHeld(held);
+        boolean incoming = isSwap ? formerlyHeldIncoming : heldIncoming;
+        call = CallSnapshot.begun(CallPhase.CONNECTED, number, incoming).withHeld(held);
         frames = back;
     }
 
-    private void begin(CallPhase phase, String number) {
-        call = CallSnapshot.begun(phase, number).withHeld(call.held());
+    private void begin(CallPhase phase, String number, boolean incoming) {
+        call = CallSnapshot.begun(phase, number, incoming).withHeld(call.held());
         frames = 0;
     }
 

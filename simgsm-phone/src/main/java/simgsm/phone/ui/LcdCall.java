@@ -1,6 +1,7 @@
 package simgsm.phone.ui;
 
 import java.util.Locale;
+import java.util.Optional;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
@@ -36,8 +37,16 @@ final class LcdCall {
         pen.left(texts.of("lcd.on_hold"), pen.sans(13, true), LcdPen.MARGIN, 53);
         String number = phone.call().held().orElseThrow();
         String party = number.isEmpty() ? texts.of("lcd.unknown") : phone.nameOf(number);
-        pen.left(party, pen.sans(20, true), LcdPen.MARGIN, 83, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
+        double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN;
+        pen.left(party, pen.sans(20, true), LcdPen.MARGIN, 83, room);
+        over(phone).ifPresent(over -> pen.left(over, pen.sans(13, false), LcdPen.MARGIN, 116, room));
         pen.hint(texts.of("lcd.hint.held"), HINT_BASELINE);
+    }
+
+    /** What became of the call beside the held one. */
+    private Optional<String> over(HandsetSnapshot phone) {
+        CallSnapshot call = phone.call();
+        return call.ended().map(cause -> phone.nameOf(call.number()) + ": " + CauseText.of(texts, cause));
     }
 
     void ended(LcdPen pen, HandsetSnapshot phone) {
@@ -48,7 +57,7 @@ final class LcdCall {
         String line = phone.nameOf(call.number()) + (call.seconds() > 0 ? "   " + time(call.seconds()) : "");
         pen.centred(line.strip(), pen.mono(13, false), 112);
         pen.ink(Ink.LCD_INK);
-        keys.heard(pen, call.heard(), HEARD_BASELINE, true);
+        keys.heard(pen, call, HEARD_BASELINE, true);
     }
 
     void call(LcdPen pen, HandsetSnapshot phone) {
@@ -73,7 +82,7 @@ final class LcdCall {
         if (call.phase() == CallPhase.CONNECTED) {
             keys.keyed(pen, call.keyed(), KEYED_BASELINE);
             boolean hasSecond = call.waiting().isPresent() || call.held().isPresent();
-            keys.heard(pen, call.heard(), HEARD_BASELINE, !hasSecond);
+            keys.heard(pen, call, HEARD_BASELINE, !hasSecond);
         }
         if (call.waiting().isPresent()) {
             second(pen, phone, "lcd.waiting", call.waiting().get());

@@ -5,7 +5,7 @@ import java.util.List;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.dtmf.DtmfKey;
-import simgsm.phone.handset.ToneMeaning;
+import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.ui.KeyGroups.Group;
 
 /** The keys of a call on the display: those sent, in groups, and those heard, with their meaning in a robot's replies. */
@@ -90,7 +90,8 @@ final class LcdKeys {
      *
      * @param showsEarlier whether there is room for that line
      */
-    void heard(LcdPen pen, String heard, double baseline, boolean showsEarlier) {
+    void heard(LcdPen pen, CallSnapshot call, double baseline, boolean showsEarlier) {
+        String heard = call.heard();
         if (heard.isEmpty()) {
             return;
         }
@@ -100,7 +101,7 @@ final class LcdKeys {
         String symbol = heard.substring(newest);
         pen.inverse(symbol, keycap, left, baseline + 1.5, 23);
         double from = left + pen.width(keycap, symbol) + 8 + LABEL_GAP;
-        String meaning = meaning(heard.charAt(newest));
+        String meaning = meaning(call, heard.charAt(newest));
         if (!meaning.isEmpty()) {
             String words = texts.of("lcd.meaning", meaning);
             Font font = pen.sans(MEANING_SIZE, true);
@@ -108,17 +109,17 @@ final class LcdKeys {
             pen.left(words, pen.sans(MEANING_SIZE * shrink, true), from, baseline);
         }
         if (showsEarlier && newest > 0) {
-            earlier(pen, heard.substring(0, newest), baseline + EARLIER_BELOW);
+            earlier(pen, call, heard.substring(0, newest), baseline + EARLIER_BELOW);
         }
     }
 
     /** The newest that fit, the oldest of them first. */
-    private void earlier(LcdPen pen, String heard, double baseline) {
+    private void earlier(LcdPen pen, CallSnapshot call, String heard, double baseline) {
         double left = label(pen, "lcd.heard.before", baseline);
         Font font = pen.sans(EARLIER_SIZE, false);
         String shown = "";
         for (int i = heard.length() - 1; i >= 0; i--) {
-            String more = item(heard.charAt(i)) + (shown.isEmpty() ? "" : BETWEEN + shown);
+            String more = item(call, heard.charAt(i)) + (shown.isEmpty() ? "" : BETWEEN + shown);
             if (pen.width(font, (i > 0 ? CUT + " " : "") + more) > RIGHT_EDGE - left) {
                 shown = CUT + " " + shown;
                 break;
@@ -131,12 +132,12 @@ final class LcdKeys {
     }
 
     /** A key heard, with its meaning in a robot's replies, if it has one. */
-    String item(char key) {
-        String meaning = meaning(key);
+    private String item(CallSnapshot call, char key) {
+        String meaning = meaning(call, key);
         return meaning.isEmpty() ? String.valueOf(key) : key + " " + meaning;
     }
 
-    private String meaning(char key) {
-        return ToneMeaning.textKey(DtmfKey.of(key)).map(name -> texts.of(name)).orElse("");
+    private String meaning(CallSnapshot call, char key) {
+        return call.meaningOf(DtmfKey.of(key)).map(name -> texts.of(name)).orElse("");
     }
 }

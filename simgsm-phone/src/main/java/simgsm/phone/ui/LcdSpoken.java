@@ -4,7 +4,6 @@ import java.util.stream.Collectors;
 import simgsm.console.TextBundle;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
-import simgsm.phone.handset.ToneMeaning;
 import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.Screen;
 import simgsm.phone.store.MessageFolder;
@@ -86,7 +85,7 @@ final class LcdSpoken {
             return phone.typed().isEmpty() ? texts.of("lcd.own") + " " + phone.own() + news(phone) : phone.typed();
         }
         String meaning = call.tone()
-                .flatMap(ToneMeaning::textKey)
+                .flatMap(call::meaningOf)
                 .map(key -> " (" + texts.of("lcd.meaning", texts.of(key)) + ")")
                 .orElse("");
         String tone = call.tone().map(key -> ", " + key.symbol()).orElse("");

@@ -274,4 +274,44 @@ class HandsetCallTest {
         bench.tap(PhoneKey.END);
         assertEquals(List.of("dial 5550200", "hangUp"), bench.station.asked);
     }
+
+    /** The first red key only takes the message away: the call that is held goes on. */
+    @Test
+    void theEndOfTheCallBesideAHeldOneIsReadBeforeTheRedKeyEndsTheHeldOne() {
+        Bench bench = Bench.connected();
+        Optional<Msisdn> robot = Optional.of(new Msisdn("5550200"));
+        bench.handset.accept(new StationEvent.CallHeld(robot));
+        bench.handset.accept(new StationEvent.Calling(new Msisdn("5559999")));
+        bench.handset.accept(new StationEvent.Released(Cause.UNASSIGNED_NUMBER));
+        assertEquals(
+                Optional.of(Cause.UNASSIGNED_NUMBER), bench.snapshot().call().ended());
+        bench.station.asked.clear();
+        bench.tap(PhoneKey.END);
+        assertEquals(Optional.empty(), bench.snapshot().call().ended());
+        assertEquals(List.of(), bench.station.asked);
+        bench.tap(PhoneKey.END);
+        assertEquals(List.of("hangUp"), bench.station.asked);
+    }
+
+    /** No robot calls: the keys of a caller are a person's. */
+    @Test
+    void aCallersKeysHaveNoMeaning() {
+        Bench bench = Bench.connected();
+        assertEquals(Optional.of("tone.5"), bench.snapshot().call().meaningOf(DtmfKey.FIVE));
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(new Msisdn("5550200"))));
+        bench.station.ring("5550101");
+        bench.tap(PhoneKey.CALL);
+        assertEquals(Optional.empty(), bench.snapshot().call().meaningOf(DtmfKey.FIVE));
+        bench.farEndPlays('5');
+        assertEquals(
+                "log.tone.plain",
+                bench.snapshot()
+                        .log()
+                        .get(bench.snapshot().log().size() - 1)
+                        .words()
+                        .key());
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(new Msisdn("5550101"))));
+        bench.handset.accept(new StationEvent.CallRetrieved(Optional.of(new Msisdn("5550200"))));
+        assertEquals(Optional.of("tone.5"), bench.snapshot().call().meaningOf(DtmfKey.FIVE));
+    }
 }
