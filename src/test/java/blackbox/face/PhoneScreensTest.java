@@ -136,7 +136,8 @@ class PhoneScreensTest {
         Locale locale = Locale.forLanguageTag(language);
         TextBundle texts = new TextBundle(
                 ResourceBundle.getBundle("simgsm.phone.messages", TextBundle.bundleLocale(locale)), Locale.ROOT);
-        HandsetPanel panel = new HandsetPanel(texts, locale, Clock.fixed(Instant.EPOCH, ZoneOffset.UTC), snapshot, action -> {});
+        HandsetPanel panel =
+                new HandsetPanel(texts, locale, Clock.fixed(Instant.EPOCH, ZoneOffset.UTC), snapshot, action -> {});
         panel.setSize(panel.getPreferredSize());
         panel.doLayout();
         return panel;

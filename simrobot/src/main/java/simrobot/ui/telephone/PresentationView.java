@@ -26,8 +26,8 @@ public final class PresentationView extends PaintedComponent {
     private static final double TEXT_POINTS = 28;
     private static final double MARGIN_UNITS = 24;
     private static final double GAP_UNITS = 16;
-    /** How far the texts shrink in a narrow window. */
-    private static final double LEAST_SCALE = 0.5;
+    /** How far the texts shrink in a narrow window before the order gets a row of its own. */
+    private static final double LEAST_SCALE = 0.75;
 
     private final Locale language;
     private String key = "";
@@ -84,23 +84,35 @@ public final class PresentationView extends PaintedComponent {
 
     @Override
     protected void paint(Graphics2D g, double width, double height) {
-        double middle = height / 2;
-        double margins = 2 * Theme.exact(MARGIN_UNITS);
-        double scale = Math.max(LEAST_SCALE, Math.min(1, (width - margins) / fullWidth()));
-        double x = margins / 2;
-        Font large = Theme.mono(KEY_POINTS * scale, true);
+        double room = width - 2 * Theme.exact(MARGIN_UNITS);
+        double scale = Math.min(1, room / fullWidth());
+        if (scale >= LEAST_SCALE) {
+            double x = paintKey(g, scale, height / 2, width);
+            draw(g, Theme.sans(TEXT_POINTS * scale, true), course, x, height / 2, width);
+        } else {
+            paintKey(g, LEAST_SCALE, height * 0.28, width);
+            double points = TEXT_POINTS * Math.min(1, room / courseWidth());
+            draw(g, Theme.sans(points, true), course, Theme.exact(MARGIN_UNITS), height * 0.75, width);
+        }
+    }
+
+    /** @return where the next text begins */
+    private double paintKey(Graphics2D g, double scale, double middle, double width) {
         g.setColor(Theme.color(isSounding ? Ink.ACCENT : Ink.TEXT));
-        x = draw(g, large, key, x, middle, width);
+        double x = draw(g, Theme.mono(KEY_POINTS * scale, true), key, Theme.exact(MARGIN_UNITS), middle, width);
         g.setColor(Theme.color(Ink.TEXT));
-        x = draw(g, Theme.mono(TEXT_POINTS * scale, false), tones, x, middle, width);
-        draw(g, Theme.sans(TEXT_POINTS * scale, true), course, x, middle, width);
+        return draw(g, Theme.mono(TEXT_POINTS * scale, false), tones, x, middle, width);
+    }
+
+    private double courseWidth() {
+        return Drawing.width(Theme.sans(TEXT_POINTS, true), course) + Theme.exact(GAP_UNITS);
     }
 
     private double fullWidth() {
         return Drawing.width(Theme.mono(KEY_POINTS, true), key)
                 + Drawing.width(Theme.mono(TEXT_POINTS, false), tones)
-                + Drawing.width(Theme.sans(TEXT_POINTS, true), course)
-                + 3 * Theme.exact(GAP_UNITS);
+                + courseWidth()
+                + 2 * Theme.exact(GAP_UNITS);
     }
 
     /** @return where the next text begins */
