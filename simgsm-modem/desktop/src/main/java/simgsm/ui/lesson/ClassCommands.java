@@ -47,7 +47,7 @@ final class ClassCommands extends JPanel {
         int width = getWidth() - getInsets().left - getInsets().right;
         int height = getHeight() - getInsets().top - getInsets().bottom;
         for (int units = MOST_UNITS; units >= LEAST_UNITS; units--) {
-            text.setFont(Theme.mono().deriveFont((float) Theme.exact(units)));
+            text.setFont(Theme.mono().deriveFont(Theme.exact(units)));
             text.setSize(width, Short.MAX_VALUE);
             Dimension needed = text.getPreferredSize();
             if (needed.height <= height && needed.width <= width) {

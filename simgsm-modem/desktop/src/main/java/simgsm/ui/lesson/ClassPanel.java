@@ -244,7 +244,7 @@ public final class ClassPanel extends JPanel {
         for (int column = 0; column < WIDTHS_UNITS.length; column++) {
             table.getColumnModel().getColumn(column).setPreferredWidth(Theme.px(WIDTHS_UNITS[column]));
         }
-        clock.setFont(Theme.monoStrong().deriveFont((float) Theme.exact(CLOCK_UNITS)));
+        clock.setFont(Theme.monoStrong().deriveFont(Theme.exact(CLOCK_UNITS)));
         best.setFont(Theme.strong());
         command.setFont(Theme.mono());
         command.setBackground(Theme.color(Ink.CARD));
