@@ -3,13 +3,22 @@ package blackbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
 import org.junit.jupiter.api.Test;
 
 /** The main job: {@code simgsm-center.jar --demo}. */
 class DemoTest {
     @Test
     void withoutADisplayTheDemoPlaysASessionAndPrintsItsTranscript() throws Exception {
-        FinishedProgram demo = FinishedProgram.run("simgsm-center", "--demo", "--lang", "en");
+        FinishedProgram demo;
+        try (ServerSocket taken = new ServerSocket()) {
+            takeDefaultPort(taken);
+            demo = FinishedProgram.run("simgsm-center", "--demo", "--lang", "en");
+        }
+        assertTrue(demo.error().contains("port 3003 is taken"), demo.error());
         assertEquals(0, demo.status(), demo.output() + demo.error());
         for (String shown : new String[] {"1", "6", "3", "4"}) {
             assertTrue(
@@ -19,6 +28,14 @@ class DemoTest {
         assertTrue(demo.output().contains("** #**20 **") || demo.output().contains("**#**20**"), demo.output());
         assertTrue(demo.output().toLowerCase().contains("sms"), demo.output());
         assertTrue(demo.output().contains("Collision"), demo.output());
+    }
+
+    private static void takeDefaultPort(ServerSocket held) {
+        try {
+            held.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 3003));
+        } catch (IOException e) {
+            // Another program has it, which serves as well.
+        }
     }
 
     @Test

@@ -20,6 +20,8 @@ import simgsm.ui.window.WindowMemory;
 
 /** The demo's centre with its temporary data, and its phone and SimRobot as child processes. */
 public final class DemoPrograms implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(DemoPrograms.class.getName());
+
     static final String PHONE_NUMBER = "5550100";
     static final String ROBOT_NUMBER = "5550200";
     private static final String WORLD = "worlds/demo.map";
@@ -67,7 +69,13 @@ public final class DemoPrograms implements AutoCloseable {
         try {
             return Center.open(settings, data, CenterSettings.DEFAULT_PORT);
         } catch (IOException e) {
-            return Center.open(settings, data, 0);
+            Center center = Center.open(settings, data, 0);
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "port {0} is taken, perhaps by another demo; this one has port {1}",
+                    String.valueOf(CenterSettings.DEFAULT_PORT),
+                    String.valueOf(center.port()));
+            return center;
         }
     }
 

@@ -132,7 +132,8 @@ final class RadioLink {
                     level,
                     neighbours.stream()
                             .map(each -> new MobileEvent.NeighbourLevel(
-                                    mobile.nameOf(each), RadioScale.rxlev(reception.levelsDbm()[each])))
+                                    mobile.nameOf(each),
+                                    RadioScale.rxlev(reception.levelsDbm()[each])))
                             .toList()));
         }
     }

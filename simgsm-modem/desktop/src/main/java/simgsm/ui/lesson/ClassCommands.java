@@ -25,8 +25,8 @@ final class ClassCommands extends JPanel {
         StringBuilder all = new StringBuilder(pattern).append("\n\n");
         rows.stream()
                 .sorted((a, b) -> a.phone().compareTo(b.phone()))
-                .forEach(row -> all.append(
-                                words.of("class.number", row.phone(), row.cells().get(1)))
+                .forEach(row -> all.append(words.of(
+                                "class.number", row.phone(), row.cells().get(1)))
                         .append('\n'));
         text.setText(all.toString().strip());
         text.setEditable(false);

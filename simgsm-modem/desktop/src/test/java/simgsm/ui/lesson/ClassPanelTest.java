@@ -48,12 +48,15 @@ class ClassPanelTest {
     void theTableOfAClassStartsStopsAndReplaysTheChosenStudent() {
         ClassPanel panel = new ClassPanel(Locale.ENGLISH, students());
         panel.show(view(row("5550100", true), row("5550101", false)));
-        AbstractButton stop = (AbstractButton) ComponentNames.find(panel, "class.stop").orElseThrow();
+        AbstractButton stop =
+                (AbstractButton) ComponentNames.find(panel, "class.stop").orElseThrow();
         assertFalse(((AbstractButton) ComponentNames.find(panel, "class.start").orElseThrow()).isEnabled());
         stop.doClick();
-        AbstractButton replay = (AbstractButton) ComponentNames.find(panel, "class.replay").orElseThrow();
+        AbstractButton replay =
+                (AbstractButton) ComponentNames.find(panel, "class.replay").orElseThrow();
         assertFalse(replay.isEnabled());
-        JTextArea command = (JTextArea) ComponentNames.find(panel, "class.command").orElseThrow();
+        JTextArea command =
+                (JTextArea) ComponentNames.find(panel, "class.command").orElseThrow();
         assertTrue(command.getText().contains("--number N "));
 
         ((JTable) ComponentNames.find(panel, "class.table").orElseThrow()).setRowSelectionInterval(1, 1);
@@ -63,8 +66,8 @@ class ClassPanelTest {
 
         panel.show(view(row("5550101", true), row("5550100", false)));
         assertTrue(command.getText().contains("--number 5550101 "), "the chosen student stays chosen");
-        JTextArea large =
-                (JTextArea) ComponentNames.find(panel.large(), "class.large.text").orElseThrow();
+        JTextArea large = (JTextArea)
+                ComponentNames.find(panel.large(), "class.large.text").orElseThrow();
         assertTrue(large.getText().endsWith("5550101 drives robot 5550200"), large.getText());
     }
 
@@ -99,7 +102,8 @@ class ClassPanelTest {
 
             @Override
             public List<String> commands() {
-                return List.of("x --number 5550100 --center 10.0.0.7:3003", "x --number 5550101 --center 10.0.0.7:3003");
+                return List.of(
+                        "x --number 5550100 --center 10.0.0.7:3003", "x --number 5550101 --center 10.0.0.7:3003");
             }
 
             @Override
