@@ -48,7 +48,7 @@ class LayeringTest {
             simgsm.audio             : simgsm.speech
             simgsm.draw              :
             simgsm.ui                : simgsm.console simgsm.draw
-            simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui
+            simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.ui.lesson         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui
             simgsm.ui.window         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf

@@ -41,7 +41,7 @@ public final class Glossary {
                                 .sorted(Comparator.comparingInt(String::length).reversed())
                                 .map(Pattern::quote)
                                 .collect(Collectors.joining("|"))
-                        + ")(?![\\p{L}\\p{N}-])",
+                        + ")(?:e?s)?(?![\\p{L}\\p{N}-])",
                 Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CASE);
     }
 
@@ -63,14 +63,14 @@ public final class Glossary {
                 .map(explanations::get);
     }
 
-    /** Splits a text so that each term, where it stands first, is a part of its own. */
+    /** Splits a text so that each term, also in the plural, where it stands first, is a part of its own. */
     public List<Part> parts(String text) {
         List<Part> parts = new ArrayList<>();
         List<String> seen = new ArrayList<>();
         int at = 0;
         Matcher matcher = pattern.matcher(text);
         while (matcher.find()) {
-            String term = terms.get(matcher.group().toLowerCase(Locale.ROOT));
+            String term = terms.get(matcher.group(1).toLowerCase(Locale.ROOT));
             if (!seen.contains(term)) {
                 seen.add(term);
                 parts.add(Part.plain(text.substring(at, matcher.start())));

@@ -26,6 +26,16 @@ class GlossaryTest {
     }
 
     @Test
+    void aPluralIsItsTerm() {
+        assertEquals(
+                List.of(
+                        Glossary.Part.plain("dos "),
+                        new Glossary.Part("traspasos", "handover"),
+                        Glossary.Part.plain("")),
+                spanish.parts("dos traspasos"));
+    }
+
+    @Test
     void aTextIsSplitAtTheFirstPlaceOfEachTerm() {
         assertEquals(
                 List.of(

@@ -33,6 +33,7 @@ public final class LessonFrame {
         frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
         frame.setBounds(x, y, width, height);
         frame.setVisible(true);
+        panel.focusFirst();
         SnapshotPoller<LessonView> newest = new SnapshotPoller<>(source, panel::show);
         newest.start();
         return new LessonFrame(frame, newest);

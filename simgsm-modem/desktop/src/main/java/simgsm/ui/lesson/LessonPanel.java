@@ -132,6 +132,11 @@ public final class LessonPanel extends JPanel {
         return button;
     }
 
+    /** Lets the student type the prediction at once. */
+    void focusFirst() {
+        ComponentNames.find(this, "lesson.predict").ifPresent(Component::requestFocusInWindow);
+    }
+
     private static JComponent small(String text) {
         return Theme.styled(new javax.swing.JLabel(text), label -> {
             label.setFont(GlossaryText.font(false));

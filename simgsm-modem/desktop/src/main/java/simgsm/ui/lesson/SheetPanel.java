@@ -2,6 +2,7 @@ package simgsm.ui.lesson;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.KeyboardFocusManager;
 import javax.swing.JEditorPane;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -28,6 +29,8 @@ public final class SheetPanel extends JPanel {
         text.setContentType("text/html");
         text.putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         text.setEditable(false);
+        text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         text.updateUI();
         Color head = Theme.color(Ink.ACCENT_WASH);
         text.setText(SheetHtml.of(markdown, String.format("#%06x", head.getRGB() & 0xffffff)));

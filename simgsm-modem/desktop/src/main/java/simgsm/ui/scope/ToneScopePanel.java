@@ -3,6 +3,7 @@ package simgsm.ui.scope;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.KeyEvent;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JDialog;
@@ -23,6 +24,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.lesson.TermPanel;
 
 /**
  * The tone scope of phone and modem: tools above the picture; below it the question of a prediction, the receivers with their
@@ -47,6 +49,7 @@ public final class ToneScopePanel extends JPanel {
     private final ReceiverPanel receivers;
     private final ToneExperimentBar experiment;
     private final JPanel below;
+    private final TermPanel terms;
     private Consumer<Boolean> whenHiding = hiding -> {};
     private boolean wasHiding;
     private boolean isCompact;
@@ -85,7 +88,9 @@ public final class ToneScopePanel extends JPanel {
         freeze.bind(scope, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0));
         add(tools, BorderLayout.NORTH);
         add(scope, BorderLayout.CENTER);
-        below = Arrange.column(Theme.HALF, prediction, receivers, experiment);
+        terms = new TermPanel(language, List.of(texts.of("scope.terms.list").split(", ")));
+        terms.setVisible(false);
+        below = Arrange.column(Theme.HALF, terms, prediction, receivers, experiment);
         add(below, BorderLayout.SOUTH);
     }
 
@@ -98,6 +103,7 @@ public final class ToneScopePanel extends JPanel {
                 on -> scope.changed(() -> instrument.choose(on ? Picture.SPECTROGRAM : Picture.LEVELS)));
         tools.toggle("scope.compare", Symbol.COMPARE, on -> scope.changed(() -> instrument.compare(on)));
         tools.toggle("scope.predict", Symbol.QUESTION, this::predict);
+        tools.toggle("scope.terms", Symbol.BOOK, this::explain);
         if (opensLarge) {
             tools.button("scope.large", Symbol.FIT, this::openLarge);
         }
@@ -114,6 +120,16 @@ public final class ToneScopePanel extends JPanel {
         updatePrediction();
         if (on) {
             prediction.focusField();
+        }
+    }
+
+    /** The terms take the place of receivers and experiment. */
+    private void explain(boolean on) {
+        terms.setVisible(on);
+        experiment.setVisible(!on && !isCompact);
+        revalidate();
+        if (on) {
+            terms.focusFirst();
         }
     }
 
@@ -161,7 +177,7 @@ public final class ToneScopePanel extends JPanel {
     public void setCompact(boolean compact) {
         scope.setCompact(compact);
         receivers.setCompact(compact);
-        experiment.setVisible(!compact);
+        experiment.setVisible(!compact && !terms.isVisible());
         isCompact = compact;
     }
 
@@ -169,7 +185,8 @@ public final class ToneScopePanel extends JPanel {
     public void doLayout() {
         experiment.arrange(getWidth() < Theme.px(NARROW));
         boolean asks = prediction.isVisible();
-        receivers.setVisible(asks ? getHeight() >= Theme.px(HIGH) : !isCompact || getHeight() >= Theme.px(LOW));
+        boolean hasRoom = asks ? getHeight() >= Theme.px(HIGH) : !isCompact || getHeight() >= Theme.px(LOW);
+        receivers.setVisible(hasRoom && !terms.isVisible());
         int spare = getHeight() - leastHeight();
         int toolsHeight = tools.getPreferredSize().height;
         tools.setVisible(spare >= toolsHeight);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,6 +15,7 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JEditorPane;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -157,6 +159,31 @@ class LessonPanelTest {
                 text, javax.swing.event.HyperlinkEvent.EventType.ACTIVATED, null, "SUBMIT"));
         assertEquals(List.of("SUBMIT"), done);
         assertEquals("A SUBMIT is a TPDU", text.getText());
+    }
+
+    @Test
+    void aTermIsReachedAndChosenByKeys() {
+        GlossaryText text =
+                new GlossaryText("sample", java.util.Optional.of(simgsm.lesson.Glossary.in(Locale.ENGLISH)), done::add);
+        text.show("No link.");
+        assertFalse(text.isFocusable());
+        text.show("A SUBMIT is a TPDU");
+        text.setSize(200, 100);
+        assertTrue(text.isFocusable());
+        assertTrue(text.getFocusTraversalKeys(java.awt.KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS)
+                .contains(KeyStroke.getKeyStroke(KeyEvent.VK_TAB, 0)));
+        press(text, KeyEvent.VK_RIGHT);
+        press(text, KeyEvent.VK_ENTER);
+        press(text, KeyEvent.VK_RIGHT);
+        press(text, KeyEvent.VK_SPACE);
+        press(text, KeyEvent.VK_LEFT);
+        press(text, KeyEvent.VK_ENTER);
+        assertEquals(List.of("SUBMIT", "TPDU", "SUBMIT"), done);
+    }
+
+    private static void press(GlossaryText text, int key) {
+        Object action = text.getInputMap().get(KeyStroke.getKeyStroke(key, 0));
+        text.getActionMap().get(action).actionPerformed(new java.awt.event.ActionEvent(text, 0, ""));
     }
 
     private LessonList list(LessonLibrary lessons) {

@@ -35,6 +35,7 @@ import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneShape;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
+import simgsm.lesson.Glossary;
 import simgsm.speech.SpeechCodec;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
@@ -386,5 +387,28 @@ class ToneScopeTest {
         int before = Painted.count(Painted.at(picture, 2), Ink.TEXT);
         click(panel, "scope.compare");
         assertTrue(Painted.count(Painted.at(picture, 2), Ink.TEXT) > before + 300);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void theTermsOfTheScopeOpenInItAndAreInTheGlossary(String language) {
+        Locale locale = Locale.forLanguageTag(language);
+        Glossary glossary = Glossary.in(locale);
+        String[] words = DesktopTexts.in(locale).of("scope.terms.list").split(", ");
+        for (String word : words) {
+            assertTrue(glossary.find(word).isPresent(), word);
+        }
+        ToneScopePanel panel = new ToneScopePanel(locale, experiment -> {});
+        Component links = ComponentNames.find(panel, "terms.links").orElseThrow();
+        assertFalse(links.getParent().getParent().isVisible());
+        click(panel, "scope.terms");
+        assertTrue(links.getParent().getParent().isVisible());
+        assertTrue(links.isFocusable());
+        assertEquals(
+                words.length,
+                glossary.parts(String.join(" \u00b7 ", words)).stream()
+                        .filter(part -> !part.term().isEmpty())
+                        .count());
+        assertEquals(List.of(), ComponentNames.unnamed(panel));
     }
 }
