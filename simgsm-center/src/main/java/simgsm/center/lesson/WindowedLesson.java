@@ -42,6 +42,9 @@ public final class WindowedLesson implements LessonActs {
     private static final int MOST_RANDOM_SEED = 10_000;
     private static final int STEP = 40;
     private static final int PERCENT = 100;
+    private static final int LEAST_ZOOM = 55;
+    /** Pixels of a window's title. */
+    private static final int FRAME = 30;
 
     private final LessonLibrary library;
     private final Lesson lesson;
@@ -129,8 +132,8 @@ public final class WindowedLesson implements LessonActs {
     }
 
     /**
-     * Robot and town have the same place. A second phone stands at the bottom, so that the display of the first one and the
-     * robot stay in view.
+     * Robot and town have the same place. Two phones stand one below the other, so small that both are in view; further ones lie
+     * over the second.
      */
     private static List<String> options(LessonProgram program, Lesson lesson, DemoLayout layout, WindowPlace screen) {
         if (program.options().contains("--headless")) {
@@ -142,14 +145,21 @@ public final class WindowedLesson implements LessonActs {
                 .count();
         boolean isPhone = program.jar().equals("simgsm-phone");
         WindowPlace place = isPhone ? layout.phone() : layout.robot();
-        if (before > 0) {
-            int height = SuiteWindow.PHONE.heightUnits() * layout.zoomPercent() / PERCENT;
-            int y = Math.max(screen.y(), screen.y() + screen.height() - height);
-            place = new WindowPlace(
-                    place.x() + (before - 1) * STEP, y - (before - 1) * STEP, place.width(), place.height());
+        long alike = lesson.programs().stream()
+                .filter(each -> each.jar().equals(program.jar()))
+                .count();
+        int zoom = layout.zoomPercent();
+        if (isPhone && alike > 1) {
+            int half = screen.height() / 2;
+            zoom = Math.min(zoom, Math.max(LEAST_ZOOM, (half - FRAME) * PERCENT / SuiteWindow.PHONE.heightUnits()));
+            int height = SuiteWindow.PHONE.heightUnits() * zoom / PERCENT + FRAME;
+            if (before > 0) {
+                int y = Math.max(screen.y(), screen.y() + screen.height() - height);
+                place = new WindowPlace(
+                        place.x() + (before - 1) * STEP, y - (before - 1) * STEP, place.width(), place.height());
+            }
         }
-        List<String> options =
-                List.of("--console", "--zoom", String.valueOf(layout.zoomPercent()), "--window", place.toString());
+        List<String> options = List.of("--console", "--zoom", String.valueOf(zoom), "--window", place.toString());
         return isPhone
                 ? options
                 : Stream.concat(options.stream(), Stream.of("--no-sound")).toList();
@@ -170,7 +180,12 @@ public final class WindowedLesson implements LessonActs {
                 place.width(),
                 place.height(),
                 () -> view);
-        perform(session::start);
+        perform(() -> {
+            notice = DesktopTexts.in(language).of("lesson.starting");
+            refresh();
+            session.start();
+            notice = "";
+        });
     }
 
     private void end() {

@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import simgsm.console.Event;
 
 /** One student's way through a lesson: events come in, steps become done. One thread at a time. */
@@ -41,9 +42,11 @@ public final class LessonRun {
         variables.put(name, value);
     }
 
-    /** What the student expects to see; it is not marked. */
+    /** What the student expects to see; it is not marked. The first one stays: later ones would be none. */
     public void predict(String text) {
-        prediction = text.strip();
+        if (prediction.isEmpty()) {
+            prediction = text.strip();
+        }
     }
 
     public String prediction() {
@@ -52,6 +55,9 @@ public final class LessonRun {
 
     /** An answer in the student's words; its numbers are the fields n1, n2 ... */
     public void answer(String name, String text) {
+        if (steps.stream().anyMatch(each -> each.isDone() && each.step.answer().equals(Optional.of(name)))) {
+            return; // a right answer stays
+        }
         answers.put(name, text.strip());
         Event event = Event.of(name).with("text", text.strip());
         int count = 0;

@@ -69,8 +69,10 @@ public final class LessonTexts {
         Set<String> keys = new LinkedHashSet<>(List.of("title", "task", "predict", "question"));
         lesson.steps().forEach(step -> keys.addAll(List.of("step " + step.name(), "hint " + step.name())));
         lesson.actions().forEach(action -> keys.add("action " + action.name()));
+        Set<String> others = new LinkedHashSet<>();
+        lesson.programs().forEach(program -> others.add("program " + program.name()));
         for (String key : texts.keySet()) {
-            if (!keys.contains(key)) {
+            if (!keys.contains(key) && !others.contains(key)) {
                 throw new LessonException(file + ", line " + lines.get(key) + ": expected a key of "
                         + String.join(", ", keys) + "; found " + key);
             }

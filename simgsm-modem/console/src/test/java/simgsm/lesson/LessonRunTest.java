@@ -121,6 +121,18 @@ class LessonRunTest {
     }
 
     @Test
+    void theFirstPredictionAndARightAnswerStay() throws Exception {
+        LessonRun run = run("step a", "answer f", "when student f n1=2");
+        run.predict(" five ");
+        run.predict("six");
+        assertEquals("five", run.prediction());
+        run.answer("f", "1");
+        run.answer("f", "2");
+        run.answer("f", "3");
+        assertEquals("2", run.answers().get("f"));
+    }
+
+    @Test
     void aPartOfATextAndAlternativesAreCompared() throws Exception {
         LessonRun run = run("step a", "when phone sms text~\"is done\" from=1|2");
         event(run, "phone", "sms from=3 text=\"It is  done.\"");

@@ -28,6 +28,9 @@ import simgsm.ui.UserAction;
  */
 final class GlossaryText extends JEditorPane {
     private static final int LEAST_PIXELS = 13;
+    /** A space without width. */
+    private static final String BREAK = "\u200b";
+
     /** Steps among the terms. */
     private static final Map<Integer, Integer> KEYS =
             Map.of(KeyEvent.VK_RIGHT, 1, KeyEvent.VK_DOWN, 1, KeyEvent.VK_LEFT, -1, KeyEvent.VK_UP, -1);
@@ -169,6 +172,8 @@ final class GlossaryText extends JEditorPane {
                 .replace("<", "&lt;")
                 .replace("'", "&#39;")
                 .replace("\n\n", "<br><br>")
+                // A path may be broken behind each folder.
+                .replace("/", "/" + BREAK)
                 .replace("** ", "**&nbsp;");
     }
 

@@ -15,6 +15,7 @@ import simgsm.ui.Theme;
 final class LessonColumn extends JPanel implements Scrollable {
     private int measuredWidth;
     private int measuredHeight;
+    private int neededHeight;
 
     LessonColumn(JComponent content) {
         super(new BorderLayout());
@@ -22,15 +23,20 @@ final class LessonColumn extends JPanel implements Scrollable {
         add(content, BorderLayout.CENTER);
     }
 
-    /** The texts' height depends on their width: after a change of the width all of them are measured anew, twice. */
+    /**
+     * The texts' height depends on their width: after a change of the width, or of what is shown, all of them are measured anew,
+     * until nothing changes.
+     */
     @Override
     public void doLayout() {
         super.doLayout();
         int height = getHeight();
         int width = getWidth();
-        if (width != measuredWidth || height != measuredHeight) {
+        int needed = getPreferredSize().height;
+        if (width != measuredWidth || height != measuredHeight || needed != neededHeight) {
             measuredWidth = width;
             measuredHeight = height;
+            neededHeight = needed;
             SwingUtilities.invokeLater(() -> {
                 forget(this);
                 revalidate();

@@ -219,6 +219,9 @@ public final class LessonPanel extends JPanel {
     /** Shows the newest state; called on the event thread. */
     public void show(LessonView view) {
         work.setVisible(view.isPredicted());
+        if (view.isPredicted()) {
+            close("lesson.predict");
+        }
         rows.forEach(row -> row.show(view.byName().get(row.step.name())));
         programs.forEach(button -> button.show(view.running().contains(button.name)));
         score.show(words.of(
@@ -229,6 +232,12 @@ public final class LessonPanel extends JPanel {
         notice.setVisible(!view.notice().isEmpty());
         revalidate();
         repaint();
+    }
+
+    /** What counts stays as it is. */
+    private void close(String field) {
+        ComponentNames.find(this, field).ifPresent(found -> ((JTextField) found).setEditable(false));
+        ComponentNames.find(this, field + ".give").ifPresent(button -> button.setEnabled(false));
     }
 
     /** Starts or stops a program that the lesson does not start itself, and starts one again whose window was closed. */
@@ -254,7 +263,8 @@ public final class LessonPanel extends JPanel {
         void show(boolean running) {
             isRunning = running;
             button.setVisible(isLater || !running);
-            String text = words.of(running ? "lesson.program.stop" : "lesson.program.start", name);
+            String title = texts.find("program " + name).orElse(name);
+            String text = words.of(running ? "lesson.program.stop" : "lesson.program.start", title);
             button.setText(text);
             ComponentNames.name(button, "lesson.program." + name, text);
         }
@@ -293,7 +303,10 @@ public final class LessonPanel extends JPanel {
 
         void show(LessonView.StepView view) {
             switch (view.state()) {
-                case DONE -> lamp.show(StatusMark.DISC, Ink.GOOD, words.of("lesson.state.done"));
+                case DONE -> {
+                    lamp.show(StatusMark.DISC, Ink.GOOD, words.of("lesson.state.done"));
+                    step.answer().ifPresent(answer -> close("lesson.answer." + answer));
+                }
                 case LOST -> lamp.show(StatusMark.SLASHED_RING, Ink.DANGER, words.of("lesson.state.lost"));
                 case LATER -> lamp.show(StatusMark.RING, Ink.QUIET, words.of("lesson.state.later"));
                 default ->
