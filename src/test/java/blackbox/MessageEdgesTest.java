@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simgsm.air.Msisdn;
 import vericommand.RobotStatus;
 import vericommand.VeriCommandSettings;
 
@@ -28,6 +29,22 @@ class MessageEdgesTest {
         operator.message(VirtualSuite.ROBOT, "** #**20 **");
         suite.seconds(10);
         assertEquals(List.of("3 Done: #**20. Stopped at 0.200 0.000 m, heading 0.0."), operator.messages);
+    }
+
+    /** Without end before: each reply was answered by another one. */
+    @Test
+    void aRobotDoesNotAnswerARobot() {
+        suite.telephone.station().sendMessage(new Msisdn(VirtualSuite.ROBOT), "hello");
+        suite.seconds(10);
+        assertEquals(
+                List.of("reply robot=robot to=5550200 text=\"7 Not a valid command: ** expected at key 1.\""),
+                suite.robotLines("reply"));
+        assertEquals(2, suite.robotLines("sms ").size());
+        suite.telephone.station().sendMessage(new Msisdn(VirtualSuite.ROBOT), "** #**20 **");
+        suite.seconds(10);
+        assertEquals(2, suite.robotLines("reply").size());
+        assertEquals(4, suite.robotLines("sms ").size());
+        assertEquals(2, suite.robotLines("order ").size());
     }
 
     @Test

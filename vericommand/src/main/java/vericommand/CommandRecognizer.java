@@ -133,9 +133,7 @@ public final class CommandRecognizer {
             case ADD_STOP -> instructions.add(new Instruction.StopNow());
             case ADD_REPORT -> instructions.add(new Instruction.ReportStatus());
             case ADD_PROCESS -> instructions.add(new Instruction.StartProcess(keys.charAt(keys.length() - 1) - '0'));
-            case COMPLETE_ORDER ->
-                recognition =
-                        new Recognition.Complete(new Order("**" + keys.substring(keys.indexOf("#")), instructions));
+            case COMPLETE_ORDER -> recognition = new Recognition.Complete(new Order(keys.toString(), instructions));
         }
     }
 

@@ -8,9 +8,9 @@ import java.util.stream.Collectors;
 /**
  * One complete order, valid in grammar and range.
  *
- * @param keys as received, without blanks and without further stars of the opening
+ * @param received all keys as received, without blanks: the ones that positions count
  */
-public record Order(String keys, List<Instruction> instructions) {
+public record Order(String received, List<Instruction> instructions) {
     public static final int MAX_INSTRUCTIONS = 32;
 
     public Order {
@@ -19,6 +19,11 @@ public record Order(String keys, List<Instruction> instructions) {
             throw new IllegalArgumentException(
                     "an order has 1.." + MAX_INSTRUCTIONS + " instructions, not " + instructions.size());
         }
+    }
+
+    /** The keys as received, without blanks and without further stars of the opening. */
+    public String keys() {
+        return received.replaceFirst("^\\*+", "**");
     }
 
     /** Whether an instruction moves the robot. */

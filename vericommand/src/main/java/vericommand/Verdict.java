@@ -7,7 +7,7 @@ public sealed interface Verdict {
     /** {@code accepted}, {@code refused} or {@code invalid}, for consoles and logs. */
     String word();
 
-    /** The keys as received, without blanks. */
+    /** The keys as received, without blanks; of a valid order without further stars of its opening. */
     String keys();
 
     record Accepted(Order order) implements Verdict {
@@ -53,7 +53,7 @@ public sealed interface Verdict {
 
         @Override
         public String keys() {
-            return order.keys();
+            return order.received();
         }
 
         /** Position of the process's number among the keys, from 1: it stands before the closing. */

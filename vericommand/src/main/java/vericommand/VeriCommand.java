@@ -18,6 +18,7 @@ public final class VeriCommand {
     private final ReplyTexts texts;
     private final CommandRecognizer recognizer = new CommandRecognizer();
     private final OrderDisplay display;
+    private final AnswerLimit answerLimit = new AnswerLimit();
     /** Stop orders, answered when the robot stands. */
     private final List<OrderExecution> stops = new ArrayList<>();
 
@@ -95,15 +96,34 @@ public final class VeriCommand {
         }
     }
 
-    /** A short message. @param from the number that the network has authenticated */
-    public void message(String from, String text) {
+    /**
+     * A short message. A reply of this suite is no order and gets no reply; nor do messages without a valid order from a
+     * sender who has had 30 such replies within 60 s, until a minute has passed. Valid orders are always taken.
+     *
+     * @param from the number that the network has authenticated
+     * @param nowNanos the time now, by any clock that only goes forward
+     */
+    public void message(String from, String text, long nowNanos) {
         if (!settings.permits(from)) {
             listener.senderIgnored(from);
-            return;
+        } else if (ReplyForms.isReply(text)) {
+            listener.replyIgnored(from);
+        } else {
+            order(from, OrderText.read(text), nowNanos);
         }
-        display.begin(from, true);
-        handle(OrderText.read(text), OrderOrigin.message(from));
-        listener.changed();
+    }
+
+    private void order(String from, Recognition recognition, long nowNanos) {
+        boolean isValid = recognition instanceof Recognition.Complete complete
+                && !(verdict(complete.order()) instanceof Verdict.NoProcess);
+        AnswerLimit.Decision decision = isValid ? AnswerLimit.Decision.ANSWER : answerLimit.decide(from, nowNanos);
+        if (decision == AnswerLimit.Decision.ANSWER) {
+            display.begin(from, true);
+            handle(recognition, OrderOrigin.message(from));
+            listener.changed();
+        } else if (decision == AnswerLimit.Decision.BE_SILENT) {
+            listener.senderSilenced(from);
+        }
     }
 
     /**

@@ -26,6 +26,12 @@ public interface VeriCommandListener {
     /** A short message came from a number that may not command; it gets no reply. */
     default void senderIgnored(String from) {}
 
+    /** A short message is a reply of this suite; it gets no reply. */
+    default void replyIgnored(String from) {}
+
+    /** A sender has sent too many messages without a valid order; for a minute such ones get no reply. */
+    default void senderSilenced(String from) {}
+
     /** There is a new {@link VeriCommand#snapshot()}. */
     default void changed() {}
 }

@@ -1,5 +1,7 @@
 package vericommand;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +18,7 @@ final class Bench implements VeriCommandListener {
     VeriCommandSnapshot shown;
 
     int changes;
+    long nowNanos;
 
     private Bench(RobotStatus status, VeriCommandSettings settings) {
         robot = new HandDrivenRobot(status);
@@ -51,7 +54,11 @@ final class Bench implements VeriCommandListener {
     }
 
     void sms(String text) {
-        veri.message("5550101", text);
+        sms("5550101", text);
+    }
+
+    void sms(String from, String text) {
+        veri.message(from, text, nowNanos);
     }
 
     /** The output since the last call; {@code events("tone")} keeps only lines of that kind. */
@@ -77,6 +84,7 @@ final class Bench implements VeriCommandListener {
     @Override
     public void message(String to, String text) {
         events.add("sms " + to + " " + text);
+        assertTrue(ReplyForms.isReply(text), text);
     }
 
     @Override
@@ -102,6 +110,16 @@ final class Bench implements VeriCommandListener {
     @Override
     public void senderIgnored(String from) {
         events.add("ignored " + from);
+    }
+
+    @Override
+    public void replyIgnored(String from) {
+        events.add("reply-ignored " + from);
+    }
+
+    @Override
+    public void senderSilenced(String from) {
+        events.add("silenced " + from);
     }
 
     @Override

@@ -11,6 +11,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Orders by short message, answered by one short message each. */
 class VeriCommandMessageTest {
@@ -126,7 +127,7 @@ class VeriCommandMessageTest {
     void theOrderThatAStopHasStoppedSaysHowFarItGot() {
         Bench bench = Bench.in(RobotStatus.STOPPED);
         bench.sms("** #**20 **");
-        bench.veri.message("5550102", "** ### **");
+        bench.sms("5550102", "** ### **");
         bench.robot.stand(12.2);
         assertEquals(
                 List.of(
@@ -199,6 +200,82 @@ class VeriCommandMessageTest {
                 bench.events("sms"));
     }
 
+    /** Without end before: each robot answered the other's 7 with another 7. */
+    @Test
+    void aReplyOfARobotIsNeitherAnsweredNorTakenAsAnOrder() {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        List<String> replies = List.of(
+                "7 Not a valid command: ** expected at key 1.",
+                "7 La orden no vale: se espera un valor en la tecla 6. Rango 1..9999 cm.",
+                "7 Not a valid command: no process 3 at key 10. Processes: 1 wander, 2 wall-follow.",
+                "3 Done: #**20. Stopped at 1.200 0.500 m, heading 90.0.",
+                "4 Collision at 1.200 0.500 m, heading 90.0.",
+                " 4 Choque tras 12 de 20 cm, paso 1 de 1.\n",
+                "5 Process wander ended: no way",
+                "6 Iniciado el proceso 1: wander.",
+                "8 Stopped by order after 12 of 20 cm",
+                "2 Connection denied: the robot is off. Ended after 12 of 20 cm, instruction 2 of 2.");
+        for (String reply : replies) {
+            bench.sms(reply);
+            assertEquals(List.of("reply-ignored 5550101"), bench.events(), reply);
+        }
+        assertEquals(0, bench.changes);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "7",
+                "7 ",
+                "3 tables please",
+                "4 Done: #**20. Stopped",
+                "Not a valid command: x expected at key 1.",
+                "hello"
+            })
+    void otherTextsAreStillAnswered(String text) {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        bench.sms(text);
+        assertEquals(List.of(TO + "7 Not a valid command: ** expected at key 1."), bench.events("sms"));
+    }
+
+    @Test
+    void aSenderIsAnsweredThirtyTimesAMinuteForMessagesWithoutAValidOrder() {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        for (int i = 0; i < 1000; i++) {
+            bench.nowNanos += 10_000_000;
+            bench.sms(i % 2 == 0 ? "I am away" : "** #*9 **");
+        }
+        List<String> events = bench.events("sms", "order", "silenced");
+        assertEquals(61, events.size());
+        assertEquals("silenced 5550101", events.get(60));
+        bench.sms("5550102", "hello");
+        bench.sms("** #*0 **");
+        assertEquals(
+                List.of(
+                        "sms 5550102 7 Not a valid command: ** expected at key 1.",
+                        TO + "3 Done: #*0. Stopped at 1.200 0.500 m, heading 90.0."),
+                bench.events("sms"));
+        bench.nowNanos = 310_000_000L + 59_999_999_999L;
+        bench.sms("hello");
+        assertEquals(List.of(), bench.events());
+        bench.nowNanos++;
+        bench.sms("hello");
+        assertEquals(List.of(TO + "7 Not a valid command: ** expected at key 1."), bench.events("sms"));
+    }
+
+    @Test
+    void thirtyAnswersCountInAnyMinute() {
+        Bench bench = Bench.in(RobotStatus.STOPPED);
+        for (int i = 0; i < 100; i++) {
+            bench.nowNanos += 2_000_000_000L;
+            bench.sms("hello");
+        }
+        assertEquals(100, bench.events("sms").size());
+        bench.nowNanos += 1_999_999_999L;
+        bench.sms("hello");
+        assertEquals(List.of("silenced 5550101"), bench.events());
+    }
+
     @Test
     void numbersHaveNoNegativeZeroAndHeadingsStayBelow360() {
         Bench bench = Bench.in(RobotStatus.STOPPED);
@@ -225,12 +302,14 @@ class VeriCommandMessageTest {
                 assertTrue(texts.done(longest, status, far).message().length() <= 160);
                 assertTrue(texts.report(longest, status, far).message().length() <= 160);
                 assertTrue(texts.aborted(progress, status).message().length() <= 160);
+                assertTrue(ReplyForms.isReply(texts.aborted(progress, status).message()));
             }
             for (ExpectedKeys expected : ExpectedKeys.values()) {
                 for (OrderFault.Limit limit : OrderFault.Limit.values()) {
                     OrderFault fault = new OrderFault("", 99999, expected, limit, true);
                     assertTrue(
-                            texts.invalid(fault).message().length() <= 160,
+                            texts.invalid(fault).message().length() <= 160
+                                    && ReplyForms.isReply(texts.invalid(fault).message()),
                             texts.invalid(fault).message());
                 }
             }

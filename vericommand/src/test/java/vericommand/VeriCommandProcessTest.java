@@ -72,6 +72,18 @@ class VeriCommandProcessTest {
         assertEquals(List.of(), bench.robot.started);
     }
 
+    @ParameterizedTest
+    @CsvSource({"** #*9 **,5", "*** #*9 **,6", "**** #*9 **,7", "***** #*9 **,8", "**** #**20 #*9 **,12"})
+    void theKeyOfAProcessThatIsNotThereCountsAllStarsOfTheOpening(String keys, int position) {
+        bench.sms(keys);
+        bench.press(keys);
+        String reply =
+                "7 Not a valid command: no process 9 at key " + position + ". Processes: 1 wander, 2 wall-follow.";
+        assertEquals(List.of("outcome " + reply, "outcome " + reply), bench.events("outcome"));
+        assertEquals(OrderText.keysOf(keys), bench.shown.keys());
+        assertEquals('9', bench.shown.keys().charAt(bench.shown.failingPosition() - 1));
+    }
+
     @Test
     void aNumberWithoutAProcessLeavesTheRunningOneAlone() {
         bench.press("** #*1 **");

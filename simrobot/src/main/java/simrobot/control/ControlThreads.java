@@ -10,7 +10,7 @@ import java.util.function.LongSupplier;
  *
  * @param stations runs tasks in order on the thread that owns the modem's station
  * @param simulation runs tasks in order on the thread that owns the robot
- * @param clockNanos clock for measurements only
+ * @param clockNanos clock for measurements and for the limit of replies to messages; it only goes forward
  */
 public record ControlThreads(Executor stations, Executor simulation, LongSupplier clockNanos) {
     public ControlThreads {

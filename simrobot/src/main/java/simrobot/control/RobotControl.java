@@ -30,6 +30,7 @@ final class RobotControl {
     private final Pioneer robot;
     private final VeriCommandSettings settings;
     private final ModemPort modem;
+    private final LongSupplier clockNanos;
     private final List<Consumer<RobotEvent>> listeners = new CopyOnWriteArrayList<>();
     private final OrderLatencyLog stopwatch;
     private final VeriCommand veriCommand;
@@ -41,6 +42,7 @@ final class RobotControl {
         this.robot = robot;
         this.settings = settings;
         this.modem = modem;
+        this.clockNanos = clockNanos;
         stopwatch = new OrderLatencyLog(robot.name(), clockNanos);
         veriCommand = new VeriCommand(robot, settings, new Answers());
         status = robot.status();
@@ -101,7 +103,7 @@ final class RobotControl {
 
     void message(String from, String text) {
         tell(new RobotEvent.MessageReceived(from, text));
-        veriCommand.message(from, text);
+        veriCommand.message(from, text, clockNanos.getAsLong());
     }
 
     /** A question of the network by USSD. @return the verifier's reply */
@@ -186,6 +188,19 @@ final class RobotControl {
         @Override
         public void senderIgnored(String from) {
             LOG.log(Level.INFO, robot.name() + ": SMS from " + from + " ignored, no operator");
+        }
+
+        @Override
+        public void replyIgnored(String from) {
+            LOG.log(Level.INFO, robot.name() + ": SMS from " + from + " ignored, it is a robot's reply");
+        }
+
+        @Override
+        public void senderSilenced(String from) {
+            LOG.log(
+                    Level.WARNING,
+                    robot.name() + ": more than 30 SMS without a valid order within 60 s from " + from
+                            + ", for a minute such ones get no reply");
         }
 
         @Override
