@@ -17,7 +17,7 @@ final class AnswerLimit {
     static final long MINUTE_NANOS = 60_000_000_000L;
 
     /** What to do with a message. */
-    enum Decision {
+    enum Ruling {
         ANSWER,
         /** The silence begins with this message. */
         BE_SILENT,
@@ -37,11 +37,11 @@ final class AnswerLimit {
     private final Map<String, Sender> senders = new LinkedHashMap<>();
 
     /** A message without a valid order has come. */
-    Decision decide(String from, long nowNanos) {
+    Ruling decide(String from, long nowNanos) {
         forgetOld(nowNanos);
         Sender sender = senders.computeIfAbsent(from, unknown -> new Sender());
         if (sender.isSilenced) {
-            return Decision.STAY_SILENT;
+            return Ruling.STAY_SILENT;
         }
         while (!sender.answers.isEmpty() && isOld(sender.answers.getFirst(), nowNanos)) {
             sender.answers.removeFirst();
@@ -53,7 +53,7 @@ final class AnswerLimit {
         }
         senders.remove(from);
         senders.put(from, sender);
-        return sender.isSilenced ? Decision.BE_SILENT : Decision.ANSWER;
+        return sender.isSilenced ? Ruling.BE_SILENT : Ruling.ANSWER;
     }
 
     private void forgetOld(long nowNanos) {

@@ -116,12 +116,12 @@ public final class VeriCommand {
     private void order(String from, Recognition recognition, long nowNanos) {
         boolean isValid = recognition instanceof Recognition.Complete complete
                 && !(verdict(complete.order()) instanceof Verdict.NoProcess);
-        AnswerLimit.Decision decision = isValid ? AnswerLimit.Decision.ANSWER : answerLimit.decide(from, nowNanos);
-        if (decision == AnswerLimit.Decision.ANSWER) {
+        AnswerLimit.Ruling ruling = isValid ? AnswerLimit.Ruling.ANSWER : answerLimit.decide(from, nowNanos);
+        if (ruling == AnswerLimit.Ruling.ANSWER) {
             display.begin(from, true);
             handle(recognition, OrderOrigin.message(from));
             listener.changed();
-        } else if (decision == AnswerLimit.Decision.BE_SILENT) {
+        } else if (ruling == AnswerLimit.Ruling.BE_SILENT) {
             listener.senderSilenced(from);
         }
     }

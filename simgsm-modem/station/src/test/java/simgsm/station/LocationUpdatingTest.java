@@ -11,9 +11,11 @@ import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.LocationArea;
 import simgsm.air.MobilityManagement.LocationUpdatingAccept;
+import simgsm.air.MobilityManagement.LocationUpdatingReject;
 import simgsm.air.MobilityManagement.LocationUpdatingRequest;
 import simgsm.air.MobilityManagement.LocationUpdatingType;
 import simgsm.air.RadioResource.PagingResponse;
+import simgsm.air.RejectCause;
 import simgsm.rr.SystemInformation;
 import simgsm.rr.SystemInformation.ControlChannel;
 import simgsm.rr.SystemInformation.RandomAccess;
@@ -80,6 +82,42 @@ class LocationUpdatingTest {
         scene.releaseChannel();
 
         assertEquals(LocationUpdatingType.NORMAL, accept(SECOND_AREA).updatingType());
+    }
+
+    @Test
+    void aStationThatFoundNoNetworkRegistersAsSoonAsACellIsThere() {
+        scene.linkDown();
+        scene.linkUp();
+        scene.identify();
+        for (long pause = Scene.SECOND; pause < 16 * Scene.SECOND; pause *= 2) {
+            scene.expectFirst(LocationUpdatingRequest.class);
+            scene.pass(20 * Scene.SECOND);
+            scene.expectReleaseIndication();
+            scene.pass(pause);
+        }
+        scene.expectFirst(LocationUpdatingRequest.class);
+        scene.pass(20 * Scene.SECOND);
+        scene.expectReleaseIndication();
+        camp(SECOND_AREA, 0);
+        assertEquals(LocationUpdatingType.IMSI_ATTACH, accept(SECOND_AREA).updatingType());
+        assertEquals(List.of("unregistered", "registered 5550100"), scene.reported.lines());
+        scene.pass(60 * Scene.SECOND);
+        scene.expectNothing();
+    }
+
+    @Test
+    void aRefusedStationKeepsItsPauseInAnotherCell() {
+        scene.linkDown();
+        scene.linkUp();
+        scene.identify();
+        scene.expectFirst(LocationUpdatingRequest.class);
+        scene.down(new LocationUpdatingReject(RejectCause.ILLEGAL_MS));
+        scene.releaseChannel();
+        camp(SECOND_AREA, 0);
+        scene.pass(Scene.SECOND - 1);
+        scene.expectNothing();
+        scene.pass(1);
+        scene.expectFirst(LocationUpdatingRequest.class);
     }
 
     @Test

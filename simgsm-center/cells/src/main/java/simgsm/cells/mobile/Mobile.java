@@ -231,6 +231,11 @@ public final class Mobile {
         }
     }
 
+    /** Closes the terminal's connection, as a network that is gone: the terminal says so, comes again and registers. */
+    public void letGo(String reason) {
+        port.close(reason);
+    }
+
     /** The terminal's connection is closed. */
     public void close() {
         isGone = true;

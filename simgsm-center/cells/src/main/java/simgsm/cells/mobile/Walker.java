@@ -45,6 +45,14 @@ public final class Walker {
         metresPerSecond = speedMetresPerSecond;
     }
 
+    /** Goes on where another is and walks. */
+    public void follow(Walker other) {
+        place = other.place;
+        points = other.points;
+        next = other.next;
+        metresPerSecond = other.metresPerSecond;
+    }
+
     public void advance(long nanos) {
         double metres = metresPerSecond * nanos / SECOND_NANOS;
         while (!points.isEmpty() && metres > 0) {

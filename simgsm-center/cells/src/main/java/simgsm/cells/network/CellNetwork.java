@@ -19,6 +19,7 @@ import simgsm.cells.mobile.Mobile;
 import simgsm.cells.mobile.MobileEvent;
 import simgsm.cells.mobile.MobileNetwork;
 import simgsm.cells.mobile.MobilePort;
+import simgsm.cells.mobile.Walker;
 import simgsm.cells.radio.Propagation;
 import simgsm.cells.radio.RadioField;
 import simgsm.cells.radio.TowerState;
@@ -45,8 +46,12 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     private final Map<String, TownPlace> placed = new HashMap<>();
     private final Deque<PassingStep> passing = new ArrayDeque<>();
     private final Consumer<MobileEvent> listener;
+    /** Walks of terminals that were let go, by number: each goes on when its terminal is back. */
+    private final Map<String, Walker> walks = new HashMap<>();
+
     private boolean isPaused;
     private HandoverRule handoverRule = HandoverRule.STANDARD;
+    private boolean isServed;
 
     /** The towers are on and have no controller yet. */
     public CellNetwork(Town town, long seed, Consumer<MobileEvent> listener) {
@@ -117,6 +122,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     /** Puts a mobile at a place, where it stays; one that is not there yet appears there. */
     public void place(String number, TownPlace place) {
         placed.put(number, place);
+        walks.remove(number);
         mobile(number).ifPresent(mobile -> mobile.walker().standAt(place));
     }
 
@@ -141,8 +147,11 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     @Override
     public void identified(Mobile mobile) {
         String number = mobile.number();
+        Walker before = walks.remove(number);
         mobile.walker().standAt(placed.getOrDefault(number, town.start(number)));
-        if (!placed.containsKey(number)) {
+        if (before != null) {
+            mobile.walker().follow(before);
+        } else if (!placed.containsKey(number)) {
             town.walkOf(number).ifPresent(walk -> mobile.walker().walk(walk.points(), walk.metresPerSecond()));
         }
     }
@@ -235,6 +244,17 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         mobiles.forEach(mobile -> mobile.broadcast(index, page));
     }
 
+    /**
+     * With the controller of the last tower the network is gone, and with it what it knows of the mobiles: their terminals are
+     * let go and register anew. A tower that is switched off is a hole in the coverage only.
+     */
     @Override
-    public void changed(BaseStation tower) {}
+    public void changed(BaseStation tower) {
+        boolean wasServed = isServed;
+        isServed = towers.stream().anyMatch(BaseStation::isInService);
+        if (wasServed && !isServed && tower.isOn()) {
+            mobiles.forEach(mobile -> walks.put(mobile.number(), mobile.walker()));
+            List.copyOf(mobiles).forEach(mobile -> mobile.letGo("no tower has a controller"));
+        }
+    }
 }

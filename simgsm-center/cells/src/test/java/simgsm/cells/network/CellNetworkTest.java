@@ -414,6 +414,40 @@ class CellNetworkTest {
     }
 
     @Test
+    void withTheControllerOfTheLastTowerEachTerminalIsLetGoAndGoesOnWalkingWhenItIsBack() throws ProtocolViolation {
+        TownScene scene = new TownScene();
+        TownScene.Terminal terminal = scene.inCall();
+        scene.network.walk("5550100", List.of(new TownPlace(1_000, 0)), 10);
+        scene.pass(10 * SECOND);
+        TownPlace place = terminal.mobile.walker().place();
+        scene.west.drop("the centre is killed");
+        assertEquals(List.of(), terminal.closed, "the other tower is in service");
+        scene.east.drop("the centre is killed");
+        assertEquals(List.of("no tower has a controller"), terminal.closed);
+        assertEquals(List.of(), scene.network.mobiles());
+
+        TownScene.Terminal again = scene.new Terminal("5550100");
+        again.register();
+        scene.east.connect(1);
+        scene.west.connect(1);
+        assertEquals(0, place.distanceMetres(again.mobile.walker().place()), 1e-9);
+        assertEquals(List.of(new TownPlace(1_000, 0)), again.mobile.walker().ahead());
+        scene.west.up.clear();
+        scene.west.expectAccess();
+        assertEquals(List.of(), again.closed);
+    }
+
+    @Test
+    void towersThatAreSwitchedOffLeaveTheTerminalsConnected() throws ProtocolViolation {
+        TownScene scene = new TownScene();
+        TownScene.Terminal terminal = scene.inCall();
+        scene.network.switchTower(scene.west.tower, false);
+        scene.network.switchTower(scene.east.tower, false);
+        scene.pass(10 * SECOND);
+        assertEquals(List.of(), terminal.closed);
+    }
+
+    @Test
     void aTerminalThatIsGoneIsReportedAtOnce() throws ProtocolViolation {
         TownScene scene = new TownScene();
         TownScene.Terminal terminal = scene.inCall();

@@ -203,6 +203,9 @@ final class TownScene {
     final class Terminal implements MobilePort {
         final Queue<RslMessage> down = new ArrayDeque<>();
         final List<Long> heardNanos = new ArrayList<>();
+        /** Why the network has closed the connection. */
+        final List<String> closed = new ArrayList<>();
+
         final Imsi imsi;
         final Mobile mobile;
 
@@ -231,7 +234,8 @@ final class TownScene {
 
         @Override
         public void close(String reason) {
-            throw new AssertionError(reason);
+            closed.add(reason);
+            network.disconnected(mobile);
         }
 
         void register() {

@@ -134,13 +134,18 @@ public final class MobileRegistration {
     }
 
     /**
-     * The cell has told what it is.
+     * The cell has told what it is. A registration that got no answer, as without a cell, is tried again in it at once (TS 24.008,
+     * 4.2.2.2); one that was refused keeps its pause.
      *
      * @param periodicUpdatingSteps T3212, of 6 minutes; 0 for none
      */
     public void camped(LocationArea newArea, int periodicUpdatingSteps) {
         cellArea = Optional.of(newArea);
         periodicSteps = periodicUpdatingSteps;
+        if (state() == MobileRegistrationState.ATTEMPTING_TO_UPDATE && rejectCause.isEmpty()) {
+            pause = 1;
+            fire(MobileRegistrationEvent.CELL_FOUND);
+        }
     }
 
     /**
