@@ -40,6 +40,9 @@ public final class Connector {
     private Timer timer;
 
     private long connectedNanos;
+    /** Of the pause that comes next. */
+    private long leastPauseNanos;
+
     private boolean isClosed;
 
     /** @param address may be unresolved; its name is resolved at each attempt */
@@ -104,8 +107,14 @@ public final class Connector {
     private void retry() {
         loop.cancel(timer);
         if (!isClosed) {
-            timer = loop.after(pause.next(), this::start);
+            timer = loop.after(Math.max(pause.next(), leastPauseNanos), this::start);
+            leastPauseNanos = 0;
         }
+    }
+
+    /** Begins the next attempt after this time at the earliest; to be called while a connection is closing. */
+    public void postpone(long nanos) {
+        leastPauseNanos = nanos;
     }
 
     /** Closes the connection and makes no further attempt. */

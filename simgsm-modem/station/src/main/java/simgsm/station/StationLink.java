@@ -22,8 +22,11 @@ final class StationLink implements Connector.Listener {
     private final Connector connector;
     private final String address;
     private final StationLog log;
+    private final DisplacementWatch displacements = new DisplacementWatch();
     /** Null while there is none. */
     private Uplinked connection;
+
+    private long connectedNanos;
 
     private boolean isAbsenceLogged;
     /** Runs when the station has departed; null before it departs. */
@@ -39,6 +42,7 @@ final class StationLink implements Connector.Listener {
         @Override
         protected void opened() {
             isAbsenceLogged = false;
+            connectedNanos = System.nanoTime();
             log.trace(Level.INFO, "connected to the centre at {0}", address);
             station.linkUp(this, System.nanoTime());
         }
@@ -57,6 +61,12 @@ final class StationLink implements Connector.Listener {
         protected void closing(boolean isByPeer) {
             super.closing(isByPeer);
             connection = null;
+            if (isByPeer && station.snapshot().registered()) {
+                connector.postpone(displacements.linkEnded(System.nanoTime() - connectedNanos));
+                tellDisplacement();
+            } else {
+                displacements.reset();
+            }
         }
 
         @Override
@@ -81,8 +91,18 @@ final class StationLink implements Connector.Listener {
         return connection;
     }
 
+    private void tellDisplacement() {
+        if (displacements.isNews()) {
+            log.trace(
+                    Level.WARNING,
+                    "the centre ends the link after each registration: another terminal seems to use this number and IMEI {0}; trying again after pauses of up to 60 s",
+                    station.identity().imei().digits());
+        }
+    }
+
     @Override
     public void failed(String reason) {
+        displacements.reset();
         if (!isAbsenceLogged) {
             isAbsenceLogged = true;
             log.trace(Level.WARNING, "no centre at {0} ({1}); trying again", address, reason);
