@@ -1,6 +1,7 @@
 package blackbox.peers;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import blackbox.Dist;
@@ -130,7 +131,7 @@ class AtClientsTest {
         try {
             begin("gammu");
             List<String> blocks = blocks("gammu");
-            assertEquals(10, blocks.size());
+            assertEquals(13, blocks.size());
             run(blocks.get(0));
             String identity = run(blocks.get(1));
             assertTrue(identity.contains("SimGSM (SIMCOM compatible)"), identity);
@@ -152,6 +153,11 @@ class AtClientsTest {
             robot.expect("outcome", "tone", "3");
             run(blocks.get(9));
             robot.expect("released", "cause", "16");
+            assertTrue(run(blocks.get(10)).contains("all types of diverts"));
+            String divert = run(blocks.get(11));
+            assertTrue(divert.contains("Number               : +5550299"), divert);
+            run(blocks.get(12));
+            assertFalse(run(blocks.get(11)).contains("+5550299"));
         } finally {
             end();
         }
