@@ -24,16 +24,23 @@ import javax.swing.JTabbedPane;
 import javax.swing.JViewport;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import simgsm.cells.ui.TownPanel;
+import simgsm.cells.ui.TownWindow;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.ui.CenterActions;
 import simgsm.center.ui.MonitorPanel;
 import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.NetworkAccess;
 import simgsm.console.TextBundle;
+import simgsm.lesson.LessonLibrary;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.ui.HandsetControls;
 import simgsm.phone.ui.HandsetWindow;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.lesson.ClassActs;
+import simgsm.ui.lesson.ClassPanel;
+import simgsm.ui.lesson.ClassView;
+import simgsm.ui.lesson.LessonList;
 import simgsm.ui.window.ProgramWindow;
 import simrobot.control.LoggedEvent;
 import simrobot.control.RobotEventLog;
@@ -46,19 +53,23 @@ import simrobot.ui.WindowSnapshot;
 import simrobot.ui.panel.SimRobotWindow;
 import simrobot.world.WorldReader;
 
-/** The three windows after a call with an order, a refused order, and a short message; without frames. */
+/** The suite's windows; phone, robot and centre after a call with an order, a refused order, and a short message; without frames. */
 final class SuiteWindows {
     private final VirtualPhone caller;
     private final ExchangeSnapshot center;
     private final WindowSnapshot robot;
     private final WindowSnapshot replay;
+    private final TownScene town = new TownScene();
 
     /** Which window. */
     enum Which {
         PHONE,
         ROBOT,
         REPLAY,
-        CENTER
+        CENTER,
+        TOWN,
+        CLASS,
+        LESSONS
     }
 
     SuiteWindows() {
@@ -116,6 +127,43 @@ final class SuiteWindows {
     /** On the event thread, in the theme that is installed. */
     JComponent open(Which which, String language) {
         Locale locale = Locale.forLanguageTag(language);
+        return switch (which) {
+            case TOWN ->
+                new TownPanel(
+                        TownWindow.texts(locale),
+                        town.actions(),
+                        town.actions().snapshot(),
+                        town.propagation(),
+                        task -> {},
+                        Runnable::run);
+            case CLASS -> classPanel(locale);
+            case LESSONS -> new LessonList(LessonLibrary.ofSuite(), locale, nothing(LessonList.Acts.class));
+            default -> program(which, language);
+        };
+    }
+
+    private static ClassPanel classPanel(Locale locale) {
+        ClassActs acts = (ClassActs) Proxy.newProxyInstance(
+                ClassActs.class.getClassLoader(),
+                new Class<?>[] {ClassActs.class},
+                (proxy, method, arguments) -> switch (method.getName()) {
+                    case "commands" -> List.of();
+                    case "pattern" -> "java -jar simgsm-phone.jar --number N --center 192.168.178.112:34709";
+                    case "warning" -> Optional.of("The centre listens to this machine only.");
+                    default -> null;
+                });
+        ClassPanel panel = new ClassPanel(locale, acts);
+        List<ClassView.Row> rows = IntStream.range(0, 30)
+                .mapToObj(i -> new ClassView.Row(
+                        List.of(String.valueOf(5550100 + i), String.valueOf(5550200 + i), "12", "108", "10", "1234.5"),
+                        i == 0))
+                .toList();
+        panel.show(new ClassView(rows, ClassView.Phase.RUNNING, 754, Optional.empty()));
+        return panel;
+    }
+
+    private JComponent program(Which which, String language) {
+        Locale locale = Locale.forLanguageTag(language);
         ProgramWindow.Content content = switch (which) {
             case PHONE ->
                 new HandsetWindow(
@@ -127,7 +175,7 @@ final class SuiteWindows {
             case ROBOT -> SimRobotWindow.content("SimRobot", locale, () -> robot, nothing(OperatorActions.class));
             case REPLAY ->
                 SimRobotWindow.content("SimRobot - session.rec", locale, () -> replay, nothing(OperatorActions.class));
-            case CENTER -> MonitorWindow.content(actions(), texts("simgsm.center.app.messages", language));
+            default -> MonitorWindow.content(actions(), texts("simgsm.center.app.messages", language));
         };
         content.closed().run();
         if (content.panel() instanceof MonitorPanel monitor) {
@@ -143,8 +191,7 @@ final class SuiteWindows {
 
     /**
      * The forms of a window: the phone's open scope and events; SimRobot's sheets, form for a new robot, presentation and editor with a
-     * chosen item; the centre as it opens, with the ladder alone, each tab and a
-     * chosen message.
+     * chosen item; the centre as it opens, with the ladder alone, each tab and a chosen message.
      */
     static List<String> forms(Which which) {
         return switch (which) {
@@ -153,6 +200,7 @@ final class SuiteWindows {
                 List.of("plain", "tab.events", "tab.processes", "robot.add", "presentation", "editor", "editor item");
             case REPLAY -> List.of("plain", "tab.events");
             case CENTER -> List.of("ladder", "alone", "tab 0", "tab 1", "tab 2", "tab 3", "message");
+            case TOWN, CLASS, LESSONS -> List.of("plain");
         };
     }
 

@@ -129,6 +129,9 @@ final class PassingStrip extends PaintedComponent {
             var font = isPlain ? Theme.small() : Theme.strong();
             double wide = Drawing.width(font, words) + Theme.exact(16);
             double left = right - wide;
+            if (left < 0 && i < boxes.size() - 1) {
+                return; // Only whole boxes; the newest in any case.
+            }
             var box = Drawing.round(left + 0.5, top + 0.5, wide - 1, tall - 1, Theme.exact(Theme.CONTROL_RADIUS));
             g.setColor(Theme.color(isPlain ? Ink.CARD : ink));
             g.fill(box);

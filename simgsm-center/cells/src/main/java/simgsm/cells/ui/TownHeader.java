@@ -22,11 +22,14 @@ import simgsm.ui.window.WindowKeys;
 
 /** The town's name, port and controller, and the switches of the map. */
 final class TownHeader extends JPanel {
+    private static final int GAP_UNITS = 12;
+
     private final TextBundle texts;
     private final JLabel title;
     private final JLabel port = Theme.label("", Theme::base, Ink.QUIET);
     private final Lamp controller;
     private final JToggleButton pause;
+    private final JPanel row;
 
     TownHeader(TextBundle texts, TownActions town, TownMap map, TownSnapshot first) {
         super(new BorderLayout());
@@ -46,21 +49,31 @@ final class TownHeader extends JPanel {
         UserAction appearance = new UserAction("window.appearance", "", () -> WindowKeys.switchAppearance(this))
                 .described(texts.of("header.appearance"))
                 .with(Symbol.SUN_MOON.icon());
-        add(
-                Arrange.row(
-                        12,
-                        title,
-                        port,
-                        controller,
-                        Arrange.spring(),
-                        layer("levels", map::showLevels),
-                        layer("borders", map::showBorders),
-                        layer("paths", map::showPaths),
-                        pause,
-                        ComponentNames.name(
-                                new JButton(appearance), "window.appearance", texts.of("header.appearance"))),
-                BorderLayout.CENTER);
+        title.setToolTipText(port.getText() + ": " + port.getToolTipText());
+        row = Arrange.row(
+                GAP_UNITS,
+                title,
+                port,
+                controller,
+                Arrange.spring(),
+                layer("levels", map::showLevels),
+                layer("borders", map::showBorders),
+                layer("paths", map::showPaths),
+                pause,
+                ComponentNames.name(new JButton(appearance), "window.appearance", texts.of("header.appearance")));
+        add(row, BorderLayout.CENTER);
         show(first);
+    }
+
+    /** The port stands in the title's tool tip where there is no room for it. */
+    @Override
+    public void doLayout() {
+        int own = port.getPreferredSize().width + Theme.px(GAP_UNITS);
+        int needed = row.getMinimumSize().width + (port.isVisible() ? 0 : own);
+        if (port.isVisible() != needed <= getWidth()) {
+            port.setVisible(needed <= getWidth());
+        }
+        super.doLayout();
     }
 
     private JCheckBox layer(String name, Consumer<Boolean> show) {
