@@ -3,7 +3,8 @@ package simgsm.center.demo;
 import java.lang.ProcessBuilder.Redirect;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterWindow;
 import simgsm.console.Arguments;
@@ -28,11 +29,14 @@ public final class WindowedDemo {
     /** @return the lesson that the user has chosen in one of the windows, if any */
     public static Optional<String> run(Arguments arguments, CenterSettings settings) throws Exception {
         OptionalInt wanted = ProgramWindow.zoomPercent(arguments);
-        // Desktop libraries and centre load at the same time; the other programs start before the centre's window.
-        CompletableFuture<WindowPlace> screen = CompletableFuture.supplyAsync(Display::usableArea);
-        try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
+        // Centre and desktop libraries load at the same time; the other programs start before the centre's window. The
+        // thread that loads the desktop must be the main one: X11 desktops group windows by its class (WM_CLASS).
+        FutureTask<DemoPrograms> opening = new FutureTask<>(() -> DemoPrograms.open(arguments, settings));
+        new Thread(opening, "opening of the demo").start();
+        WindowPlace screen = Display.usableArea();
+        try (DemoPrograms programs = result(opening)) {
             Optional<DemoLayout> left = asLeft(arguments);
-            DemoLayout layout = left.isPresent() ? left.get() : DemoLayout.of(screen.join(), wanted);
+            DemoLayout layout = left.isPresent() ? left.get() : DemoLayout.of(screen, wanted);
             if (wanted.isPresent() && layout.zoomPercent() < wanted.getAsInt()) {
                 LOG.log(
                         System.Logger.Level.WARNING,
@@ -70,6 +74,15 @@ public final class WindowedDemo {
             return chosen.or(choice::chosen);
         }
     }
+
+    private static DemoPrograms result(FutureTask<DemoPrograms> opening) throws Exception {
+        try {
+            return opening.get();
+        } catch (ExecutionException e) {
+            throw e.getCause() instanceof Exception cause ? cause : e;
+        }
+    }
+
     /** The windows as the last demo left them, if all three are remembered on these screens and at one zoom. */
     private static Optional<DemoLayout> asLeft(Arguments arguments) throws UsageException {
         Optional<WindowPlace> phone = WindowMemory.place(arguments, PHONE);
