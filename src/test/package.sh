@@ -62,7 +62,7 @@ kill "$demo" "$cells"
 wait "$demo" "$cells" 2>/dev/null || true
 demo= cells=
 installer --remove simgsm
-left=$(find "$place/usr" -type f 2>/dev/null | head -5)
+left=$(find "$place" -path "*/var/lib/dpkg" -prune -o -type f -path "*/usr/*" -print | head -5)
 [ -z "$left" ] || fail "removed, but there is still $left"
 rm -f "$place.log"
 echo "package: $(basename "$package") installs, starts, is grouped by its menu entries, and is removed"

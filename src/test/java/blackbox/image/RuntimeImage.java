@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -26,6 +25,7 @@ final class RuntimeImage {
     /** Caches of linked classes; older JDKs have archives of classes only. */
     private static final boolean HAS_CACHES = Runtime.version().feature() >= 25;
 
+    private static final String TOWERS = "simgsm.cells";
     private static final long TRAINING_SECONDS = 120;
     private static final long QUIET_MILLIS = 2_000;
 
@@ -83,15 +83,35 @@ final class RuntimeImage {
             } else if (HAS_CACHES) {
                 makeCaches(work, programs, display);
             } else {
-                Path more = Files.createDirectories(work.resolve("windows"));
-                listing = "-XX:DumpLoadedClassList=" + more.resolve("%p.lst");
-                playInWindows(demo("--end-with-input"), display, listing, more, work.resolve("windows.log"));
-                for (Path list : files(more)) {
-                    Files.move(list, lists.resolve(list.getFileName()));
-                }
+                listWindows(work, programs, display, lists);
             }
+        } catch (IOException e) {
+            if (VirtualDisplay.IS_X11) {
+                throw e;
+            }
+            // A session of Windows or macOS may have no screen.
+            System.out.println("image: windows will start slower: " + e.getMessage());
         }
         makeDefaultArchive(work, lists);
+    }
+
+    /** Adds the classes that the windows load to the lists. */
+    private void listWindows(Path work, List<ImageProgram> programs, VirtualDisplay display, Path lists)
+            throws IOException, InterruptedException {
+        listWindows(demo("--end-with-input"), work, "windows", display, lists);
+        if (has(programs, TOWERS)) {
+            listWindows(towers(), work, "towers", display, lists);
+        }
+    }
+
+    private void listWindows(List<String> command, Path work, String name, VirtualDisplay display, Path lists)
+            throws IOException, InterruptedException {
+        Path more = Files.createDirectories(work.resolve(name));
+        String listing = "-XX:DumpLoadedClassList=" + more.resolve("%p.lst");
+        playInWindows(command, display, listing, more, work.resolve(name + ".log"));
+        for (Path list : files(more)) {
+            Files.move(list, lists.resolve(list.getFileName()));
+        }
     }
 
     private void makeDefaultArchive(Path work, Path lists) throws IOException, InterruptedException {
@@ -123,23 +143,8 @@ final class RuntimeImage {
         List<String> demo = recorded(records, "simgsm-center", demo("--end-with-input"));
         demo.add(1, "-D" + QuickStart.RECORD_FOLDER + "=" + records);
         playListed(demo, display, work, "windows");
-        Optional<ImageProgram> cells = programs.stream()
-                .filter(program -> program.module().equals("simgsm.cells"))
-                .findFirst();
-        if (cells.isPresent()) {
-            List<String> towers = List.of(
-                    java(),
-                    "-m",
-                    "simgsm.cells",
-                    "--town",
-                    "village.town",
-                    "--center",
-                    "127.0.0.1:9",
-                    "--port",
-                    "0",
-                    "--fresh",
-                    "--end-with-input");
-            playListed(recorded(records, cells.get().cacheName(), towers), display, work, "towers");
+        if (has(programs, TOWERS)) {
+            playListed(recorded(records, TOWERS.replace('.', '-'), towers()), display, work, "towers");
         }
         for (ImageProgram program : programs) {
             Path record = QuickStart.recordOf(records, program.cacheName());
@@ -172,6 +177,26 @@ final class RuntimeImage {
         recording.addAll(1, QuickStart.recording(records, program));
         recording.addAll(1, QuickStart.options());
         return recording;
+    }
+
+    private static boolean has(List<ImageProgram> programs, String module) {
+        return programs.stream().anyMatch(program -> program.module().equals(module));
+    }
+
+    /** The towers' window, without a centre. */
+    private List<String> towers() {
+        return List.of(
+                java(),
+                "-m",
+                TOWERS,
+                "--town",
+                "village.town",
+                "--center",
+                "127.0.0.1:9",
+                "--port",
+                "0",
+                "--fresh",
+                "--end-with-input");
     }
 
     private List<String> demo(String option) {

@@ -10,6 +10,9 @@ import java.util.Optional;
 
 /** A display for the windows that the build of the image opens: the user's, or an Xvfb for as long as it is needed. */
 final class VirtualDisplay implements AutoCloseable {
+    /** Whether windows need an X11 server here. */
+    static final boolean IS_X11 = System.getProperty("os.name").startsWith("Linux");
+
     private final Optional<Process> server;
     private final Optional<String> name;
 
@@ -20,8 +23,7 @@ final class VirtualDisplay implements AutoCloseable {
 
     /** The display of this process, else one of Xvfb, which chooses a free number; empty without both. */
     static Optional<VirtualDisplay> open() throws IOException {
-        boolean isX11 = System.getProperty("os.name").startsWith("Linux");
-        if (!isX11 || System.getenv("DISPLAY") != null) {
+        if (!IS_X11 || System.getenv("DISPLAY") != null) {
             return Optional.of(new VirtualDisplay(Optional.empty(), Optional.empty()));
         }
         if (Tool.find("Xvfb").isEmpty()) {
