@@ -61,7 +61,9 @@ final class StationLink implements Connector.Listener {
         protected void closing(boolean isByPeer) {
             super.closing(isByPeer);
             connection = null;
-            if (isByPeer && station.snapshot().registered()) {
+            // Towers end the links of all their terminals when the centre is gone.
+            boolean isOfTower = station.snapshot().cell().isPresent();
+            if (isByPeer && station.snapshot().registered() && !isOfTower) {
                 connector.postpone(displacements.linkEnded(System.nanoTime() - connectedNanos));
                 tellDisplacement();
             } else {
