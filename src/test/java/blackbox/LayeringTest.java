@@ -26,6 +26,7 @@ class LayeringTest {
      * the packages have no circles.
      */
     private static final Map<String, Set<String>> MAY_USE = rows("""
+            simgsm.file              :
             simgsm.octets            :
             simgsm.state             :
             simgsm.timer             :
@@ -42,7 +43,7 @@ class LayeringTest {
             simgsm.speech            :
             simgsm.dtmf              : simgsm.speech
             simgsm.scope             : simgsm.dtmf
-            simgsm.console           :
+            simgsm.console           : simgsm.file
             simgsm.lesson            : simgsm.console
             simgsm.web               : simgsm.console
             simgsm.audio             : simgsm.speech

@@ -1,8 +1,9 @@
 /**
- * Pieces without a subject of their own that every other module may use: octets, state tables, timers, and sockets with a
- * selector.
+ * Pieces without a subject of their own that every other module may use: octets, state tables, timers, sockets with a
+ * selector, and the files that users name.
  */
 module simgsm.base {
+    exports simgsm.file;
     exports simgsm.net;
     exports simgsm.octets;
     exports simgsm.state;

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
@@ -24,6 +25,16 @@ public final class Console implements AutoCloseable {
         default boolean areAddressed() {
             return false;
         }
+    }
+
+    /** Where command lines come from. */
+    interface Lines {
+        /**
+         * The next line; null at the end.
+         *
+         * @throws CommandException if it is no text; the following lines can be read
+         */
+        String next() throws IOException, CommandException;
     }
 
     private static final double DEFAULT_WAIT_SECONDS = 10;
@@ -50,10 +61,20 @@ public final class Console implements AutoCloseable {
         this.ending = ending;
     }
 
-    /** A console on standard output that prints on its own thread, so that {@link #emit} never blocks. */
+    /**
+     * A console on standard output that prints on its own thread, so that {@link #emit} never blocks. If standard output
+     * cannot be written, as on a full disk or because its reader has gone away, the program ends with 74.
+     */
     public static Console onStandardOutput() {
-        EventOutputQueue queue = new EventOutputQueue(Program.standardOutput());
+        EventOutputQueue queue = new EventOutputQueue(Program.standardOutput(), Console::endWithoutOutput);
         return new Console(queue::print, queue::close);
+    }
+
+    private static void endWithoutOutput(String why) {
+        if (!why.isEmpty()) {
+            System.err.println(why);
+        }
+        FatalError.exit(ExitStatus.INPUT_OUTPUT);
     }
 
     /** Prints the events that still wait. */
@@ -91,8 +112,13 @@ public final class Console implements AutoCloseable {
      * @return true if it ended with {@code quit}
      */
     public boolean run(BufferedReader input, Commands commands) throws IOException, InterruptedException {
-        for (String line = input.readLine(); line != null; line = input.readLine()) {
-            ConsoleCommand command = ConsoleCommand.parse(line);
+        return run((Lines) input::readLine, commands);
+    }
+
+    /** The same with lines that may be no text, each of which is an error. */
+    boolean run(Lines input, Commands commands) throws IOException, InterruptedException {
+        for (Optional<ConsoleCommand> next = read(input); next.isPresent(); next = read(input)) {
+            ConsoleCommand command = next.get();
             ConsoleCommand meant = commands.areAddressed() && command.isAddressed() ? command.tail() : command;
             if (meant.name().equals("quit") && meant.rest().isEmpty()) {
                 return true;
@@ -102,6 +128,17 @@ public final class Console implements AutoCloseable {
             }
         }
         return false;
+    }
+
+    /** The next command; empty at the end. */
+    private Optional<ConsoleCommand> read(Lines input) throws IOException {
+        while (true) {
+            try {
+                return Optional.ofNullable(input.next()).map(ConsoleCommand::parse);
+            } catch (CommandException e) {
+                error(e.getMessage());
+            }
+        }
     }
 
     /** @param meant the command without {@code @NAME} */

@@ -4,8 +4,10 @@ import java.io.PrintStream;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Consumer;
 
 /**
  * Prints events in order on its own thread, so that a slow or stopped reader of standard output never blocks the thread
@@ -25,11 +27,15 @@ final class EventOutputQueue implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(EventOutputQueue.class.getName());
 
     private final PrintStream out;
+    private final Consumer<String> lost;
+    private boolean isLost;
     private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>(MAX_UNPRINTED);
     private final Thread thread = new Thread(this::run, "console output");
 
-    EventOutputQueue(PrintStream out) {
+    /** @param lost receives the first error of the output */
+    EventOutputQueue(PrintStream out, Consumer<String> lost) {
         this.out = out;
+        this.lost = lost;
         thread.setDaemon(true);
         thread.start();
     }
@@ -65,8 +71,12 @@ final class EventOutputQueue implements AutoCloseable {
     /** One write for all lines, because there may be thousands of events a second. */
     private void print(StringBuilder lines) {
         out.print(lines);
-        out.flush();
         lines.setLength(0);
+        Optional<String> failure = StandardOutput.failure(out);
+        if (failure.isPresent() && !isLost) {
+            isLost = true;
+            lost.accept(failure.get());
+        }
     }
 
     /** Prints the events that wait, for at most 2 s. */

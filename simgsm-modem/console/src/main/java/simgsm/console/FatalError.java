@@ -50,26 +50,31 @@ public final class FatalError {
             } else {
                 System.err.println(sentence(program, cause));
             }
-            Thread halt = new Thread(FatalError::haltSoon, "halt");
-            halt.setDaemon(true);
-            halt.start();
-            new Thread(() -> System.exit(ExitStatus.FAILED), "exit").start();
+            exit(ExitStatus.FAILED);
         } catch (Throwable hopeless) {
             // Usually no memory for a thread.
             Runtime.getRuntime().halt(ExitStatus.FAILED);
         }
     }
 
+    /** Ends the process in order, or after 5 s without its shutdown hooks. Returns at once. */
+    static void exit(int status) {
+        Thread halt = new Thread(() -> haltSoon(status), "halt");
+        halt.setDaemon(true);
+        halt.start();
+        new Thread(() -> System.exit(status), "exit").start();
+    }
+
     static String sentence(String program, Throwable cause) {
         return program + ": ended by an error of its own: " + cause;
     }
 
-    private static void haltSoon() {
+    private static void haltSoon(int status) {
         try {
             TimeUnit.SECONDS.sleep(SHUTDOWN_SECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        Runtime.getRuntime().halt(ExitStatus.FAILED);
+        Runtime.getRuntime().halt(status);
     }
 }

@@ -3,6 +3,7 @@ package simgsm.console;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import java.util.Locale;
 import java.util.Map;
 import java.util.logging.ConsoleHandler;
 import java.util.logging.Formatter;
@@ -50,6 +51,15 @@ final class LogSettings {
         }
     }
 
+    /** The level as {@code --log-level} has it. */
+    private static String word(Level level) {
+        return LEVELS.entrySet().stream()
+                .filter(entry -> entry.getValue().equals(level))
+                .map(entry -> entry.getKey().toUpperCase(Locale.ROOT))
+                .findFirst()
+                .orElse(level.getName());
+    }
+
     private static final class OneLine extends Formatter {
         /** Made for the first record: most runs write none. */
         private DateTimeFormatter time;
@@ -60,7 +70,7 @@ final class LogSettings {
                 time = DateTimeFormatter.ofPattern("HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
             }
             String thrown = record.getThrown() == null ? "" : " (" + record.getThrown() + ")";
-            return time.format(Instant.ofEpochMilli(record.getMillis())) + " " + record.getLevel() + " "
+            return time.format(Instant.ofEpochMilli(record.getMillis())) + " " + word(record.getLevel()) + " "
                     + record.getLoggerName() + ": " + formatMessage(record) + thrown + "\n";
         }
     }

@@ -1,18 +1,17 @@
 package simgsm.console;
 
-import java.io.BufferedReader;
-import java.io.FileDescriptor;
-import java.io.FileOutputStream;
 import java.io.IOException;
-import java.io.InputStreamReader;
+import java.io.InputStream;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.lang.module.ModuleDescriptor;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import simgsm.file.FileErrors;
 
 /**
  * The frame of every main: reads the options, answers {@code --help} and {@code --version}, and turns exceptions into a
@@ -77,8 +76,21 @@ public final class Program {
 
     /** Runs and returns the exit status; does not end the process. */
     public int run(List<String> args, PrintStream out, PrintStream err, Body body) {
+        int status = perform(args, out, err, body);
+        Optional<String> lost = StandardOutput.failure(out);
+        if (lost.isEmpty()) {
+            return status;
+        }
+        if (!lost.get().isEmpty()) {
+            err.println(name + ": " + lost.get());
+        }
+        return ExitStatus.INPUT_OUTPUT;
+    }
+
+    private int perform(List<String> args, PrintStream out, PrintStream err, Body body) {
         Optional<Arguments> given = Optional.empty();
         try {
+            requireReadable(args);
             Arguments arguments = options.parse(args);
             given = Optional.of(arguments);
             if (arguments.has("help")) {
@@ -129,11 +141,27 @@ public final class Program {
         }
     }
 
+    /** Java replaces octets of arguments that the locale's encoding does not have. */
+    private static void requireReadable(List<String> args) throws UsageException {
+        for (String argument : args) {
+            if (argument.indexOf('\uFFFD') >= 0
+                    || argument.chars().anyMatch(c -> Character.isSurrogate((char) c))
+                            && !argument.equals(
+                                    new String(argument.getBytes(StandardCharsets.UTF_8), StandardCharsets.UTF_8))) {
+                throw new UsageException("the argument " + argument + " has characters that this locale cannot read;"
+                        + " expected UTF-8 and a UTF-8 locale, as LC_ALL=C.UTF-8");
+            }
+        }
+    }
+
     /** Fails before the program starts if the script cannot be read. */
     private static void requireScript(Arguments arguments) throws UsageException, IOException {
         Optional<Path> script = arguments.path("script");
         if (script.isPresent()) {
-            Files.newBufferedReader(script.get(), StandardCharsets.UTF_8).close();
+            if (Files.isDirectory(script.get())) {
+                throw new FileSystemException(script.get().toString(), null, "expected a file, found a folder");
+            }
+            Files.newInputStream(script.get()).close();
         }
     }
 
@@ -147,25 +175,35 @@ public final class Program {
 
     /** The text of an exception for a user. */
     public static String describe(Exception e) {
-        Throwable cause = e instanceof UncheckedIOException ? e.getCause() : e;
-        String text = cause.getMessage();
-        if (cause instanceof java.nio.file.NoSuchFileException) {
-            return text + ": no such file";
+        if (e instanceof UncheckedIOException unchecked) {
+            return FileErrors.describe(unchecked.getCause());
         }
-        if (cause instanceof java.nio.file.AccessDeniedException) {
-            return text + ": access denied";
+        if (e instanceof IOException failed) {
+            return FileErrors.describe(failed);
         }
-        return text == null ? cause.getClass().getSimpleName() : text;
+        return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
     }
 
-    /** Standard output as UTF-8 whatever the locale. */
+    /** Standard output as UTF-8 whatever the locale; {@link #run} fails if something cannot be written to it. */
     public static PrintStream standardOutput() {
-        return new PrintStream(new FileOutputStream(FileDescriptor.out), false, StandardCharsets.UTF_8);
+        return StandardOutput.STREAM;
     }
 
-    /** Standard input as UTF-8 whatever the locale; broken octets become replacement characters. */
-    public static BufferedReader standardInput() {
-        return new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+    /** Standard input; empty if it is closed. */
+    private static InputStream standardInput() {
+        return isStandardInputClosed() ? InputStream.nullInputStream() : System.in;
+    }
+
+    /** Where standard input is closed, Linux gives its number to the first file that the Java machine opens for itself. */
+    private static boolean isStandardInputClosed() {
+        try {
+            return Path.of("/proc/self/fd/0")
+                    .toRealPath()
+                    .startsWith(Path.of(System.getProperty("java.home")).toRealPath());
+        } catch (IOException e) {
+            // A pipe, or another system.
+            return false;
+        }
     }
 
     /**
@@ -178,13 +216,14 @@ public final class Program {
             throws IOException, InterruptedException, UsageException {
         Optional<Path> script = arguments.path("script");
         if (script.isPresent()) {
-            try (BufferedReader lines = Files.newBufferedReader(script.get(), StandardCharsets.UTF_8)) {
-                if (console.run(lines, commands)) {
+            Path file = script.get();
+            try (InputStream in = Files.newInputStream(file)) {
+                if (console.run(new CommandLines(file.toString(), in), commands)) {
                     return;
                 }
             }
         }
-        boolean quit = console.run(standardInput(), commands);
+        boolean quit = console.run(new CommandLines("standard input", standardInput()), commands);
         if (!quit && arguments.has("serve")) {
             new java.util.concurrent.CountDownLatch(1).await();
         }

@@ -158,7 +158,8 @@ class ConsoleTest {
 
     @Test
     void aQueuePrintsInOrderAndAllThatIsLeftAtItsEnd() {
-        EventOutputQueue queue = new EventOutputQueue(new PrintStream(printed, false, StandardCharsets.UTF_8));
+        EventOutputQueue queue =
+                new EventOutputQueue(new PrintStream(printed, false, StandardCharsets.UTF_8), why -> {});
         for (int i = 0; i < 1000; i++) {
             queue.print(Event.of("row").with("n", i));
         }
@@ -170,7 +171,7 @@ class ConsoleTest {
     @Test
     void whoPrintsIntoAQueueIsNeverHeldUpByAReaderWhoHasStopped() throws Exception {
         PipedOutputStream stuck = new PipedOutputStream(new PipedInputStream(16));
-        EventOutputQueue queue = new EventOutputQueue(new PrintStream(stuck, false, StandardCharsets.UTF_8));
+        EventOutputQueue queue = new EventOutputQueue(new PrintStream(stuck, false, StandardCharsets.UTF_8), why -> {});
         for (int i = 0; i < 100_000; i++) {
             queue.print(Event.of("row").with("n", i));
         }
