@@ -36,7 +36,7 @@ class LayeringTest {
             simgsm.abis              : simgsm.octets simgsm.timer simgsm.net simgsm.air
             simgsm.rr                : simgsm.octets simgsm.air
             simgsm.abis.rsl          : simgsm.octets simgsm.air
-            simgsm.sim               : simgsm.octets simgsm.air
+            simgsm.sim               : simgsm.file simgsm.octets simgsm.air
             simgsm.sms               : simgsm.octets simgsm.air
             simgsm.ss                : simgsm.octets simgsm.air simgsm.sms
             simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.ss
@@ -44,7 +44,7 @@ class LayeringTest {
             simgsm.dtmf              : simgsm.speech
             simgsm.scope             : simgsm.dtmf
             simgsm.console           : simgsm.file
-            simgsm.lesson            : simgsm.console
+            simgsm.lesson            : simgsm.file simgsm.console
             simgsm.web               : simgsm.console
             simgsm.audio             : simgsm.speech
             simgsm.draw              :
@@ -68,7 +68,7 @@ class LayeringTest {
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
-            simgsm.tools             : simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
+            simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
             simgsm.phone.store       : simgsm.air simgsm.sim simgsm.station.context
             simgsm.phone.screen      : simgsm.air simgsm.sim simgsm.ss simgsm.dtmf simgsm.speech simgsm.draw simgsm.station.context simgsm.phone.store
             simgsm.phone.handset     : simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
@@ -87,17 +87,17 @@ class LayeringTest {
             simgsm.center.bsc.handover : simgsm.octets
             simgsm.center.bsc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.abis.rsl simgsm.rr simgsm.center.subscriber simgsm.center.msc.link simgsm.center.bsc.handover
             simgsm.center.msc        : simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
-            simgsm.center.records    : simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
+            simgsm.center.records    : simgsm.file simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.web        : simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.capture    : simgsm.octets simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
             simgsm.center.ui.ladder  : simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.lesson simgsm.ui.window simgsm.center.msc
             simgsm.center.ui         : simgsm.air simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc simgsm.center.ui.ladder
-            simgsm.center.app        : simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
+            simgsm.center.app        : simgsm.file simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app
-            simgsm.center.lesson     : simgsm.octets simgsm.air simgsm.sms simgsm.dtmf simgsm.console simgsm.lesson simgsm.ui simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app simgsm.center.demo
+            simgsm.center.lesson     : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.dtmf simgsm.console simgsm.lesson simgsm.ui simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app simgsm.center.demo
             simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.lesson simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
-            simgsm.cells.town        : simgsm.octets
+            simgsm.cells.town        : simgsm.file simgsm.octets
             simgsm.cells.radio       : simgsm.cells.town
             simgsm.cells.snapshot    : simgsm.cells.town
             simgsm.cells.ui          : simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot
@@ -109,10 +109,10 @@ class LayeringTest {
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
             simrobot.behaviour       :
             simrobot.world           :
-            simrobot.bitmap          : simgsm.octets simrobot.world
+            simrobot.bitmap          : simgsm.file simgsm.octets simrobot.world
             simrobot.editor          : simrobot.world
             simrobot.process         : simrobot.behaviour simrobot.world
-            simrobot.source          : simrobot.behaviour simrobot.process
+            simrobot.source          : simgsm.file simrobot.behaviour simrobot.process
             simrobot.route           : simrobot.behaviour simrobot.process simrobot.world
             simrobot.robot           : vericommand simrobot.behaviour simrobot.world simrobot.process
             simrobot.simulation      : vericommand simrobot.process simrobot.route simrobot.world simrobot.robot
@@ -122,14 +122,14 @@ class LayeringTest {
             simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.process simrobot.world simrobot.robot simrobot.simulation
             simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
-            simrobot.control         : simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
+            simrobot.control         : simgsm.file simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
             simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
             simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
             simrobot.ui.telephone    : vericommand simgsm.air simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.scope simrobot.ui
             simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay simrobot.ui.telephone
-            simrobot.app             : simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.modem.client simrobot.bitmap simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simgsm.ui.window
+            simrobot.app             : simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.modem.client simrobot.bitmap simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simgsm.ui.window simgsm.file
             simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
             """);
 

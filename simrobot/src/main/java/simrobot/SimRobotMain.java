@@ -68,6 +68,7 @@ public final class SimRobotMain {
     public static void main(String[] args) {
         new Program(NAME, SimRobotOptions.all())
                 .showingErrors(StartErrorWindow::show, WINDOWLESS)
+                .checking(ProgramWindow::check)
                 .runAndExit(args, SimRobotMain::run);
     }
 
@@ -84,6 +85,9 @@ public final class SimRobotMain {
         VeriCommandSettings settings = SimRobotOptions.settings(arguments);
         RecentWorlds recent = RecentWorlds.of(arguments);
         Optional<Path> first = recent.first(given);
+        for (String output : List.of("record", "track")) {
+            arguments.with("world", WorldFile.find(first).toString()).requireOtherFile(output, "world");
+        }
         World world = WorldFile.read(first, WorldFile.resolution(arguments));
         if (arguments.has("print-world")) {
             WorldPrinter.print(world, Program.standardOutput());

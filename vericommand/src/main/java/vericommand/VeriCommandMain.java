@@ -16,6 +16,7 @@ public final class VeriCommandMain {
     private static final int ACCEPTED = 0;
     private static final int NOT_ACCEPTED = 1;
     private static final int USAGE = 2;
+    private static final int INPUT_OUTPUT = 74;
 
     private final List<String> words = new ArrayList<>();
     private RobotStatus status = RobotStatus.STOPPED;
@@ -31,10 +32,27 @@ public final class VeriCommandMain {
     /** @return the exit status */
     static int run(List<String> args, PrintStream out, PrintStream err) {
         try {
-            return new VeriCommandMain().perform(args.iterator(), out);
+            requireReadable(args);
+            int status = new VeriCommandMain().perform(args.iterator(), out);
+            if (out.checkError()) {
+                err.println("vericommand: standard output cannot be written");
+                return INPUT_OUTPUT;
+            }
+            return status;
         } catch (IllegalArgumentException e) {
             err.println("vericommand: " + e.getMessage() + "; see --help");
             return USAGE;
+        }
+    }
+
+    /** Java replaces octets of arguments that the locale's encoding does not have. */
+    private static void requireReadable(List<String> args) {
+        for (String argument : args) {
+            if (argument.indexOf('\uFFFD') >= 0) {
+                throw new IllegalArgumentException(
+                        "the argument " + argument + " has characters that this locale cannot"
+                                + " read; expected UTF-8 and a UTF-8 locale, as LC_ALL=C.UTF-8");
+            }
         }
     }
 

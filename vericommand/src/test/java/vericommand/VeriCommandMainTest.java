@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -131,5 +133,28 @@ class VeriCommandMainTest {
         out.reset();
         assertEquals(0, run("--diagram"));
         assertEquals(StatusMachine.TABLE.plantUml().replace("!include look.iuml\n", ""), out());
+    }
+
+    @Test
+    void aVerdictThatCannotBeWrittenIsStatus74() {
+        PrintStream full = new PrintStream(
+                new OutputStream() {
+                    @Override
+                    public void write(int octet) throws IOException {
+                        throw new IOException("No space left on device");
+                    }
+                },
+                true,
+                StandardCharsets.UTF_8);
+        PrintStream error = new PrintStream(err, true, StandardCharsets.UTF_8);
+        assertEquals(74, VeriCommandMain.run(List.of("** #**20 **"), full, error));
+        assertEquals(74, VeriCommandMain.run(List.of("--help"), full, error));
+        assertTrue(err().startsWith("vericommand: standard output cannot be written"), err());
+    }
+
+    @Test
+    void anArgumentThatTheLocaleHasDamagedIsRefused() {
+        assertEquals(2, run("\uFFFD"));
+        assertTrue(err().contains("UTF-8 locale"), err());
     }
 }

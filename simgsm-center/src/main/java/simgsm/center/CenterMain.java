@@ -41,6 +41,7 @@ public final class CenterMain {
         }
         new Program(Center.NAME, options())
                 .showingErrors(StartErrorWindow::show, "headless", "new-sim", "lessons", "check")
+                .checking(ProgramWindow::check)
                 .runAndExit(args, CenterMain::run);
     }
 

@@ -12,6 +12,10 @@ interface HandsetAccess {
      */
     <T> T ask(Function<Handset, T> action) throws InterruptedException;
 
-    /** Waits until queued keys are sent and messages acknowledged, but no longer than the limit. */
-    void settle(long limitNanos) throws InterruptedException;
+    /**
+     * Waits until queued keys are sent and messages acknowledged, but no longer than the limit.
+     *
+     * @return false at the limit
+     */
+    boolean settle(long limitNanos) throws InterruptedException;
 }

@@ -120,12 +120,14 @@ final class Phone implements HandsetAccess, AutoCloseable {
     }
 
     @Override
-    public void settle(long limitNanos) throws InterruptedException {
+    public boolean settle(long limitNanos) throws InterruptedException {
         CountDownLatch settled = new CountDownLatch(1);
         thread.execute(() -> handset.whenSettled(settled::countDown));
-        if (!settled.await(limitNanos, TimeUnit.NANOSECONDS)) {
+        boolean isSettled = settled.await(limitNanos, TimeUnit.NANOSECONDS);
+        if (!isSettled) {
             LOG.log(Level.WARNING, "the network has not acknowledged everything");
         }
+        return isSettled;
     }
 
     /** Ends the call, detaches and ends the thread. */

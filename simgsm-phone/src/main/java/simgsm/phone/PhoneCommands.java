@@ -93,9 +93,11 @@ final class PhoneCommands implements Console.Commands {
         TABLE.perform(this, command);
     }
 
-    /** Waits until queued keys are sent and messages acknowledged, within a time limit. */
+    /** Waits until queued keys are sent and messages acknowledged; if they are not in time, the run has failed. */
     void finish() throws InterruptedException {
-        phone.settle(TimeUnit.SECONDS.toNanos(SETTLE_SECONDS) + keysPressed * KEY_NANOS);
+        if (!phone.settle(TimeUnit.SECONDS.toNanos(SETTLE_SECONDS) + keysPressed * KEY_NANOS)) {
+            console.fail();
+        }
     }
 
     private void dial(ConsoleCommand command) throws CommandException {

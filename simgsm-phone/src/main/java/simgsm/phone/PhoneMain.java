@@ -34,6 +34,7 @@ public final class PhoneMain {
     public static void main(String[] args) {
         new Program(NAME, options())
                 .showingErrors(StartErrorWindow::show, "headless")
+                .checking(ProgramWindow::check)
                 .runAndExit(args, PhoneMain::run);
     }
 

@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,6 +23,7 @@ import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.console.Console;
 import simgsm.console.Event;
+import simgsm.console.ExitStatus;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.handset.FakeStation;
@@ -67,9 +69,23 @@ class PhoneConsoleTest {
         }
 
         @Override
-        public void settle(long boundNanos) {
-            handset.whenSettled(() -> console.emit(Event.of("settled")));
+        public boolean settle(long boundNanos) {
+            AtomicBoolean isSettled = new AtomicBoolean();
+            handset.whenSettled(() -> {
+                isSettled.set(true);
+                console.emit(Event.of("settled"));
+            });
+            return isSettled.get();
         }
+    }
+
+    @Test
+    void anEndWithoutTheNetworksAnswerIsAFailedRun() throws Exception {
+        new PhoneCommands(console, new Direct()).finish();
+        assertEquals(ExitStatus.OK, console.exitStatus());
+        after("sms 5550200 hi");
+        new PhoneCommands(console, new Direct()).finish();
+        assertEquals(ExitStatus.FAILED, console.exitStatus());
     }
 
     @Test

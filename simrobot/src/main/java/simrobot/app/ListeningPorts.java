@@ -2,7 +2,6 @@ package simrobot.app;
 
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.util.Optional;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
@@ -29,7 +28,7 @@ public final class ListeningPorts implements AutoCloseable {
 
     /** Opens the ports, before the simulation starts. They are served from {@link #start} on. */
     public static ListeningPorts open(Arguments arguments, SimRobot simRobot) throws UsageException, IOException {
-        InetAddress address = arguments.value("bind", ListeningPorts::address).orElse(InetAddress.getLoopbackAddress());
+        InetAddress address = arguments.bindAddress();
         AtPorts at = AtPorts.open(arguments, address, simRobot);
         try {
             P2osPorts p2os = P2osPorts.open(arguments, address, simRobot);
@@ -42,14 +41,6 @@ public final class ListeningPorts implements AutoCloseable {
         } catch (UsageException | IOException e) {
             at.close();
             throw e;
-        }
-    }
-
-    private static InetAddress address(String text) {
-        try {
-            return InetAddress.getByName(text);
-        } catch (UnknownHostException e) {
-            throw new IllegalArgumentException("expected an address of this machine, found " + text);
         }
     }
 

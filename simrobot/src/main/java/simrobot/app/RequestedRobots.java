@@ -36,6 +36,9 @@ public final class RequestedRobots {
         Msisdn number = firstNumber(arguments, slot);
         if (arguments.has("robots")) {
             arguments.choice("robots", "all");
+            if (arguments.has("robot")) {
+                throw new UsageException("--robots and --robot: expected one of the two");
+            }
             return onAllHomes(world, number);
         }
         if (!arguments.has("robot")) {

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import simgsm.file.FileErrors;
 import simrobot.control.TrackSeries;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
@@ -13,12 +14,14 @@ import simrobot.simulation.Simulation;
 final class RunTrack implements AutoCloseable {
     static final String HEADER = "robot,time,x,y,heading,status";
 
+    private final Path file;
     private final Simulation simulation;
     private final BufferedWriter out;
 
     /** Writes the header, and the robots as they stand. */
     RunTrack(Path file, Simulation simulation) throws IOException {
         this.simulation = simulation;
+        this.file = file;
         out = Files.newBufferedWriter(file);
         out.write(HEADER + "\n");
         write(simulation.timeNanos());
@@ -36,6 +39,10 @@ final class RunTrack implements AutoCloseable {
     }
 
     private void write(long timeNanos) throws IOException {
+        FileErrors.naming(file, () -> writeRows(timeNanos));
+    }
+
+    private void writeRows(long timeNanos) throws IOException {
         for (SimulatedRobot robot : simulation.robots()) {
             out.write(robot.name() + ",");
             TrackSeries.writeRow(out, timeNanos, robot.pose(), robot.status());
@@ -44,6 +51,6 @@ final class RunTrack implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
-        out.close();
+        FileErrors.naming(file, out::close);
     }
 }

@@ -1,7 +1,7 @@
 package simrobot.bitmap;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.HashMap;
@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import simgsm.file.Utf8Text;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -107,9 +108,7 @@ public final class BitmapWorld {
     private static Map<String, String> keys(Path file) throws IOException {
         Map<String, String> keys = new HashMap<>();
         String last = "";
-        for (String line : new String(WorldReader.octets(file), StandardCharsets.UTF_8)
-                .lines()
-                .toList()) {
+        for (String line : text(file).lines().toList()) {
             Matcher key = KEY.matcher(line);
             if (key.matches()) {
                 last = key.group(1);
@@ -122,6 +121,14 @@ public final class BitmapWorld {
             }
         }
         return keys;
+    }
+
+    private static String text(Path file) throws IOException {
+        try {
+            return Utf8Text.of(WorldReader.octets(file));
+        } catch (CharacterCodingException e) {
+            throw new PictureFormatException(file.toString(), e.getMessage());
+        }
     }
 
     private static String value(Path file, Map<String, String> keys, String key) throws PictureFormatException {

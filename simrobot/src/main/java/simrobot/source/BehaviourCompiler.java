@@ -5,8 +5,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.net.URI;
 import java.net.URISyntaxException;
-import java.nio.charset.MalformedInputException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -22,6 +20,7 @@ import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
+import simgsm.file.Utf8Text;
 import simrobot.behaviour.Behaviour;
 
 /** Compiles a source file, and what it uses of its folder, to classes in memory. */
@@ -47,7 +46,7 @@ final class BehaviourCompiler {
         DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
         Map<String, byte[]> classes = new TreeMap<>();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(found, Locale.ENGLISH, null)) {
-            String source = Files.readString(file);
+            String source = Utf8Text.read(file);
             Memory memory = new Memory(files, classes);
             Source checked = new Source(file, LoopChecks.in(compiler, new Source(file, source)));
             List<String> options = List.of(
@@ -63,8 +62,6 @@ final class BehaviourCompiler {
             if (!done) {
                 throw fault(found, file);
             }
-        } catch (MalformedInputException e) {
-            throw new SourceException(0, "not a text in UTF-8");
         } catch (IOException e) {
             throw new SourceException(0, "cannot be read: " + e.getMessage());
         }

@@ -180,7 +180,7 @@ class BitmapWorldTest {
         ImageIO.write(rooms(), "png", folder.resolve("map.png").toFile());
         Path yaml = Files.writeString(
                 folder.resolve("turned.yaml"),
-                "image: 'map.png'\nresolution: 0.05\norigin:\n- 1.0\n- 2.0\n- 1.5707963267948966\n");
+                "\uFEFFimage: 'map.png'\nresolution: 0.05\norigin:\n- 1.0\n- 2.0\n- 1.5707963267948966\n");
         World world = BitmapWorld.read(yaml, OptionalDouble.empty());
         assertEquals(1 - 85 * CELL, world.bounds().minXMeters(), 1e-3);
         assertEquals(2 + 165 * CELL, world.bounds().maxYMeters(), 1e-3);

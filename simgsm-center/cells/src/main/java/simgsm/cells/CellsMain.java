@@ -24,6 +24,7 @@ public final class CellsMain {
     public static void main(String[] args) {
         new Program(CellsSettings.PROGRAM, options())
                 .showingErrors(StartErrorWindow::show, "headless", "print-osmo-bsc")
+                .checking(ProgramWindow::check)
                 .runAndExit(args, CellsMain::run);
     }
 

@@ -2,7 +2,6 @@ package simgsm.center.app;
 
 import java.io.IOException;
 import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Locale;
@@ -59,7 +58,7 @@ public record CenterSettings(
     /** @throws IOException naming the file of SIMs that cannot be read */
     public static CenterSettings read(Arguments arguments) throws UsageException, IOException {
         return new CenterSettings(
-                arguments.value("bind", CenterSettings::address).orElse(InetAddress.getLoopbackAddress()),
+                arguments.bindAddress(),
                 port(arguments, "port"),
                 port(arguments, "smpp"),
                 arguments.path("data"),
@@ -109,13 +108,5 @@ public record CenterSettings(
     private static OptionalInt port(Arguments arguments, String option) throws UsageException {
         int port = (int) arguments.integer(option, 0, 0, MAX_PORT);
         return arguments.has(option) ? OptionalInt.of(port) : OptionalInt.empty();
-    }
-
-    private static InetAddress address(String text) {
-        try {
-            return InetAddress.getByName(text);
-        } catch (UnknownHostException e) {
-            throw new IllegalArgumentException("expected an address of this machine, found " + text);
-        }
     }
 }

@@ -18,6 +18,7 @@ import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
+import simgsm.file.FileErrors;
 import simgsm.octets.OctetString;
 import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;
@@ -141,12 +142,21 @@ public final class NewSims {
         }
     }
 
-    /** A new file is readable by its owner only, where the file system is POSIX. */
+    /** A new file is readable by its owner only, where the file system is POSIX; it is removed if it cannot be written. */
     private static void writeSecretly(Path file, String text) throws IOException {
         boolean knowsOwners = file.getFileSystem().supportedFileAttributeViews().contains("posix");
-        if (knowsOwners && !Files.exists(file)) {
+        boolean isNew = !Files.exists(file);
+        if (knowsOwners && isNew) {
             Files.createFile(file, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
         }
-        Files.writeString(file, text, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+        try {
+            FileErrors.naming(
+                    file, () -> Files.writeString(file, text, StandardOpenOption.CREATE, StandardOpenOption.APPEND));
+        } catch (IOException e) {
+            if (isNew) {
+                Files.deleteIfExists(file);
+            }
+            throw e;
+        }
     }
 }

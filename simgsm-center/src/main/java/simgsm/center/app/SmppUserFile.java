@@ -1,14 +1,14 @@
 package simgsm.center.app;
 
 import java.io.IOException;
-import java.io.Reader;
-import java.nio.file.Files;
+import java.io.StringReader;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Properties;
 import simgsm.center.smpp.SmppUsers;
+import simgsm.file.Utf8Text;
 
 /** The applications that may bind by SMPP: {@code system-id=password}, a line each, and {@code system-id.SETTING=value}. */
 final class SmppUserFile {
@@ -24,12 +24,12 @@ final class SmppUserFile {
     static SmppUsers read(Path data) throws IOException {
         Path file = data.resolve(NAME);
         Properties lines = new Properties();
-        try (Reader text = Files.newBufferedReader(file)) {
-            lines.load(text);
+        try {
+            lines.load(new StringReader(Utf8Text.read(file)));
         } catch (NoSuchFileException e) {
             return SmppUsers.anyLocal();
-        } catch (IOException | IllegalArgumentException e) {
-            throw new IOException("cannot read " + file + ": " + e.getMessage(), e);
+        } catch (IllegalArgumentException e) {
+            throw new IOException(file + ": " + e.getMessage(), e);
         }
         SecretFile.check(file);
         Map<String, String> users = new LinkedHashMap<>();

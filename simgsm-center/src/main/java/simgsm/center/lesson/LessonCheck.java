@@ -14,6 +14,7 @@ import simgsm.console.Event;
 import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
+import simgsm.file.FileErrors;
 import simgsm.lesson.Lesson;
 import simgsm.lesson.LessonException;
 import simgsm.lesson.LessonLibrary;
@@ -79,6 +80,9 @@ public final class LessonCheck {
         Solution solution =
                 Solution.of(library, lesson.name(), arguments.text("check").orElseThrow());
         Optional<Path> result = arguments.path("result");
+        if (result.isPresent()) {
+            FileErrors.requireWritable(result.get());
+        }
         Path folder = LessonNetwork.newFolder();
         LessonRun run = new LessonRun(lesson, seed(arguments), new LessonFigures());
         try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {

@@ -1,11 +1,11 @@
 package simgsm.center.lesson;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import simgsm.file.Utf8Text;
 import simgsm.lesson.LessonException;
 import simgsm.lesson.LessonLibrary;
 
@@ -26,7 +26,7 @@ record Solution(
         Path file = Path.of(named);
         return new Solution(
                 named,
-                Files.readString(file, StandardCharsets.UTF_8).lines().toList(),
+                Utf8Text.read(file).lines().toList(),
                 false,
                 Optional.of(file.toAbsolutePath()),
                 library,

@@ -13,6 +13,7 @@ import simgsm.center.smpp.SmppServer;
 import simgsm.net.Acceptor;
 import simgsm.net.Connection;
 import simgsm.net.ConnectionLimits;
+import simgsm.net.LineAddress;
 import simgsm.net.SelectorLoop;
 
 /** The thread that owns the exchange, its ports and its connections. */
@@ -90,7 +91,7 @@ public final class CenterLoop implements AutoCloseable {
     }
 
     static String text(InetSocketAddress address) {
-        return address.getAddress().getHostAddress() + ":" + address.getPort();
+        return LineAddress.of(address).toString();
     }
 
     public int port() {

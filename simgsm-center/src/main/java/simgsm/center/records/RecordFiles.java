@@ -17,6 +17,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import simgsm.file.FileErrors;
 
 /**
  * Writes records to {@code cdr-YYYY-MM-DD.csv}, the day of their end in UTC; a file of that day is continued. A thread of its
@@ -61,7 +62,7 @@ public final class RecordFiles implements AutoCloseable {
             Files.createDirectories(folder);
             files.begin(LocalDate.now(ZoneOffset.UTC));
         } catch (IOException e) {
-            throw new IOException("cannot write records to " + folder + ": " + e.getMessage(), e);
+            throw new IOException("cannot write records to " + FileErrors.describe(e), e);
         }
         files.thread.start();
         return files;

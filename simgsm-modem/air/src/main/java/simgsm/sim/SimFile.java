@@ -1,9 +1,6 @@
 package simgsm.sim;
 
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -11,6 +8,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.file.Utf8Text;
 
 /**
  * A file of SIMs: those of a network ({@code --hlr}) or, with some of its lines, those of the terminals of a program
@@ -46,13 +44,8 @@ public record SimFile(List<Subscription> subscriptions, Set<Imei> barredEquipmen
      * @throws IOException naming the file and, for content that is not understood, the line and what was expected there
      */
     public static SimFile read(Path file) throws IOException {
-        List<String> lines;
-        try {
-            lines = Files.readAllLines(file, StandardCharsets.UTF_8);
-        } catch (CharacterCodingException e) {
-            throw new IOException(file + ": expected UTF-8 text", e);
-        }
-        return new SimFileReader(file.toString()).read(lines);
+        return new SimFileReader(file.toString())
+                .read(Utf8Text.read(file).lines().toList());
     }
 
     /** The card of a number. */

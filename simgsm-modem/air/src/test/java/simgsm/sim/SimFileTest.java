@@ -109,8 +109,13 @@ class SimFileTest {
         Path file = folder.resolve("binary");
         Files.write(file, new byte[] {(byte) 0xc3, (byte) 0x28});
         assertEquals(
-                file + ": expected UTF-8 text",
+                file + ": octet 1: expected UTF-8, found C3",
                 assertThrows(IOException.class, () -> SimFile.read(file)).getMessage());
+    }
+
+    @Test
+    void aByteOrderMarkIsNoPartOfTheFirstLine() throws IOException {
+        assertEquals(1, read("\uFEFF" + GOOD).subscriptions().size());
     }
 
     @Test

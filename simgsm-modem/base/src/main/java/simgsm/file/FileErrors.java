@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 
 /** The texts of errors of files: the file's name, then what is wrong. */
 public final class FileErrors {
@@ -58,6 +59,22 @@ public final class FileErrors {
         FileSystemException named = new FileSystemException(file.toString(), null, text);
         named.initCause(e);
         return named;
+    }
+
+    /**
+     * Fails if a file could not be written, before work is done whose result it takes; what is there stays as it is.
+     *
+     * @throws IOException naming the file
+     */
+    public static void requireWritable(Path file) throws IOException {
+        boolean isNew = Files.notExists(file);
+        naming(
+                file,
+                () -> Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND)
+                        .close());
+        if (isNew) {
+            Files.deleteIfExists(file);
+        }
     }
 
     /** The text of an error for a user. */

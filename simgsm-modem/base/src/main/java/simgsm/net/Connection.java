@@ -6,6 +6,7 @@ import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.SocketChannel;
+import java.nio.channels.UnresolvedAddressException;
 import java.nio.channels.WritableByteChannel;
 import java.util.function.Consumer;
 
@@ -258,6 +259,9 @@ public abstract class Connection {
     }
 
     static String reason(Exception e) {
+        if (e instanceof UnresolvedAddressException) {
+            return "unknown host";
+        }
         return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
     }
 }

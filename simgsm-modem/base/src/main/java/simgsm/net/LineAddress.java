@@ -2,8 +2,8 @@ package simgsm.net;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.net.Socket;
 import java.net.StandardSocketOptions;
+import java.net.UnknownHostException;
 import java.nio.ByteBuffer;
 import java.nio.channels.ByteChannel;
 import java.nio.channels.FileChannel;
@@ -24,8 +24,11 @@ public sealed interface LineAddress {
         public ByteChannel open() throws IOException {
             SocketChannel channel = SocketChannel.open();
             try {
-                Socket socket = channel.socket();
-                socket.connect(new InetSocketAddress(host, port), PATIENCE_MILLIS);
+                InetSocketAddress address = new InetSocketAddress(host, port);
+                if (address.isUnresolved()) {
+                    throw new UnknownHostException("unknown host " + host);
+                }
+                channel.socket().connect(address, PATIENCE_MILLIS);
                 channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
                 return channel;
             } catch (IOException | RuntimeException e) {
@@ -36,7 +39,7 @@ public sealed interface LineAddress {
 
         @Override
         public String toString() {
-            return host + ":" + port;
+            return (host.indexOf(':') < 0 ? host : "[" + host + "]") + ":" + port;
         }
     }
 
@@ -84,6 +87,11 @@ public sealed interface LineAddress {
         }
     }
 
+    /** A TCP port, for texts: an IPv6 address stands in brackets. */
+    static LineAddress of(InetSocketAddress address) {
+        return new Tcp(address.getHostString(), address.getPort());
+    }
+
     /** Connects; blocks the calling thread. */
     ByteChannel open() throws IOException;
 
@@ -92,8 +100,10 @@ public sealed interface LineAddress {
         int colon = text.lastIndexOf(':');
         if (colon > 0 && text.substring(colon + 1).matches("[0-9]{1,5}")) {
             int port = Integer.parseInt(text.substring(colon + 1));
-            if (port >= 1 && port <= 0xFFFF) {
-                return new Tcp(text.substring(0, colon), port);
+            String host = text.substring(0, colon);
+            boolean isBracketed = host.startsWith("[") && host.endsWith("]");
+            if (port >= 1 && port <= 0xFFFF && (isBracketed || host.indexOf(':') < 0)) {
+                return new Tcp(isBracketed ? host.substring(1, host.length() - 1) : host, port);
             }
         }
         String found = text;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.ByteBuffer;
@@ -23,7 +24,11 @@ class LineAddressTest {
     @Test
     void hostAndPortAreOneOverTcp() {
         assertEquals(new LineAddress.Tcp("robot.example", 8101), LineAddress.parse("robot.example:8101"));
-        assertEquals(new LineAddress.Tcp("::1", 8101), LineAddress.parse("::1:8101"));
+        assertEquals(new LineAddress.Tcp("::1", 8101), LineAddress.parse("[::1]:8101"));
+        assertEquals("[::1]:8101", LineAddress.parse("[::1]:8101").toString());
+        assertEquals(
+                "127.0.0.1:3003",
+                LineAddress.of(new InetSocketAddress("127.0.0.1", 3003)).toString());
     }
 
     @Test
@@ -74,7 +79,19 @@ class LineAddressTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "nonsense", "host:", ":8101", "host:0", "host:65536", "/dev/no-such-line", "/"})
+    @ValueSource(
+            strings = {
+                "",
+                "nonsense",
+                "host:",
+                ":8101",
+                "host:0",
+                "host:65536",
+                "nohost:1:2",
+                "::1:8101",
+                "/dev/no-such-line",
+                "/"
+            })
     void anythingElseIsRefusedInWords(String text) {
         IllegalArgumentException refusal = assertThrows(IllegalArgumentException.class, () -> LineAddress.parse(text));
         assertTrue(refusal.getMessage().startsWith("expected HOST:PORT or a serial line's device file, found "));

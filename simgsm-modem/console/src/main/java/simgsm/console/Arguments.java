@@ -1,5 +1,9 @@
 package simgsm.console;
 
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -70,7 +74,45 @@ public final class Arguments {
 
     /** The value as a path. */
     public Optional<Path> path(String name) throws UsageException {
-        return value(name, Path::of);
+        return value(name, text -> {
+            if (text.isEmpty()) {
+                throw new IllegalArgumentException("expected the name of a file or folder, found nothing");
+            }
+            return Path.of(text);
+        });
+    }
+
+    /** The address of {@code --bind} to listen on; without it loopback. */
+    public InetAddress bindAddress() throws UsageException {
+        return value("bind", text -> {
+                    try {
+                        if (!text.isBlank()) {
+                            return InetAddress.getByName(text);
+                        }
+                    } catch (UnknownHostException e) {
+                        // The exception below is also that of a blank text, which Java takes for loopback.
+                    }
+                    throw new IllegalArgumentException(
+                            "expected an address of this machine, found " + (text.isBlank() ? "nothing" : text));
+                })
+                .orElse(InetAddress.getLoopbackAddress());
+    }
+
+    /**
+     * Refuses to write to a file that is read, too.
+     *
+     * @param output an option with a file that is written
+     * @param inputs options with files that are read
+     */
+    public void requireOtherFile(String output, String... inputs) throws UsageException, IOException {
+        Optional<Path> written = path(output).filter(Files::exists);
+        for (String input : inputs) {
+            Optional<Path> read = path(input).filter(Files::exists);
+            if (written.isPresent() && read.isPresent() && Files.isSameFile(written.get(), read.get())) {
+                throw new UsageException(
+                        "--" + output + ": expected another file than that of --" + input + ", found " + written.get());
+            }
+        }
     }
 
     /** The value as {@code HOST:PORT}. */

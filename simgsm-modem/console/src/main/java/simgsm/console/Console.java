@@ -66,14 +66,12 @@ public final class Console implements AutoCloseable {
      * cannot be written, as on a full disk or because its reader has gone away, the program ends with 74.
      */
     public static Console onStandardOutput() {
-        EventOutputQueue queue = new EventOutputQueue(Program.standardOutput(), Console::endWithoutOutput);
+        EventOutputQueue queue = new EventOutputQueue(StandardOutput.STREAM, Console::endWithoutOutput);
         return new Console(queue::print, queue::close);
     }
 
-    private static void endWithoutOutput(String why) {
-        if (!why.isEmpty()) {
-            System.err.println(why);
-        }
+    private static void endWithoutOutput() {
+        StandardOutput.STREAM.hasFailed(System.err);
         FatalError.exit(ExitStatus.INPUT_OUTPUT);
     }
 
@@ -175,13 +173,11 @@ public final class Console implements AutoCloseable {
     }
 
     private static double seconds(String word) throws CommandException {
-        try {
+        if (word.matches("[0-9]{1,7}(\\.[0-9]{1,9})?|\\.[0-9]{1,9}")) {
             double seconds = Double.parseDouble(word);
-            if (seconds >= 0 && seconds <= MAX_WAIT_SECONDS) {
+            if (seconds <= MAX_WAIT_SECONDS) {
                 return seconds;
             }
-        } catch (NumberFormatException e) {
-            // The exception below is also that of a number out of range.
         }
         throw new CommandException("wait: expected key=value or a number of seconds, found " + word);
     }

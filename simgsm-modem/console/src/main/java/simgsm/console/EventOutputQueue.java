@@ -4,10 +4,8 @@ import java.io.PrintStream;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.function.Consumer;
 
 /**
  * Prints events in order on its own thread, so that a slow or stopped reader of standard output never blocks the thread
@@ -27,13 +25,13 @@ final class EventOutputQueue implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(EventOutputQueue.class.getName());
 
     private final PrintStream out;
-    private final Consumer<String> lost;
+    private final Runnable lost;
     private boolean isLost;
     private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>(MAX_UNPRINTED);
     private final Thread thread = new Thread(this::run, "console output");
 
-    /** @param lost receives the first error of the output */
-    EventOutputQueue(PrintStream out, Consumer<String> lost) {
+    /** @param lost runs once, when the output cannot be written */
+    EventOutputQueue(PrintStream out, Runnable lost) {
         this.out = out;
         this.lost = lost;
         thread.setDaemon(true);
@@ -72,10 +70,9 @@ final class EventOutputQueue implements AutoCloseable {
     private void print(StringBuilder lines) {
         out.print(lines);
         lines.setLength(0);
-        Optional<String> failure = StandardOutput.failure(out);
-        if (failure.isPresent() && !isLost) {
+        if (out.checkError() && !isLost) {
             isLost = true;
-            lost.accept(failure.get());
+            lost.run();
         }
     }
 

@@ -18,6 +18,9 @@ public final class FatalError {
 
     private static final FileOutputStream STANDARD_ERROR = new FileOutputStream(FileDescriptor.err);
 
+    /** Once the process ends, errors are those of parts that have been closed. */
+    private static volatile boolean isEnding;
+
     private FatalError() {}
 
     /**
@@ -44,6 +47,9 @@ public final class FatalError {
      * @param program as in its messages, such as {@code simgsm-phone}
      */
     public static void end(String program, Throwable cause) {
+        if (isEnding) {
+            return;
+        }
         try {
             if (cause instanceof OutOfMemoryError) {
                 STANDARD_ERROR.write(OUT_OF_MEMORY);
@@ -59,6 +65,7 @@ public final class FatalError {
 
     /** Ends the process in order, or after 5 s without its shutdown hooks. Returns at once. */
     static void exit(int status) {
+        isEnding = true;
         Thread halt = new Thread(() -> haltSoon(status), "halt");
         halt.setDaemon(true);
         halt.start();

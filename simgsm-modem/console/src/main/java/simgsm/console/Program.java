@@ -34,15 +34,27 @@ public final class Program {
         int run(Arguments arguments) throws Exception;
     }
 
+    /** Refuses values of options that the program does not read in every case. */
+    public interface Check {
+        void check(Arguments arguments) throws UsageException;
+    }
+
     /** Shows why a program with a window could not start, and returns when its user has read it. */
     public interface StartErrors {
         /** @param arguments as far as they could be read */
         void show(String program, String text, Optional<Arguments> arguments);
     }
 
+    /** Options of the programs with files that are written, and with files that are read. */
+    private static final List<String> OUTPUTS = List.of("record", "track", "record-audio", "capture", "result");
+
+    private static final String[] INPUTS = {"script", "world", "replay", "sim", "hlr", "town", "check", "pioneer-params"
+    };
+
     private final String name;
     private final Options options;
     private StartErrors startErrors = (program, text, arguments) -> {};
+    private Check check = arguments -> {};
     private List<String> windowless = List.of();
     private String logLevel = LogSettings.DEFAULT;
 
@@ -69,6 +81,12 @@ public final class Program {
         return this;
     }
 
+    /** Checks the options of windows in every case. */
+    public Program checking(Check windowOptions) {
+        check = windowOptions;
+        return this;
+    }
+
     /** Runs and ends the process with the resulting status. */
     public void runAndExit(String[] args, Body body) {
         System.exit(run(List.of(args), standardOutput(), System.err, body));
@@ -76,15 +94,12 @@ public final class Program {
 
     /** Runs and returns the exit status; does not end the process. */
     public int run(List<String> args, PrintStream out, PrintStream err, Body body) {
-        int status = perform(args, out, err, body);
-        Optional<String> lost = StandardOutput.failure(out);
-        if (lost.isEmpty()) {
-            return status;
+        if (out instanceof StandardOutput standard) {
+            standard.setProgram(name);
+            int status = perform(args, out, err, body);
+            return standard.hasFailed(err) ? ExitStatus.INPUT_OUTPUT : status;
         }
-        if (!lost.get().isEmpty()) {
-            err.println(name + ": " + lost.get());
-        }
-        return ExitStatus.INPUT_OUTPUT;
+        return perform(args, out, err, body);
     }
 
     private int perform(List<String> args, PrintStream out, PrintStream err, Body body) {
@@ -104,7 +119,11 @@ public final class Program {
                 return ExitStatus.OK;
             }
             LogSettings.apply(arguments.text("log-level").orElse(logLevel));
+            check.check(arguments);
             requireScript(arguments);
+            for (String output : OUTPUTS) {
+                arguments.requireOtherFile(output, INPUTS);
+            }
             return body.run(arguments);
         } catch (UsageException e) {
             err.println(name + ": " + e.getMessage() + "; see --help");

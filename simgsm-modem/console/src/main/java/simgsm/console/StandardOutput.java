@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /** Standard output as UTF-8 whatever the locale. It knows whether and why something could not be written. */
 final class StandardOutput extends PrintStream {
@@ -15,6 +15,8 @@ final class StandardOutput extends PrintStream {
     static final StandardOutput STREAM = new StandardOutput(new FileOutputStream(FileDescriptor.out));
 
     private final Sink sink;
+    private final AtomicBoolean isReported = new AtomicBoolean();
+    private volatile String program = "java";
 
     StandardOutput(OutputStream out) {
         this(new Sink(out));
@@ -25,16 +27,25 @@ final class StandardOutput extends PrintStream {
         this.sink = sink;
     }
 
-    /** The first error of a stream, in words for a user: empty where its reader has gone away. */
-    static Optional<String> failure(PrintStream out) {
-        if (!out.checkError()) {
-            return Optional.empty();
+    /** Sets the name of the program that writes, for {@link #hasFailed}. */
+    void setProgram(String name) {
+        program = name;
+    }
+
+    /**
+     * Whether something could not be written. The first call that finds so prints why, unless the reader of the output has
+     * gone away.
+     */
+    boolean hasFailed(PrintStream err) {
+        if (!checkError()) {
+            return false;
         }
-        String reason = out instanceof StandardOutput standard && standard.sink.failure != null
-                ? String.valueOf(standard.sink.failure.getMessage())
-                : "cannot be written";
+        String reason = String.valueOf(sink.failure == null ? null : sink.failure.getMessage());
         boolean isReaderGone = reason.contains("Broken pipe") || reason.contains("pipe is being closed");
-        return Optional.of(isReaderGone ? "" : "standard output: " + reason);
+        if (!isReaderGone && !isReported.getAndSet(true)) {
+            err.println(program + ": standard output: " + reason);
+        }
+        return true;
     }
 
     private static final class Sink extends FilterOutputStream {

@@ -3,8 +3,6 @@ package simgsm.lesson;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,6 +13,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
+import simgsm.file.FileErrors;
+import simgsm.file.Utf8Text;
 
 /** The lessons of the suite, and those of a teacher's own folder: a folder of text files each. */
 public final class LessonLibrary {
@@ -22,7 +22,6 @@ public final class LessonLibrary {
     private static final String PLACE = "/lessons/";
     private static final String LESSON = "lesson.txt";
     private static final String INDEX = "index.txt";
-    private static final String BYTE_ORDER_MARK = "\uFEFF";
     private static final LessonLibrary SUITE =
             new LessonLibrary(LessonReader.list(resource(INDEX).orElse("")), Optional.empty(), List.of());
 
@@ -191,15 +190,9 @@ public final class LessonLibrary {
     /** A text file in UTF-8, as editors on any system write it. */
     private static String text(Path file) throws LessonException {
         try {
-            String text = StandardCharsets.UTF_8
-                    .newDecoder()
-                    .decode(ByteBuffer.wrap(Files.readAllBytes(file)))
-                    .toString();
-            return (text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text).replace("\r\n", "\n");
-        } catch (CharacterCodingException e) {
-            throw new LessonException(file + ": expected a text in UTF-8");
+            return Utf8Text.read(file).replace("\r\n", "\n");
         } catch (IOException e) {
-            throw new LessonException(file + ": expected a file that can be read");
+            throw new LessonException(FileErrors.describe(e));
         }
     }
 

@@ -78,6 +78,10 @@ class ConsoleTest {
                 "wait a b c",
                 "wait a=b",
                 "wait a -1",
+                "wait a 1e3",
+                "wait a NaN",
+                "wait a 0x1p3",
+                "wait a 1d",
                 "wait a =b 1"
             })
     void aMalformedLineIsAnErrorAndTheProgramGoesOn(String line) throws Exception {
@@ -159,7 +163,7 @@ class ConsoleTest {
     @Test
     void aQueuePrintsInOrderAndAllThatIsLeftAtItsEnd() {
         EventOutputQueue queue =
-                new EventOutputQueue(new PrintStream(printed, false, StandardCharsets.UTF_8), why -> {});
+                new EventOutputQueue(new PrintStream(printed, false, StandardCharsets.UTF_8), () -> {});
         for (int i = 0; i < 1000; i++) {
             queue.print(Event.of("row").with("n", i));
         }
@@ -171,7 +175,7 @@ class ConsoleTest {
     @Test
     void whoPrintsIntoAQueueIsNeverHeldUpByAReaderWhoHasStopped() throws Exception {
         PipedOutputStream stuck = new PipedOutputStream(new PipedInputStream(16));
-        EventOutputQueue queue = new EventOutputQueue(new PrintStream(stuck, false, StandardCharsets.UTF_8), why -> {});
+        EventOutputQueue queue = new EventOutputQueue(new PrintStream(stuck, false, StandardCharsets.UTF_8), () -> {});
         for (int i = 0; i < 100_000; i++) {
             queue.print(Event.of("row").with("n", i));
         }

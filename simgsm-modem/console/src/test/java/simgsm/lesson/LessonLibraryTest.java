@@ -113,7 +113,7 @@ class LessonLibraryTest {
         assertFails("expected a folder with a folder for each lesson", () -> LessonLibrary.with(mine));
         LessonLibrary library = LessonLibrary.with(folder);
         Files.write(mine.resolve("lesson.txt"), new byte[] {'m', (byte) 0xF1});
-        assertFails(mine.resolve("lesson.txt") + ": expected a text in UTF-8", () -> library.lesson("mine"));
+        assertFails(mine.resolve("lesson.txt") + ": octet 2: expected UTF-8, found F1", () -> library.lesson("mine"));
         own(folder, "mine", "step a\nwhen phone\n", TEXTS);
         assertFails(
                 mine.resolve("lesson.txt") + ", line 2: expected SOURCE EVENT [FIELD=VALUE]..., found phone",

@@ -7,6 +7,7 @@ import simgsm.abis.IpaConnection;
 import simgsm.abis.IpaFrame;
 import simgsm.net.Connection;
 import simgsm.net.Connector;
+import simgsm.net.LineAddress;
 import simgsm.net.SelectorLoop;
 import simgsm.station.context.StationLog;
 import simgsm.station.context.Uplink;
@@ -81,7 +82,7 @@ final class StationLink implements Connector.Listener {
     /** Makes the first attempt to connect. */
     StationLink(SelectorLoop loop, MobileStation station, InetSocketAddress center) {
         this.station = station;
-        address = center.getHostString() + ":" + center.getPort();
+        address = LineAddress.of(center).toString();
         log = new StationLog(station.identity());
         connector = new Connector(loop, center, this);
         connector.start();

@@ -1,9 +1,6 @@
 package simgsm.tools;
 
 import java.io.IOException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.InvalidPathException;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import simgsm.console.ExitStatus;
@@ -12,6 +9,7 @@ import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.dtmf.KeyCandidate;
 import simgsm.dtmf.KeyReceiver;
+import simgsm.file.FileErrors;
 import simgsm.tools.audio.NotAudioException;
 import simgsm.tools.audio.SpeechFile;
 
@@ -45,20 +43,14 @@ final class DecodedFile {
     static DecodedFile of(String name, Kind kind) {
         DecodedFile decoded = new DecodedFile(name, kind);
         try {
-            decoded.decode(Path.of(name));
+            Path file = Path.of(name);
+            FileErrors.naming(file, () -> decoded.decode(file));
         } catch (NotAudioException e) {
             decoded.failed(ExitStatus.FAILED, e.getMessage());
-        } catch (IOException | InvalidPathException e) {
-            decoded.failed(ExitStatus.INPUT_OUTPUT, name + ": " + reason(e));
+        } catch (IOException e) {
+            decoded.failed(ExitStatus.INPUT_OUTPUT, FileErrors.describe(e));
         }
         return decoded;
-    }
-
-    private static String reason(Exception e) {
-        if (e instanceof NoSuchFileException) {
-            return "no such file";
-        }
-        return e instanceof AccessDeniedException ? "access denied" : e.getMessage();
     }
 
     private void failed(int newStatus, String text) {

@@ -11,9 +11,11 @@ import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Options;
 import simgsm.console.UsageException;
+import simgsm.file.FileErrors;
 import simgsm.octets.Octets;
 import simgsm.speech.SpeechCodec;
 import simgsm.speech.WavWriter;
+import simgsm.tools.audio.NotAudioException;
 import simgsm.tools.audio.SpeechFile;
 
 /** {@code gsm encode IN.wav OUT.gsm} and {@code gsm decode IN.gsm OUT.wav}: GSM 06.10, 33 octets a frame. */
@@ -44,17 +46,25 @@ final class GsmTool {
         }
         Path from = Path.of(arguments.rest().get(1));
         Path to = Path.of(arguments.rest().get(2));
-        if (direction.equals("encode")) {
-            encode(from, to);
-            return ExitStatus.OK;
+        if (Files.exists(to) && Files.isSameFile(from, to)) {
+            throw new UsageException("expected another file for the output, found the input's " + to);
         }
-        return decode(from, to, err);
+        return direction.equals("encode") ? encode(from, to, err) : decode(from, to, err);
     }
 
-    private static void encode(Path from, Path to) throws IOException {
+    private static int encode(Path from, Path to, PrintStream err) throws IOException {
+        try (SpeechFile file = SpeechFile.open(from)) {
+            FileErrors.naming(to, () -> encode(file, to));
+            return ExitStatus.OK;
+        } catch (NotAudioException e) {
+            err.println("simgsm-modem: " + e.getMessage());
+            return ExitStatus.FAILED;
+        }
+    }
+
+    private static void encode(SpeechFile file, Path to) throws IOException {
         SpeechCodec codec = CODEC.open();
-        try (SpeechFile file = SpeechFile.open(from);
-                OutputStream octets = new BufferedOutputStream(Files.newOutputStream(to))) {
+        try (OutputStream octets = new BufferedOutputStream(Files.newOutputStream(to))) {
             short[] frame = new short[SpeechCodec.SAMPLES_PER_FRAME];
             for (int n; (n = file.read(frame)) > 0; ) {
                 Arrays.fill(frame, n, frame.length, (short) 0);
@@ -64,7 +74,11 @@ final class GsmTool {
     }
 
     private static int decode(Path from, Path to, PrintStream err) throws IOException {
-        byte[] octets = Files.readAllBytes(from);
+        byte[] octets = FileErrors.naming(from, () -> Files.readAllBytes(from));
+        return FileErrors.naming(to, () -> decode(octets, from, to, err));
+    }
+
+    private static int decode(byte[] octets, Path from, Path to, PrintStream err) throws IOException {
         int length = CODEC.octetsPerFrame();
         SpeechCodec codec = CODEC.open();
         int status = ExitStatus.OK;

@@ -13,6 +13,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneLevel;
 import simgsm.dtmf.ToneNoise;
 import simgsm.dtmf.ToneShape;
+import simgsm.file.FileErrors;
 import simgsm.speech.WavWriter;
 
 /** {@code tones KEYS OUT.wav}: DTMF keys as a sound file. */
@@ -70,7 +71,8 @@ final class TonesTool {
         if (noise.isPresent()) {
             ToneNoise.add(samples, shape, noise.get(), arguments.integer("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
         }
-        WavWriter.write(Path.of(rest.get(1)), samples);
+        Path file = Path.of(rest.get(1));
+        FileErrors.naming(file, () -> WavWriter.write(file, samples));
         return ExitStatus.OK;
     }
 

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -48,7 +47,7 @@ public record CellsSettings(
         int port = (int) arguments.integer("port", DEFAULT_PORT, 0, MAX_PORT);
         boolean isOsmocom = arguments.choice("controller", "ours", "osmo-bsc").equals("osmo-bsc");
         HostPort controller = arguments.hostPort("center").orElse(HostPort.parse("127.0.0.1:3003"));
-        InetAddress address = arguments.value("bind", CellsSettings::address).orElse(InetAddress.getLoopbackAddress());
+        InetAddress address = arguments.bindAddress();
         long seed = arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
         HandoverRule handover = arguments.value("handover", HandoverRule::parse).orElse(HandoverRule.STANDARD);
         Path file = arguments.path("town").orElseThrow(() -> new UsageException("--town FILE.town is needed"));
@@ -78,13 +77,5 @@ public record CellsSettings(
         out.print(OsmoBscConfig.of(town));
         out.flush();
         return ExitStatus.OK;
-    }
-
-    private static InetAddress address(String text) {
-        try {
-            return InetAddress.getByName(text);
-        } catch (UnknownHostException e) {
-            throw new IllegalArgumentException("expected an address of this machine, found " + text);
-        }
     }
 }

@@ -11,6 +11,7 @@ import simgsm.cells.snapshot.TownSnapshot;
 import simgsm.cells.town.TownPlace;
 import simgsm.cells.ui.TownWindow;
 import simgsm.console.ExitStatus;
+import simgsm.console.HostPort;
 import simgsm.ui.window.ProgramWindow;
 
 /** The cells with their window: publishes snapshots and passes on what the user asks for. */
@@ -29,7 +30,9 @@ public final class CellsWindow implements TownActions {
         CellsWindow actions = new CellsWindow(cells);
         InetSocketAddress controller = settings.controllerAddress();
         TownSnapshots snapshots = new TownSnapshots(
-                cells.port(), controller.getHostString() + ":" + controller.getPort(), settings.isOsmocom());
+                cells.port(),
+                new HostPort(controller.getHostString(), controller.getPort()).toString(),
+                settings.isOsmocom());
         actions.newest.set(cells.ask(snapshots::of));
         cells.observe(SNAPSHOT_NANOS, network -> actions.newest.set(snapshots.of(network)));
         window.show(

@@ -10,6 +10,7 @@ import simgsm.abis.RslCodec;
 import simgsm.air.ProtocolViolation;
 import simgsm.cells.mobile.Mobile;
 import simgsm.cells.mobile.MobilePort;
+import simgsm.net.LineAddress;
 import simgsm.timer.RateLimit;
 import simgsm.timer.Timers;
 
@@ -34,11 +35,7 @@ final class MobileConnection extends IpaConnection implements MobilePort {
     @Override
     protected void opened() {
         Timers timers = cells.now().timers();
-        mobile = cells.now()
-                .connected(
-                        this,
-                        address().getAddress().getHostAddress() + ":"
-                                + address().getPort());
+        mobile = cells.now().connected(this, LineAddress.of(address()).toString());
         keepAlive = new KeepAlive(timers, this::send, this::fail);
         keepAlive.start();
         send(new CcmMessage.IdentityRequest());

@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import simgsm.cells.tower.BaseStation;
 import simgsm.net.Connection;
 import simgsm.net.Connector;
+import simgsm.net.LineAddress;
 import simgsm.net.SelectorLoop;
 
 /** Keeps one tower connected to the controller while it is on. */
@@ -61,10 +62,9 @@ final class TowerLink implements Connector.Listener {
             isAbsenceLogged = true;
             LOG.log(
                     Level.WARNING,
-                    "{0}: no controller at {1}:{2} ({3}); trying again",
+                    "{0}: no controller at {1} ({2}); trying again",
                     tower,
-                    controller.getHostString(),
-                    Integer.toString(controller.getPort()),
+                    LineAddress.of(controller),
                     reason);
         }
     }

@@ -4,9 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,6 +26,16 @@ class TownReaderTest {
         assertEquals(
                 List.of(new Tower("A", new TownPlace(0, 0), 30, 43, 20, 11, 1, 6969, 6969, 6, CellSelection.STANDARD)),
                 town.towers());
+    }
+
+    @Test
+    void aByteOrderMarkIsNoPartOfTheFileAndOtherAlphabetsAreRefused(@TempDir Path folder) throws Exception {
+        Path file = Files.writeString(folder.resolve("t.town"), "\uFEFF" + TOWER);
+        assertEquals(1, TownFile.read(file).towers().size());
+
+        Files.writeString(file, TOWER + "town Caba\u00F1as\n", StandardCharsets.ISO_8859_1);
+        IOException refused = assertThrows(IOException.class, () -> TownFile.read(file));
+        assertEquals(file + ": line 2, octet 10: expected UTF-8, found F1", refused.getMessage());
     }
 
     @Test

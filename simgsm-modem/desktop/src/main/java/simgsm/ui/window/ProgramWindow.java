@@ -111,6 +111,16 @@ public final class ProgramWindow {
                 chosen.orElseGet(ProgramWindow::systemAppearance), zoom, place.or(() -> otherwise), arguments);
     }
 
+    /** Refuses values of a window's options that none could have, also where no window opens. */
+    public static void check(Arguments arguments) throws UsageException {
+        if (arguments.has("theme") && !arguments.text("theme").orElseThrow().equalsIgnoreCase("system")) {
+            arguments.value("theme", Appearance::parse);
+        }
+        arguments.value("window", WindowPlace::parse);
+        zoomPercent(arguments);
+        arguments.language();
+    }
+
     private static Appearance appearance(String text) {
         return text.equalsIgnoreCase("system") ? systemAppearance() : Appearance.parse(text);
     }

@@ -17,6 +17,8 @@ import simgsm.timer.Timers;
 public final class AtSession<C> {
     /** A longer line is answered with ERROR. */
     static final int MAX_LINE = 2_048;
+    /** In place of a line that was too long: to repeat it is an error, too. */
+    private static final String TOO_LONG = "too long";
     /** Longer than any message; a longer text is cut there, and then refused by the command. */
     static final int MAX_TEXT = 4_096;
     /** Of more codes that are held back the oldest is dropped. */
@@ -196,7 +198,10 @@ public final class AtSession<C> {
         isTooLong = false;
         if (commands.isEmpty()) {
             sendHeld();
-        } else if (wasTooLong || !commands.toUpperCase(Locale.ROOT).startsWith("AT")) {
+        } else if (wasTooLong) {
+            lastLine = TOO_LONG;
+            end(AtResult.ERROR);
+        } else if (!commands.toUpperCase(Locale.ROOT).startsWith("AT")) {
             end(AtResult.ERROR);
         } else {
             lastLine = commands;

@@ -158,9 +158,11 @@ class AtSessionTest {
     @Test
     void aLineThatIsTooLongIsAnErrorAndTheNextIsNot() {
         silent();
+        assertEquals("|OK|", say("AT+DO=7\r"));
         assertEquals("|ERROR|", say("AT+DO=" + "1".repeat(AtSession.MAX_LINE) + "\r"));
+        assertEquals("|ERROR|", say("A/"), "not the line before it");
         assertEquals("|OK|", say("AT\r"));
-        assertEquals(List.of(), done);
+        assertEquals(List.of("7"), done);
     }
 
     @Test
