@@ -1,6 +1,7 @@
 package simrobot.ui.panel;
 
 import java.awt.BorderLayout;
+import java.awt.Container;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
@@ -107,6 +109,10 @@ final class NewRobotForm extends JPanel {
         setVisible(true);
         view.choosePlace(this::placed);
         name.selectAll();
+        // The form may have been hidden with all around it, and what is not laid out takes no focus.
+        if (SwingUtilities.getRoot(this) instanceof Container window) {
+            window.validate();
+        }
         name.requestFocusInWindow();
     }
 
