@@ -123,9 +123,11 @@ final class ToneExperimentBar extends JPanel {
     }
 
     private JLabel label(String key) {
-        return Theme.styled(
-                Theme.label(texts.of(key), Theme::small, Ink.QUIET),
-                it -> it.setPreferredSize(new Dimension(longestLabel() + 2, Theme.px(20))));
+        return Theme.styled(Theme.label(texts.of(key), Theme::small, Ink.QUIET), it -> {
+            Dimension size = new Dimension(longestLabel() + Theme.px(4), Theme.px(20));
+            it.setPreferredSize(size);
+            it.setMinimumSize(size);
+        });
     }
 
     private int longestLabel() {
