@@ -49,8 +49,8 @@ class LayeringTest {
             simgsm.audio             : simgsm.speech
             simgsm.draw              :
             simgsm.ui                : simgsm.console simgsm.draw
-            simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.ui.lesson         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui
+            simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.ui.window         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
             simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context

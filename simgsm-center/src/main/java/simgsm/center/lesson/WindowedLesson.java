@@ -96,7 +96,9 @@ public final class WindowedLesson implements LessonActs {
         LessonTexts texts = LessonCheck.texts(library, lesson, arguments.language());
         ProgramWindow.of(arguments, Optional.empty()); // ends here without a display
         WindowPlace screen = Display.usableArea();
-        WindowPlace place = place(screen);
+        WindowPlace place = place(
+                screen,
+                DemoLayout.of(screen, ProgramWindow.zoomPercent(arguments)).zoomPercent());
         DemoLayout layout = DemoLayout.of(
                 new WindowPlace(screen.x(), screen.y(), screen.width() - place.width(), screen.height()),
                 ProgramWindow.zoomPercent(arguments));
@@ -126,8 +128,10 @@ public final class WindowedLesson implements LessonActs {
         }
     }
 
-    private static WindowPlace place(WindowPlace screen) {
-        int width = (int) Math.max(LEAST_WIDTH, Math.min(MOST_WIDTH, SHARE_OF_SCREEN * screen.width()));
+    /** A share of the screen's width, for texts of that zoom. */
+    private static WindowPlace place(WindowPlace screen, int zoomPercent) {
+        double most = MOST_WIDTH * Math.max(1.0, zoomPercent / (double) PERCENT);
+        int width = (int) Math.max(LEAST_WIDTH, Math.min(most, SHARE_OF_SCREEN * screen.width()));
         return new WindowPlace(screen.x() + screen.width() - width, screen.y(), width, screen.height());
     }
 
