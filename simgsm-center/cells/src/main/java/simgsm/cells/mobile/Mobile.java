@@ -295,10 +295,11 @@ public final class Mobile {
     private void requestChannel() {
         int tower = selection.serving();
         if (tower == IdleSelection.NONE || !network.towers().get(tower).isInService()) {
-            if (!EstablishmentCause.isLocationUpdating(firstMessage)) {
+            boolean isNetworkGone = network.towers().stream().noneMatch(BaseStation::isInService);
+            if (isNetworkGone || !EstablishmentCause.isLocationUpdating(firstMessage)) {
                 machine.fire(MobileRadioEvent.ACCESS_FAILED);
             }
-            // A mobile that wants to register waits for a cell, until its terminal gives up.
+            // Out of the coverage a mobile that wants to register waits for a cell, until its terminal gives up.
             return;
         }
         passed(PassingStep.Kind.CHANNEL_REQUEST, cell(), "", 0);

@@ -428,9 +428,13 @@ class CellNetworkTest {
 
         TownScene.Terminal again = scene.new Terminal("5550100");
         again.register();
+        assertEquals("060d01", again.expectLayer3(), "there is no network");
         scene.east.connect(1);
         scene.west.connect(1);
-        assertEquals(0, place.distanceMetres(again.mobile.walker().place()), 1e-9);
+        scene.pass(480 * MILLI);
+        assertEquals("west", again.mobile.cell());
+        again.register();
+        assertEquals(0, place.distanceMetres(again.mobile.walker().place()), 10);
         assertEquals(List.of(new TownPlace(1_000, 0)), again.mobile.walker().ahead());
         scene.west.up.clear();
         scene.west.expectAccess();
