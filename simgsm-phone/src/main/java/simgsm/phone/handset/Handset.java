@@ -249,10 +249,16 @@ public final class Handset {
         Optional<Refusal> refusal = call.refusalOfKeys();
         if (refusal.isEmpty()) {
             audio.press(pressed, toneMillis, whenSent);
-            pressed.forEach(call::keyed);
+            pressed.forEach(this::keyed);
         }
         changed();
         return refusal;
+    }
+
+    /** A key is on its way to the far end. */
+    void keyed(DtmfKey key) {
+        call.keyed(key);
+        events.keyed(key);
     }
 
     /** Sends a sound in the call, in place of a microphone. @param samples at 8 kHz */

@@ -123,7 +123,7 @@ public final class HandsetKeys {
     private void play(DtmfKey tone) {
         boolean isConnected = call.phase() == CallPhase.CONNECTED;
         if (isConnected) {
-            call.keyed(tone);
+            handset.keyed(tone);
         }
         int millis = handset.settings().toneLength().millis();
         if (isConnected && millis > 0) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.ServiceWords;
 import simgsm.phone.screen.Words;
 import simgsm.station.context.StationEvent;
@@ -49,8 +50,9 @@ public final class HandsetLog {
         isPublished = false;
     }
 
-    /** Keys that are pressed one by one are one event, until something else happens. */
-    private void addKeys(String keys) {
+    /** The user keys a tone in the call: keys are one event, until something else happens. */
+    void keyed(DtmfKey key) {
+        String keys = String.valueOf(key.symbol());
         Entry last = entries.peekLast();
         if (last != null && last.words().key().equals("log.keys")) {
             entries.removeLast();
@@ -114,9 +116,7 @@ public final class HandsetLog {
     }
 
     private void acceptHandset(HandsetEvent event) {
-        if (event instanceof HandsetEvent.KeysSent sent) {
-            addKeys(sent.keys());
-        } else if (event instanceof HandsetEvent.KeysNotSent refused) {
+        if (event instanceof HandsetEvent.KeysNotSent refused) {
             add("note.keys_refused", String.valueOf(refused.cause().code()));
         } else if (event instanceof HandsetEvent.ImeiShown shown) {
             add("log.imei", shown.imei());
