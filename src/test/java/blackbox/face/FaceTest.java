@@ -74,8 +74,7 @@ class FaceTest {
                         new Dimension(1228, 355),
                         new Dimension(1160, 700),
                         new Dimension(1900, 1000));
-            case TOWN ->
-                List.of(SuiteWindow.CELLS.least(), new Dimension(1100, 760), new Dimension(1900, 1000));
+            case TOWN -> List.of(SuiteWindow.CELLS.least(), new Dimension(1100, 760), new Dimension(1900, 1000));
             case CLASS -> List.of(new Dimension(430, 740), new Dimension(900, 700));
             case LESSONS -> List.of(new Dimension(420, 400), new Dimension(760, 600));
         };

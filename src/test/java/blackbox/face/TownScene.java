@@ -40,8 +40,8 @@ final class TownScene {
                 .forEach(tower -> heard.add(new Level(
                         tower.name(), -71 - 5 * heard.size(), OptionalDouble.of(-73), OptionalDouble.empty())));
         List<Level> idle = heard.stream()
-                .map(level ->
-                        new Level(level.cell(), level.dbm(), OptionalDouble.empty(), OptionalDouble.of(level.dbm() + 104)))
+                .map(level -> new Level(
+                        level.cell(), level.dbm(), OptionalDouble.empty(), OptionalDouble.of(level.dbm() + 104)))
                 .toList();
         List<MobileState> mobiles = List.of(
                 mobile("5550100", MobileState.State.DEDICATED, heard),
@@ -49,7 +49,8 @@ final class TownScene {
                 mobile("5550201", MobileState.State.SEARCHING, List.of()));
         List<PassingStep> passing = new ArrayList<>();
         for (PassingStep.Kind kind : PassingStep.Kind.values()) {
-            passing.add(new PassingStep(0, "5550100", kind, towers.get(0).name(), towers.get(1).name(), 17));
+            passing.add(new PassingStep(
+                    0, "5550100", kind, towers.get(0).name(), towers.get(1).name(), 17));
         }
         snapshot = new TownSnapshot(
                 0,

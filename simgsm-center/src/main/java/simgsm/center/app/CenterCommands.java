@@ -68,17 +68,12 @@ public final class CenterCommands implements Console.Commands {
 
     @Override
     public void perform(ConsoleCommand command) throws CommandException {
-        try {
-            COMMANDS.perform(this, command);
-        } catch (IllegalStateException noAnswer) {
-            throw new CommandException(command.name() + ": " + noAnswer.getMessage());
-        }
+        COMMANDS.performAsking(this, command);
     }
 
     private void list(ConsoleCommand command, Function<Exchange, Stream<Event>> question) {
         List<Event> rows = center.ask(exchange -> question.apply(exchange).toList());
-        rows.forEach(console::emit);
-        console.emit(CenterEventPrinter.end(command.name(), rows.size()));
+        console.emitList(command.name(), rows);
     }
 
     private void handover(ConsoleCommand command) throws CommandException {
@@ -101,7 +96,8 @@ public final class CenterCommands implements Console.Commands {
                 .orElseThrow(() ->
                         new CommandException("message: expected one that waits or has lately ended, found " + id));
         console.emit(CenterEventPrinter.of(history));
-        history.attempts().stream().map(CenterEventPrinter::of).forEach(console::emit);
-        console.emit(CenterEventPrinter.end("message", history.attempts().size()));
+        console.emitList(
+                "message",
+                history.attempts().stream().map(CenterEventPrinter::of).toList());
     }
 }

@@ -103,10 +103,6 @@ public final class CenterEventPrinter {
                 .with("text", broadcast.text());
     }
 
-    static Event end(String list, int count) {
-        return Event.of("end").with("of", list).with("count", count);
-    }
-
     private static Event parties(Event event, Object from, Object to) {
         return event.with("from", from).with("to", to);
     }

@@ -35,36 +35,6 @@ public record ExchangeSnapshot(
         List<CallView> endedCalls) {
     public static final int MAX_ROWS = 1_000;
 
-    /** Before any call has been cleared. */
-    public ExchangeSnapshot(
-            Instant time,
-            int links,
-            int attached,
-            int waiting,
-            long speechFrames,
-            List<SubscriberRow> subscribers,
-            List<CallView> calls,
-            List<MessageRow> messages,
-            List<LadderEntry> ladder,
-            long ladderCount,
-            Optional<Passing> latest,
-            List<BroadcastView> broadcasts) {
-        this(
-                time,
-                links,
-                attached,
-                waiting,
-                speechFrames,
-                subscribers,
-                calls,
-                messages,
-                ladder,
-                ladderCount,
-                latest,
-                broadcasts,
-                List.of());
-    }
-
     /** @param imei empty before the first registration; @param barred whether the operator has barred the subscriber */
     public record SubscriberRow(Msisdn number, boolean attached, String imsi, String imei, boolean barred) {
         /** Of a subscriber who may register. */

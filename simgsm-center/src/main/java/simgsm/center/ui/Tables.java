@@ -2,6 +2,7 @@ package simgsm.center.ui;
 
 import java.util.List;
 import java.util.Locale;
+import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.BroadcastView;
 import simgsm.center.msc.ExchangeSnapshot.MessageRow;
@@ -48,8 +49,13 @@ final class Tables {
                                 texts.of("window.cause"),
                                 110,
                                 call -> call.cause()
-                                        .map(cause -> cause.code() + " " + cause.title())
+                                        .map(cause -> cause.code() + " " + title(cause, texts))
                                         .orElse(""))));
+    }
+
+    /** Normal call clearing in plain words. */
+    private static String title(Cause cause, TextBundle texts) {
+        return cause == Cause.NORMAL_CALL_CLEARING ? texts.of("window.cause.normal") : cause.title();
     }
 
     /** Minutes and seconds, as on a phone's display; nothing if the call has not been active. */

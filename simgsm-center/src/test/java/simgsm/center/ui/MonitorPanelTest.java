@@ -162,7 +162,19 @@ class MonitorPanelTest {
         List<ExchangeSnapshot.SubscriberRow> fewer =
                 List.of(before.subscribers().get(0), before.subscribers().get(2));
         panel.show(new ExchangeSnapshot(
-                Scene.NOON, 1, 1, 0, 0, fewer, List.of(), List.of(), List.of(), 0, Optional.empty(), List.of()));
+                Scene.NOON,
+                1,
+                1,
+                0,
+                0,
+                fewer,
+                List.of(),
+                List.of(),
+                List.of(),
+                0,
+                Optional.empty(),
+                List.of(),
+                List.of()));
 
         assertEquals(0, subscribers.getSelectedRow());
         assertEquals("5550200", String.valueOf(subscribers.getValueAt(0, 0)));

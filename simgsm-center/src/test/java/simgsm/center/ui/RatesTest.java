@@ -25,6 +25,7 @@ class RatesTest {
                 List.of(),
                 messages,
                 Optional.empty(),
+                List.of(),
                 List.of());
     }
 

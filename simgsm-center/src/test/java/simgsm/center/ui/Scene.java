@@ -105,7 +105,19 @@ public final class Scene {
 
     public static ExchangeSnapshot empty() {
         return new ExchangeSnapshot(
-                NOON, 0, 0, 0, 0, List.of(), List.of(), List.of(), List.of(), 0, Optional.empty(), List.of());
+                NOON,
+                0,
+                0,
+                0,
+                0,
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                0,
+                Optional.empty(),
+                List.of(),
+                List.of());
     }
 
     /** Nothing but so many messages between phone, centre and robot. */
@@ -115,7 +127,19 @@ public final class Scene {
             entries.add(i % 2 == 0 ? setup() : alerting(ROBOT));
         }
         return new ExchangeSnapshot(
-                NOON, 2, 2, 0, 0, List.of(), List.of(), List.of(), entries, count, Optional.empty(), List.of());
+                NOON,
+                2,
+                2,
+                0,
+                0,
+                List.of(),
+                List.of(),
+                List.of(),
+                entries,
+                count,
+                Optional.empty(),
+                List.of(),
+                List.of());
     }
 
     /** Nothing but so many broadcasts that are repeated. */
@@ -126,7 +150,19 @@ public final class Scene {
             broadcasts.add(new BroadcastView(id, 50, Optional.empty(), 0, 1, minute, 1, OptionalInt.empty(), "Hello"));
         }
         return new ExchangeSnapshot(
-                NOON, 0, 0, 0, 0, List.of(), List.of(), List.of(), List.of(), 0, Optional.empty(), broadcasts);
+                NOON,
+                0,
+                0,
+                0,
+                0,
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                0,
+                Optional.empty(),
+                broadcasts,
+                List.of());
     }
 
     /** A call that is active, a message that waits. */
@@ -150,6 +186,7 @@ public final class Scene {
                 everyKind(),
                 everyKind().size(),
                 latest,
+                List.of(),
                 List.of());
     }
 

@@ -52,6 +52,15 @@ public final class CommandTable<T> {
         row.action.perform(target, command);
     }
 
+    /** As {@link #perform}, where the core is asked by another thread: that it does not answer is told like any other error. */
+    public void performAsking(T target, ConsoleCommand command) throws CommandException {
+        try {
+            perform(target, command);
+        } catch (IllegalStateException noAnswer) {
+            throw new CommandException(command.name() + ": " + noAnswer.getMessage());
+        }
+    }
+
     /** One entry a command, {@code name arguments} and what it does; {@code wait} and {@code quit} come last. */
     public String reference() {
         StringBuilder text = new StringBuilder();

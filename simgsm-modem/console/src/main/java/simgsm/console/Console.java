@@ -99,6 +99,12 @@ public final class Console implements AutoCloseable {
         printer.accept(event);
     }
 
+    /** Prints the rows of a list and {@code end of= count=}. */
+    public void emitList(String name, List<Event> rows) {
+        rows.forEach(this::emit);
+        emit(Event.of("end").with("of", name).with("count", rows.size()));
+    }
+
     /** Prints {@code error text=}. */
     public void error(String text) {
         emit(Event.of("error").with("text", text));

@@ -63,6 +63,28 @@ public final class Glossary {
                 .map(explanations::get);
     }
 
+    /**
+     * The explanation of a GSM message by its name; of one that carries another, such as "CP-DATA (RP-DATA SUBMIT)", that of the
+     * outer one. Names of messages that are everyday words, such as Hold, are no terms of texts.
+     */
+    public Optional<String> findMessage(String name) {
+        String outer = outer(name);
+        return find("message " + outer).or(() -> find(outer)).map(text -> outer + ": " + text);
+    }
+
+    /** The explanation of what a message carries, {@code SUBMIT} in "CP-DATA (RP-DATA SUBMIT)"; empty for nothing. */
+    public Optional<String> findCarried(String name) {
+        String[] carried = name.substring(outer(name).length())
+                .replaceAll("[()]", " ")
+                .strip()
+                .split(" ");
+        return findMessage(carried[carried.length - 1]);
+    }
+
+    private static String outer(String name) {
+        return name.replaceFirst(" \\(.*", "");
+    }
+
     /** Splits a text so that each term, also in the plural, where it stands first, is a part of its own. */
     public List<Part> parts(String text) {
         List<Part> parts = new ArrayList<>();

@@ -60,17 +60,12 @@ public final class CellsCommands implements Console.Commands {
 
     @Override
     public void perform(ConsoleCommand command) throws CommandException {
-        try {
-            COMMANDS.perform(this, command);
-        } catch (IllegalStateException noAnswer) {
-            throw new CommandException(command.name() + ": " + noAnswer.getMessage());
-        }
+        COMMANDS.performAsking(this, command);
     }
 
     private void list(ConsoleCommand command, Function<CellNetwork, Stream<Event>> question) {
         List<Event> rows = cells.ask(network -> question.apply(network).toList());
-        rows.forEach(console::emit);
-        console.emit(CellsEventPrinter.end(command.name(), rows.size()));
+        console.emitList(command.name(), rows);
     }
 
     private void place(ConsoleCommand command) throws CommandException {

@@ -77,10 +77,6 @@ final class CellsEventPrinter {
                 .with("state", mobile.state() == MobileRadioState.IDLE ? "idle" : "dedicated");
     }
 
-    static Event end(String list, int count) {
-        return Event.of("end").with("of", list).with("count", count);
-    }
-
     private static String metres(double value) {
         return String.format(Locale.ROOT, "%.1f", value);
     }

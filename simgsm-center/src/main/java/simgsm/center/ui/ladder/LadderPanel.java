@@ -89,6 +89,8 @@ public final class LadderPanel extends JPanel {
         save = button("ladder.save", "window.ladder.save", Symbol.SAVE, this::save);
         new UserAction("ladder.undo.key", texts.of("window.ladder.undo"), this::unclear)
                 .bind(list, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_Z, InputEvent.CTRL_DOWN_MASK));
+        new UserAction("ladder.explain", texts.of("window.ladder.explain"), detail::explain)
+                .bind(list, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0));
         pane = listPane();
         Divider divider = new Divider(
                 "divider.message",

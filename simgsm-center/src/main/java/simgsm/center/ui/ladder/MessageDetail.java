@@ -60,8 +60,7 @@ public final class MessageDetail extends JPanel {
         title.addMouseListener(new MouseAdapter() {
             @Override
             public void mouseClicked(MouseEvent event) {
-                note.explain(
-                        shown == null || note.isVisible() ? "" : shown.message().name());
+                explain();
             }
         });
         setMinimumSize(new Dimension(0, 0));
@@ -76,6 +75,15 @@ public final class MessageDetail extends JPanel {
         fields.show(shown.message().fields());
         octets.show(shown.message().octets());
         note.explain("");
+    }
+
+    /** Explains the message by its name, or hides the explanation. */
+    void explain() {
+        if (shown == null || note.isVisible()) {
+            note.explain("");
+        } else {
+            note.explainMessage(shown.message().name());
+        }
     }
 
     /** The message in lines of text; empty before the first. */

@@ -1,8 +1,10 @@
 package simgsm.ui.lesson;
 
 import java.awt.BorderLayout;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JPanel;
 import simgsm.lesson.Glossary;
 
@@ -17,6 +19,16 @@ public final class GlossaryNote extends JPanel {
         setOpaque(false);
         add(text, BorderLayout.CENTER);
         setVisible(false);
+    }
+
+    /** Explains a GSM message by its name, and what it carries. */
+    public void explainMessage(String name) {
+        List<String> found = Stream.of(glossary.findMessage(name), glossary.findCarried(name))
+                .flatMap(Optional::stream)
+                .toList();
+        text.show(String.join("\n\n", found));
+        setVisible(!found.isEmpty());
+        revalidate();
     }
 
     /** Explains the first term in a text; without a term in it, nothing is shown. */
