@@ -152,7 +152,7 @@ final class SuiteWindows {
                     case "warning" -> Optional.of("The centre listens to this machine only.");
                     default -> null;
                 });
-        ClassPanel panel = new ClassPanel(locale, acts);
+        ClassPanel panel = new ClassPanel(locale, acts, nothing(ClassPanel.Frames.class));
         List<ClassView.Row> rows = IntStream.range(0, 30)
                 .mapToObj(i -> new ClassView.Row(
                         List.of(String.valueOf(5550100 + i), String.valueOf(5550200 + i), "12", "108", "10", "1234.5"),

@@ -34,10 +34,9 @@ import simgsm.console.HostPort;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
-import simgsm.ui.DesktopTexts;
 import simgsm.ui.lesson.ClassActs;
-import simgsm.ui.lesson.ClassFrame;
 import simgsm.ui.lesson.ClassView;
+import simgsm.ui.window.ClassFrame;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.WindowPlace;
@@ -165,7 +164,7 @@ public final class ClassDemo {
                                 .toList());
             case "lesson" -> {
                 String name = event.fields().getOrDefault("name", "");
-                notice = Optional.of(DesktopTexts.in(settings.language()).of("class.lesson", name));
+                notice = Optional.of(CenterTexts.in(settings.language()).of("class.lesson", name));
                 isChanged = true;
             }
             default -> {

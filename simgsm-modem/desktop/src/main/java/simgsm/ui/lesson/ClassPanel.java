@@ -5,15 +5,13 @@ import java.awt.Component;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -30,7 +28,6 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
-import simgsm.ui.window.SaveDialog;
 
 /**
  * A class: the challenge with its clock, the results, the best first, and what the students' machines start. Needs no display.
@@ -46,6 +43,7 @@ public final class ClassPanel extends JPanel {
 
     private final TextBundle words;
     private final ClassActs acts;
+    private final Frames frames;
     private final DefaultTableModel model;
     private final JTable table;
     private final JLabel clock = new JLabel("00:00");
@@ -57,9 +55,19 @@ public final class ClassPanel extends JPanel {
     private final UserAction replay;
     private List<ClassView.Row> rows = List.of();
 
-    public ClassPanel(Locale language, ClassActs acts) {
+    /** What the panel opens. */
+    public interface Frames {
+        /** Asks where to save and does it. */
+        void save(Component owner, String csv) throws IOException;
+
+        /** Fills the screen with a content. */
+        void openLarge(Component beside, String title, JComponent content);
+    }
+
+    public ClassPanel(Locale language, ClassActs acts, Frames frames) {
         super(new BorderLayout());
         this.acts = acts;
+        this.frames = frames;
         words = DesktopTexts.in(language);
         model = new DefaultTableModel(
                 COLUMNS.stream().map(column -> words.of("class." + column)).toArray(), 0);
@@ -192,7 +200,7 @@ public final class ClassPanel extends JPanel {
     }
 
     private void showLarge() {
-        ClassFrame.openLarge(this, words.of("class.commands"), large());
+        frames.openLarge(this, words.of("class.commands"), large());
     }
 
     ClassCommands large() {
@@ -200,24 +208,11 @@ public final class ClassPanel extends JPanel {
     }
 
     private void save() {
-        SaveDialog.Replacing replacing = new SaveDialog.Replacing(
-                name -> words.of("class.save.replace", name),
-                words.of("class.save"),
-                words.of("class.save.yes"),
-                words.of("class.save.cancel"));
-        SaveDialog.ask(
-                        this,
-                        Path.of("class.csv"),
-                        List.of(new SaveDialog.Kind(words.of("class.save.kind"), "csv")),
-                        UnaryOperator.identity(),
-                        replacing)
-                .ifPresent(file -> {
-                    try {
-                        Files.writeString(file, csv());
-                    } catch (IOException e) {
-                        tell(words.of("class.save.failed", String.valueOf(file), e.getMessage()));
-                    }
-                });
+        try {
+            frames.save(this, csv());
+        } catch (IOException e) {
+            tell(words.of("class.save.failed", "class.csv", String.valueOf(e.getMessage())));
+        }
     }
 
     /** The results with a header of the columns' names. */

@@ -4,11 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.AbstractButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
@@ -20,6 +22,14 @@ import simgsm.ui.Theme;
 
 /** The window of a class without a display. */
 class ClassPanelTest {
+    private static final ClassPanel.Frames NO_FRAMES = new ClassPanel.Frames() {
+        @Override
+        public void save(Component owner, String csv) {}
+
+        @Override
+        public void openLarge(Component beside, String title, JComponent content) {}
+    };
+
     private final List<String> done = new ArrayList<>();
 
     @BeforeEach
@@ -29,7 +39,7 @@ class ClassPanelTest {
 
     @Test
     void theTableOfAClassShowsTheNewestResults() {
-        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students());
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
         panel.show(view(row("5550100", true)));
         panel.show(view(row("5550101", true), row("5550100", false)));
         JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
@@ -46,7 +56,7 @@ class ClassPanelTest {
 
     @Test
     void theTableOfAClassStartsStopsAndReplaysTheChosenStudent() {
-        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students());
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
         panel.show(view(row("5550100", true), row("5550101", false)));
         AbstractButton stop =
                 (AbstractButton) ComponentNames.find(panel, "class.stop").orElseThrow();
