@@ -31,6 +31,7 @@ public final class ScopeInstrument {
     private boolean isFrozen;
     private boolean hasCursors;
     private boolean isComparing;
+    private boolean isConcealed;
     private Picture picture = Picture.LEVELS;
 
     public ScopeInstrument() {}
@@ -86,6 +87,16 @@ public final class ScopeInstrument {
 
     public boolean isComparing() {
         return isComparing;
+    }
+
+    /** Hides keys without a question, while another scope asks for the same ones. */
+    public void conceal(boolean concealed) {
+        isConcealed = concealed;
+    }
+
+    /** Whether keys are hidden, for a question of this scope or of another. */
+    public boolean isHiding() {
+        return isConcealed || prediction.isHiding();
     }
 
     /** Which keys are to be read off the picture. */

@@ -1,6 +1,6 @@
 package simgsm.phone.ui;
 
-/** What is open below the keys. */
+/** What is open below or beside the keys. */
 enum HandsetFold {
     NONE(0),
     /** The tone scope. */

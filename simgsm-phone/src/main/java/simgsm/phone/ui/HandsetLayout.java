@@ -12,7 +12,7 @@ import simgsm.ui.Theme;
 
 /**
  * Lays out the handset on a drawing 320 units wide and scales the drawing to the panel, centred. The constraint of a
- * child is its rectangle on the drawing.
+ * child is its rectangle on the drawing. What is open stands below the keys or, where that makes the handset larger, beside them.
  */
 final class HandsetLayout implements LayoutManager2 {
     static final double WIDTH = 320;
@@ -29,6 +29,14 @@ final class HandsetLayout implements LayoutManager2 {
 
     private static final double FOLD_TOP = 610;
     private static final double FOLD_BELOW = 8;
+    /** What a fold beside the keys adds to the width. */
+    private static final double BESIDE_WIDTH = 288;
+    /** Texts still stand whole in a handset that is drawn this much smaller than the zoom. */
+    private static final double LEAST_SHRINKING = 0.95;
+
+    private static final Rectangle2D BESIDE = new Rectangle2D.Double(308, 14, 280, 594);
+    private static final Rectangle2D SCOPE_BESIDE = new Rectangle2D.Double(318, 24, 260, 574);
+    private static final Rectangle2D EVENTS_BESIDE = new Rectangle2D.Double(314, 20, 268, 582);
 
     static final Rectangle2D SCOPE = new Rectangle2D.Double(30, 620, 260, 350);
     static final Rectangle2D EVENTS = new Rectangle2D.Double(26, 616, 268, 120);
@@ -58,13 +66,50 @@ final class HandsetLayout implements LayoutManager2 {
         return fold;
     }
 
-    double height() {
+    private double height() {
         return CLOSED_HEIGHT + fold.heightUnits();
     }
 
+    /** Whether what is open stands beside the keys in a panel of this size. */
+    boolean isBeside(Dimension panel) {
+        return fold != HandsetFold.NONE
+                && Math.min(panel.width / (WIDTH + BESIDE_WIDTH), panel.height / CLOSED_HEIGHT)
+                        > Math.min(panel.width / WIDTH, panel.height / height());
+    }
+
+    private double width(Dimension panel) {
+        return isBeside(panel) ? WIDTH + BESIDE_WIDTH : WIDTH;
+    }
+
+    private double height(Dimension panel) {
+        return isBeside(panel) ? CLOSED_HEIGHT : height();
+    }
+
+    /** The size that shows the drawing at this scale; wide where below the keys it would have to be drawn clearly smaller. */
+    Dimension sized(double scale, int mostHeight) {
+        boolean isWide = fold != HandsetFold.NONE && height() * scale * LEAST_SHRINKING > mostHeight;
+        return new Dimension((int) Math.round((isWide ? WIDTH + BESIDE_WIDTH : WIDTH) * scale), (int)
+                Math.round((isWide ? CLOSED_HEIGHT : height()) * scale));
+    }
+
+    /** The whole drawing. */
+    Rectangle2D whole(Component parent) {
+        return new Rectangle2D.Double(0, 0, width(parent.getSize()), height(parent.getSize()));
+    }
+
     /** The background of what is open. */
-    Rectangle2D screen() {
-        return new Rectangle2D.Double(20, FOLD_TOP, 280, fold.heightUnits() - FOLD_BELOW);
+    Rectangle2D screen(Component parent) {
+        return isBeside(parent.getSize())
+                ? BESIDE
+                : new Rectangle2D.Double(20, FOLD_TOP, 280, fold.heightUnits() - FOLD_BELOW);
+    }
+
+    private Rectangle2D place(Component child, Dimension panel) {
+        Rectangle2D place = places.get(child);
+        if (isBeside(panel)) {
+            return place == SCOPE ? SCOPE_BESIDE : place == EVENTS ? EVENTS_BESIDE : place;
+        }
+        return place;
     }
 
     static double heightOf(PhoneKey key) {
@@ -100,14 +145,15 @@ final class HandsetLayout implements LayoutManager2 {
 
     /** Pixels per unit. */
     double scale(Component parent) {
-        return Math.min(parent.getWidth() / WIDTH, parent.getHeight() / height());
+        Dimension panel = parent.getSize();
+        return Math.min(panel.width / width(panel), panel.height / height(panel));
     }
 
     /** Converts a rectangle of the drawing to pixels on the panel. */
     Rectangle2D onPanel(Component parent, Rectangle2D place) {
         double scale = scale(parent);
-        double left = (parent.getWidth() - WIDTH * scale) / 2;
-        double top = (parent.getHeight() - height() * scale) / 2;
+        double left = (parent.getWidth() - width(parent.getSize()) * scale) / 2;
+        double top = (parent.getHeight() - height(parent.getSize()) * scale) / 2;
         return new Rectangle2D.Double(
                 left + place.getX() * scale,
                 top + place.getY() * scale,
@@ -118,7 +164,7 @@ final class HandsetLayout implements LayoutManager2 {
     @Override
     public void layoutContainer(Container parent) {
         for (Component child : parent.getComponents()) {
-            Rectangle2D box = onPanel(parent, places.get(child));
+            Rectangle2D box = onPanel(parent, place(child, parent.getSize()));
             int x = (int) Math.round(box.getX());
             int y = (int) Math.round(box.getY());
             child.setBounds(x, y, (int) Math.round(box.getMaxX()) - x, (int) Math.round(box.getMaxY()) - y);

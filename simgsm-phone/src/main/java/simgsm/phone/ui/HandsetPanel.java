@@ -1,5 +1,6 @@
 package simgsm.phone.ui;
 
+import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Window;
@@ -28,7 +29,7 @@ import simgsm.ui.UserAction;
 import simgsm.ui.scope.ToneScopePanel;
 import simgsm.ui.window.Display;
 
-/** The handset: display, keys, and below them the tone scope or the events, folded open. Scales as a whole with the panel. */
+/** The handset: display, keys, and below or beside them the tone scope or the events, folded open. Scales as a whole with the panel. */
 public final class HandsetPanel extends JPanel {
     private final HandsetLayout layout = new HandsetLayout();
     private final Locale language;
@@ -135,15 +136,23 @@ public final class HandsetPanel extends JPanel {
         setFold(open ? HandsetFold.SCOPE : HandsetFold.NONE);
     }
 
-    /** Opens or closes what is below the keys; the window that holds the panel changes its height accordingly. */
+    /**
+     * Opens or closes what is below or beside the keys; the window that holds the panel changes its size, so that the keys keep
+     * theirs as far as the screen allows.
+     */
     void setFold(HandsetFold next) {
-        double before = layout.height();
+        double scale = layout.scale(this);
+        Rectangle2D before = layout.onPanel(this, layout.whole(this));
+        boolean changes = next != fold();
         open(next);
         Window window = SwingUtilities.getWindowAncestor(this);
-        if (window != null && before != layout.height() && getWidth() > 0) {
-            double scale = Math.min(getWidth() / HandsetLayout.WIDTH, getHeight() / before);
-            int grown = (int) Math.round((layout.height() - before) * scale);
-            Display.resize(window, window.getWidth(), window.getHeight() + grown);
+        if (window != null && changes && getWidth() > 0) {
+            int frame = window.getHeight() - getHeight();
+            Dimension after = layout.sized(scale, Display.usableArea(window).height - frame);
+            Display.resize(
+                    window,
+                    window.getWidth() + after.width - (int) Math.round(before.getWidth()),
+                    window.getHeight() + after.height - (int) Math.round(before.getHeight()));
         }
         revalidate();
         repaint();
@@ -197,7 +206,8 @@ public final class HandsetPanel extends JPanel {
     }
 
     private void body(Graphics2D g, double unit) {
-        var box = layout.onPanel(this, new Rectangle2D.Double(4, 4, HandsetLayout.WIDTH - 8, layout.height() - 8));
+        Rectangle2D whole = layout.whole(this);
+        var box = layout.onPanel(this, new Rectangle2D.Double(4, 4, whole.getWidth() - 8, whole.getHeight() - 8));
         var body = Drawing.round(box.getX(), box.getY(), box.getWidth(), box.getHeight(), 30 * unit);
         g.setColor(Theme.color(Ink.BODY));
         g.fill(body);
@@ -218,7 +228,7 @@ public final class HandsetPanel extends JPanel {
     }
 
     private void screen(Graphics2D g, double unit) {
-        Rectangle2D box = layout.onPanel(this, layout.screen());
+        Rectangle2D box = layout.onPanel(this, layout.screen(this));
         var sheet = Drawing.round(box.getX(), box.getY(), box.getWidth(), box.getHeight(), Theme.CARD_RADIUS * unit);
         g.setColor(Theme.color(Ink.CARD));
         g.fill(sheet);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.HashSet;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.draw.Appearance;
@@ -179,6 +181,29 @@ class HandsetPanelTest {
         bench.bench.handset.press(simgsm.dtmf.DtmfKey.sequence("5"));
         bench.bench.speechMillis(80);
         assertTrue(PanelBench.count(bench.paint(1), Ink.ACCENT) > quiet + 300);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1.5, 1050, SCOPE, 912, 936", "1, 1050, SCOPE, 320, 1000", "1, 740, SCOPE, 608, 624", "1, 740, EVENTS, 320, 764"
+    })
+    void aFoldOpensBesideTheKeysWhereTheScreenIsTooLowForItBelow(
+            double zoom, int screenHeight, HandsetFold fold, int width, int height) {
+        HandsetLayout layout = new HandsetLayout();
+        layout.setFold(fold);
+        assertEquals(new Dimension(width, height), layout.sized(zoom, screenHeight));
+        assertEquals(width > height / 2, layout.isBeside(new Dimension(width, height)));
+    }
+
+    @Test
+    void inAWideHandsetTheScopeStandsBesideTheKeysWhichKeepTheirSize() {
+        PanelBench bench = new PanelBench(Bench.connected(), Locale.ENGLISH);
+        Rectangle key = bench.find("key.5").getBounds();
+        ((AbstractButton) bench.find("scope.switch")).doClick(0);
+        bench.panel.setSize(608, 624);
+        bench.panel.doLayout();
+        assertEquals(key, bench.find("key.5").getBounds());
+        assertEquals(new Rectangle(318, 24, 260, 574), bench.find("scope").getBounds());
     }
 
     @Test

@@ -65,7 +65,7 @@ final class ToneScopePainter {
      */
     void paint(Graphics2D g, ScopeInstrument instrument, ReceiverTrace shown, double width, double height) {
         ToneTrace trace = instrument.trace();
-        boolean isHiding = instrument.prediction().isHiding();
+        boolean isHiding = instrument.isHiding();
         Rectangle2D area = area(instrument, width, height);
         if (instrument.picture() == Picture.SPECTROGRAM) {
             spectrogram.paint(g, trace.heard(), area);
@@ -306,7 +306,7 @@ final class ToneScopePainter {
         if (instrument.hasCursors()) {
             return CursorPainter.words(texts, instrument.cursors());
         }
-        if (instrument.prediction().isHiding()) {
+        if (instrument.isHiding()) {
             return texts.of("scope.hidden");
         }
         return shown.digit().map(digit -> reading("scope.reading", digit)).orElseGet(() -> texts.of("scope.idle"));
@@ -329,7 +329,7 @@ final class ToneScopePainter {
         if (instrument.hasCursors()) {
             return texts.of("scope.name") + ": " + CursorPainter.words(texts, instrument.cursors());
         }
-        if (instrument.prediction().isHiding()) {
+        if (instrument.isHiding()) {
             return texts.of("scope.name") + ": " + texts.of("scope.hidden");
         }
         return shown.digit().map(digit -> reading("scope.spoken", digit)).orElseGet(() -> texts.of("scope.name"));

@@ -3,6 +3,8 @@ package simgsm.ui.scope;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -51,7 +53,10 @@ public final class ToneScopePanel extends JPanel {
     private final JPanel below;
     private final TermPanel terms;
     private Consumer<Boolean> whenHiding = hiding -> {};
+    /** Is told when a question of this scope, not of its large one, hides keys. */
+    private Consumer<Boolean> whenAsking = asking -> {};
     private boolean wasHiding;
+    private boolean wasAsking;
     private boolean isCompact;
     private ToneTrace newest = ToneTrace.EMPTY;
     private LargeScope large;
@@ -147,8 +152,25 @@ public final class ToneScopePanel extends JPanel {
 
     private void updatePrediction() {
         prediction.update();
+        updateHiding();
+        boolean isAsking = instrument.prediction().isHiding();
+        if (isAsking != wasAsking) {
+            wasAsking = isAsking;
+            whenAsking.accept(isAsking);
+            if (large != null) {
+                large.panel().conceal(isAsking);
+            }
+        }
+    }
+
+    private void conceal(boolean concealed) {
+        instrument.conceal(concealed);
+        updateHiding();
+    }
+
+    private void updateHiding() {
         scope.changed(() -> {});
-        boolean isHiding = instrument.prediction().isHiding();
+        boolean isHiding = instrument.isHiding();
         receivers.setHiding(isHiding);
         receivers.show(instrument.trace());
         if (isHiding != wasHiding) {
@@ -163,10 +185,18 @@ public final class ToneScopePanel extends JPanel {
         whenHiding = listener;
     }
 
+    /** A scope of the same sound for a window of its own; while one of the two asks for a key, both hide it. */
+    ToneScopePanel enlarged() {
+        ToneScopePanel panel = new ToneScopePanel(language, chosen, false);
+        panel.whenAsking = this::conceal;
+        panel.conceal(instrument.prediction().isHiding());
+        return panel;
+    }
+
     /** Opens a large scope of the same sound, or brings it to the front. */
     private void openLarge() {
         if (large == null || !large.isOpen()) {
-            large = LargeScope.open(this, language, texts.of("scope.name"), chosen);
+            large = LargeScope.open(this, texts.of("scope.name"));
             large.show(newest);
         } else {
             large.toFront();
@@ -229,9 +259,16 @@ public final class ToneScopePanel extends JPanel {
         private static final int WIDTH = 720;
         private static final int HEIGHT = 560;
 
-        static LargeScope open(ToneScopePanel owner, Locale language, String title, Consumer<ToneExperiment> chosen) {
+        static LargeScope open(ToneScopePanel owner, String title) {
             JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(owner), title);
-            ToneScopePanel panel = new ToneScopePanel(language, chosen, false);
+            dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
+            dialog.addWindowListener(new WindowAdapter() {
+                @Override
+                public void windowClosed(WindowEvent event) {
+                    owner.conceal(false);
+                }
+            });
+            ToneScopePanel panel = owner.enlarged();
             JPanel content = new JPanel(new BorderLayout());
             Theme.styled(content, it -> {
                 it.setBackground(Theme.color(Ink.CARD));

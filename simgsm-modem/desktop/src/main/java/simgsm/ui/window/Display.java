@@ -47,6 +47,11 @@ public final class Display {
 
     /** Resizes a window, limited to its screen without task bars, and moves it as far as necessary. */
     public static void resize(Window window, int width, int height) {
+        window.setBounds(within(new Rectangle(window.getX(), window.getY(), width, height), usableArea(window)));
+    }
+
+    /** The window's screen without task bars. */
+    public static Rectangle usableArea(Window window) {
         GraphicsConfiguration screen = window.getGraphicsConfiguration();
         Rectangle area = screen.getBounds();
         Insets bars = Toolkit.getDefaultToolkit().getScreenInsets(screen);
@@ -54,7 +59,7 @@ public final class Display {
         area.y += bars.top;
         area.width -= bars.left + bars.right;
         area.height -= bars.top + bars.bottom;
-        window.setBounds(within(new Rectangle(window.getX(), window.getY(), width, height), area));
+        return area;
     }
 
     /** Lets the frame around a component fill its screen, or gives it its former size back. */

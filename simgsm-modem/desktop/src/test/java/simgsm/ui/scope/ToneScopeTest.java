@@ -305,6 +305,24 @@ class ToneScopeTest {
     }
 
     @Test
+    void aPredictionInTheLargeScopeHidesTheKeyInTheSmallOne() {
+        ToneScopePanel small = new ToneScopePanel(Locale.ENGLISH, experiment -> {});
+        List<Boolean> hidden = new ArrayList<>();
+        small.whenHiding(hidden::add);
+        ToneScopePanel large = small.enlarged();
+        click(large, "scope.predict");
+        small.show(fiveIsSounding());
+        large.show(fiveIsSounding());
+        assertFalse(spoken(small, "scope.picture").contains("5"), spoken(small, "scope.picture"));
+        assertFalse(isRowVisible(small, "scope.receiver.modem"));
+
+        type(large, '5');
+        assertTrue(spoken(small, "scope.picture").contains("5"), spoken(small, "scope.picture"));
+        assertTrue(isRowVisible(small, "scope.receiver.modem"));
+        assertEquals(List.of(true, false), hidden);
+    }
+
+    @Test
     void aPracticeToneIsGuessedWithoutACall() {
         ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, experiment -> {});
         click(panel, "scope.predict");
