@@ -185,7 +185,10 @@ class HandsetPanelTest {
 
     @ParameterizedTest
     @CsvSource({
-        "1.5, 1050, SCOPE, 912, 936", "1, 1050, SCOPE, 320, 1000", "1, 740, SCOPE, 608, 624", "1, 740, EVENTS, 320, 764"
+        "1.5, 1050, SCOPE, 912, 936",
+        "1, 1050, SCOPE, 320, 1000",
+        "1, 740, SCOPE, 608, 624",
+        "1, 740, EVENTS, 320, 764"
     })
     void aFoldOpensBesideTheKeysWhereTheScreenIsTooLowForItBelow(
             double zoom, int screenHeight, HandsetFold fold, int width, int height) {

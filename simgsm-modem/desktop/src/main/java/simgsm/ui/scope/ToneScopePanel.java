@@ -55,6 +55,7 @@ public final class ToneScopePanel extends JPanel {
     private Consumer<Boolean> whenHiding = hiding -> {};
     /** Is told when a question of this scope, not of its large one, hides keys. */
     private Consumer<Boolean> whenAsking = asking -> {};
+
     private boolean wasHiding;
     private boolean wasAsking;
     private boolean isCompact;
