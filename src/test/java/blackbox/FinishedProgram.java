@@ -1,6 +1,7 @@
 package blackbox;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
@@ -16,11 +17,22 @@ public record FinishedProgram(int status, String output, String error) {
     public static FinishedProgram run(String program, List<String> arguments, Map<String, String> environment)
             throws IOException, InterruptedException {
         ProcessBuilder builder = new ProcessBuilder(Dist.command(program, arguments));
-        builder.directory(Dist.root().toFile());
         builder.environment().remove("DISPLAY");
         builder.environment().putAll(environment);
+        return of(builder, new byte[0]);
+    }
+
+    /**
+     * Starts a program in the suite's folder and waits for its end.
+     *
+     * @param input its standard input, at most what a pipe holds
+     */
+    public static FinishedProgram of(ProcessBuilder builder, byte[] input) throws IOException, InterruptedException {
+        builder.directory(Dist.root().toFile());
         Process process = builder.start();
-        process.getOutputStream().close();
+        try (OutputStream in = process.getOutputStream()) {
+            in.write(input);
+        }
         StringBuilder error = new StringBuilder();
         Thread errorReader = new Thread(() -> {
             try {
@@ -34,7 +46,7 @@ public record FinishedProgram(int status, String output, String error) {
         errorReader.join();
         if (!process.waitFor(RunningProgram.PATIENCE_SECONDS, TimeUnit.SECONDS)) {
             process.destroyForcibly();
-            throw new AssertionError(program + " " + arguments + " does not end");
+            throw new AssertionError(builder.command() + " does not end");
         }
         return new FinishedProgram(process.exitValue(), output, error.toString());
     }

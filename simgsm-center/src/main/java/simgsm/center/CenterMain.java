@@ -24,6 +24,7 @@ import simgsm.console.Event;
 import simgsm.console.ExitStatus;
 import simgsm.console.Options;
 import simgsm.console.Program;
+import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
@@ -169,6 +170,10 @@ public final class CenterMain {
         }
         if (given.has("lesson") && given.has("headless")) {
             throw new UsageException("--lesson with --headless needs --check");
+        }
+        if (given.has("lesson") && given.has("demo") && !Display.isAvailable()) {
+            throw new UnavailableException(
+                    "no display is available; without one --lesson NAME --check FILE plays a solution");
         }
         Arguments arguments = WindowMemory.recall(given, given.has("demo") ? WindowedDemo.CENTER : "center");
         CenterSettings settings = CenterSettings.read(arguments);

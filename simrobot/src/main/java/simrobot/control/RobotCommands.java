@@ -246,7 +246,8 @@ final class RobotCommands {
                 return file;
             }
         } catch (InvalidPathException e) {
-            // reported below, as for any other name
+            throw new CommandException(
+                    command.name() + ": expected a file name that this system and its locale can have, found " + text);
         }
         throw new CommandException(command.name() + ": expected a file that ends in " + endings + ", found "
                 + (text.isEmpty() ? "nothing after it" : text));

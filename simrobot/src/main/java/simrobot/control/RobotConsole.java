@@ -288,7 +288,8 @@ public final class RobotConsole implements Console.Commands {
         } catch (IOException e) {
             throw new CommandException("world: " + Program.describe(e));
         } catch (InvalidPathException e) {
-            throw new CommandException("world: expected a world file, found " + file);
+            throw new CommandException(
+                    "world: expected a file name that this system and its locale can have, found " + file);
         }
     }
 }
