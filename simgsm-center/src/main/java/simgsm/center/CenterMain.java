@@ -187,7 +187,9 @@ public final class CenterMain {
             }
             return lessons(
                     arguments,
-                    arguments.has("lesson") ? arguments.text("lesson") : WindowedDemo.run(arguments, settings));
+                    arguments.has("lesson")
+                            ? arguments.text("lesson")
+                            : WindowedDemo.run(arguments, settings, given.has("zoom")));
         }
         requireTogether(arguments, "lesson", "demo");
         Optional<ProgramWindow> window =

@@ -2,6 +2,8 @@ package simrobot.editor;
 
 import java.util.ArrayList;
 import java.util.List;
+import simrobot.world.Home;
+import simrobot.world.ObstacleGrid;
 import simrobot.world.Position;
 import simrobot.world.World;
 import simrobot.world.WorldItem;
@@ -56,6 +58,19 @@ public final class Edits {
 
     private static boolean hasHome(World world, String name) {
         return world.homes().stream().anyMatch(home -> home.name().equals(name));
+    }
+
+    /** The homes at which a robot of this radius would overlap a wall, or stand in a box. */
+    public static List<Home> blockedHomes(World world, double radiusMeters) {
+        ObstacleGrid obstacles = new ObstacleGrid(world);
+        return world.homes().stream()
+                .filter(home -> !isFree(world, obstacles, home.position(), radiusMeters))
+                .toList();
+    }
+
+    private static boolean isFree(World world, ObstacleGrid obstacles, Position at, double radiusMeters) {
+        return obstacles.isFree(at.xMeters(), at.yMeters(), radiusMeters)
+                && world.boxes().stream().noneMatch(box -> box.area().contains(at.xMeters(), at.yMeters()));
     }
 
     /** The handles at which the item's shape can be changed. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
@@ -47,6 +48,16 @@ class EditsTest {
         for (Item.Kind each : Item.Kind.values()) {
             assertEquals(each == kind ? 0 : 1, Edits.count(less, each), each.toString());
         }
+    }
+
+    @Test
+    void aHomeIsBlockedWhereARobotWouldOverlapABoxOrAWall() {
+        assertEquals(List.of(), Edits.blockedHomes(world, 0.25));
+        World inTheDesk = Edits.moved(world, new Item(Item.Kind.HOME, 0), -3.5, -3);
+        assertEquals(inTheDesk.homes(), Edits.blockedHomes(inTheDesk, 0.25));
+        World atTheWall = Edits.moved(world, new Item(Item.Kind.HOME, 0), -3.5, -4.8);
+        assertEquals(atTheWall.homes(), Edits.blockedHomes(atTheWall, 0.25));
+        assertEquals(List.of(), Edits.blockedHomes(atTheWall, 0.15));
     }
 
     @Test

@@ -26,8 +26,12 @@ public final class WindowedDemo {
 
     private WindowedDemo() {}
 
-    /** @return the lesson that the user has chosen in one of the windows, if any */
-    public static Optional<String> run(Arguments arguments, CenterSettings settings) throws Exception {
+    /**
+     * @param isZoomGiven on the command line; a remembered zoom was not asked for, and gives way without a word
+     * @return the lesson that the user has chosen in one of the windows, if any
+     */
+    public static Optional<String> run(Arguments arguments, CenterSettings settings, boolean isZoomGiven)
+            throws Exception {
         OptionalInt wanted = ProgramWindow.zoomPercent(arguments);
         // Centre and desktop libraries load at the same time; the other programs start before the centre's window. The
         // thread that loads the desktop must be the main one: X11 desktops group windows by its class (WM_CLASS).
@@ -37,7 +41,7 @@ public final class WindowedDemo {
         try (DemoPrograms programs = result(opening)) {
             Optional<DemoLayout> left = asLeft(arguments);
             DemoLayout layout = left.isPresent() ? left.get() : DemoLayout.of(screen, wanted);
-            if (wanted.isPresent() && layout.zoomPercent() < wanted.getAsInt()) {
+            if (isZoomGiven && layout.zoomPercent() < wanted.getAsInt()) {
                 LOG.log(
                         System.Logger.Level.WARNING,
                         "zoom {0} leaves no room for three windows on this screen; {1} is used",

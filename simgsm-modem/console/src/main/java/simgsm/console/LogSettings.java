@@ -23,6 +23,8 @@ final class LogSettings {
             "trace", Level.FINER);
     /** The level without {@code --log-level}. */
     static final String DEFAULT = "info";
+    /** The same for a program with a window, which prints nothing in a normal run. */
+    static final String WITH_WINDOW = "warning";
     /** The root logger; the reference keeps its settings from garbage collection. */
     private static final Logger ROOT = Logger.getLogger("");
     /** The suite's packages; other packages log from warnings on. */

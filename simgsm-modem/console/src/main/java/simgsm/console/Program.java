@@ -53,7 +53,7 @@ public final class Program {
 
     private final String name;
     private final Options options;
-    private StartErrors startErrors = (program, text, arguments) -> {};
+    private Optional<StartErrors> startErrors = Optional.empty();
     private Check check = arguments -> {};
     private List<String> windowless = List.of();
     private String logLevel = LogSettings.DEFAULT;
@@ -76,7 +76,7 @@ public final class Program {
      * @param withoutWindow without their hyphens
      */
     public Program showingErrors(StartErrors view, String... withoutWindow) {
-        startErrors = view;
+        startErrors = Optional.of(view);
         windowless = List.of(withoutWindow);
         return this;
     }
@@ -118,7 +118,8 @@ public final class Program {
                 out.flush();
                 return ExitStatus.OK;
             }
-            LogSettings.apply(arguments.text("log-level").orElse(logLevel));
+            LogSettings.apply(
+                    arguments.text("log-level").orElse(hasWindow(args) ? LogSettings.WITH_WINDOW : logLevel));
             check.check(arguments);
             requireScript(arguments);
             for (String output : OUTPUTS) {
@@ -151,13 +152,17 @@ public final class Program {
     }
 
     private void showError(List<String> args, Optional<Arguments> given, String text) {
-        boolean hasWindow = windowless.stream()
-                .map(option -> "--" + option)
-                .noneMatch(
-                        option -> args.stream().anyMatch(word -> word.equals(option) || word.startsWith(option + "=")));
-        if (hasWindow) {
-            startErrors.show(name, text, given);
+        if (hasWindow(args)) {
+            startErrors.orElseThrow().show(name, text, given);
         }
+    }
+
+    private boolean hasWindow(List<String> args) {
+        return startErrors.isPresent()
+                && windowless.stream()
+                        .map(option -> "--" + option)
+                        .noneMatch(option ->
+                                args.stream().anyMatch(word -> word.equals(option) || word.startsWith(option + "=")));
     }
 
     /** Java replaces octets of arguments that the locale's encoding does not have. */

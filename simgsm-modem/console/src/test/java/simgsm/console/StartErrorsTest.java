@@ -7,7 +7,11 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class StartErrorsTest {
     private final List<String> shown = new ArrayList<>();
@@ -37,6 +41,17 @@ class StartErrorsTest {
     void anEndInOrderShowsNothing() {
         assertEquals(ExitStatus.OK, program().run(List.of(), out(), out(), arguments -> ExitStatus.OK));
         assertEquals(List.of(), shown);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"'', WARNING", "--headless, INFO", "--batch=3, INFO", "--log-level=info, INFO", "--log-level=debug, FINE"})
+    void aProgramWithAWindowLogsFromWarningsOnUnlessItsUserWantsMore(String option, String level) {
+        List<String> words = option.isEmpty() ? List.of() : List.of(option);
+        program().run(words, out(), out(), arguments -> {
+            assertEquals(Level.parse(level), Logger.getLogger("simgsm").getLevel());
+            return ExitStatus.OK;
+        });
+        assertEquals("", error.toString(java.nio.charset.StandardCharsets.UTF_8));
     }
 
     private int run(java.util.function.Supplier<Exception> failure, String... words) {

@@ -79,6 +79,22 @@ final class EditorPainter {
         }
     }
 
+    /** The place that a robot would need at each of these homes, where it does not fit. */
+    void blocked(List<Home> homes) {
+        double r = Pioneer2Dx.RADIUS_METERS * view.pixelsPerMeter();
+        for (Home home : homes) {
+            Outline place = Outline.circle(
+                    view.screenX(home.position().xMeters()),
+                    view.screenY(home.position().yMeters()),
+                    r);
+            g.ink(Ink.DANGER, 0.25);
+            g.fill(place);
+            g.ink(Ink.DANGER);
+            g.pen(2);
+            g.draw(place);
+        }
+    }
+
     void selection(World world, Item item) {
         List<Handle> handles = Edits.handles(world, item);
         g.ink(Ink.ACCENT);

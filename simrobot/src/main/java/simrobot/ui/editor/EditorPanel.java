@@ -8,6 +8,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import javax.swing.ButtonGroup;
 import javax.swing.Icon;
 import javax.swing.JButton;
@@ -23,6 +24,7 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simrobot.editor.Draft;
+import simrobot.robot.Pioneer2Dx;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.EventThread;
 import simrobot.ui.FileDialogs;
@@ -30,6 +32,7 @@ import simrobot.ui.OperatorActions;
 import simrobot.ui.SplitRow;
 import simrobot.ui.TextLine;
 import simrobot.ui.ToolButtons;
+import simrobot.world.Home;
 import simrobot.world.World;
 
 /** The world editor: rows of tools, the floor that is edited, and a sidebar with the items. */
@@ -214,7 +217,13 @@ public final class EditorPanel extends JPanel {
         tools.get(floor.tool()).setSelected(true);
         sidebar.show(draft);
         String hint = texts.of("editor.hint." + floor.tool().id());
-        state.show(message.isEmpty() ? hint : message, failed ? Ink.DANGER : Ink.QUIET);
+        List<Home> blocked = floor.blockedHomes();
+        if (failed || blocked.isEmpty()) {
+            state.show(message.isEmpty() ? hint : message, failed ? Ink.DANGER : Ink.QUIET);
+        } else {
+            String names = blocked.stream().map(Home::name).collect(Collectors.joining(", "));
+            state.show(texts.of("editor.homeBlocked", names, Pioneer2Dx.RADIUS_METERS), Ink.DANGER);
+        }
     }
 
     // ---- apply, save, close ----------------------------------------------------------------------------------------

@@ -14,10 +14,12 @@ import simrobot.editor.Draft;
 import simrobot.editor.Edits;
 import simrobot.editor.Handle;
 import simrobot.editor.Snap;
+import simrobot.robot.Pioneer2Dx;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.floor.FloorCache;
 import simrobot.ui.floor.FloorView;
 import simrobot.world.Area;
+import simrobot.world.Home;
 import simrobot.world.Position;
 import simrobot.world.World;
 
@@ -41,6 +43,8 @@ final class EditorView extends FloorView {
     private Snap snap = new Snap(0.1);
     private Position pointer;
     private String measure = "";
+    private World looked;
+    private List<Home> blocked = List.of();
 
     /** @param changed run when the draft, its selection or the tool has changed */
     EditorView(TextBundle texts, Runnable changed) {
@@ -90,6 +94,16 @@ final class EditorView extends FloorView {
     void step(Runnable change) {
         change.run();
         fireChanged();
+    }
+
+    /** The homes at which no robot fits; looked for once for each change. */
+    List<Home> blockedHomes() {
+        World committed = draft.committed();
+        if (committed != looked) {
+            looked = committed;
+            blocked = Edits.blockedHomes(committed, Pioneer2Dx.RADIUS_METERS);
+        }
+        return blocked;
     }
 
     EditorTool tool() {
@@ -185,6 +199,8 @@ final class EditorView extends FloorView {
         draft.moving().ifPresent(item -> painter.item(Edits.get(draft.world(), item)));
         painter.raster(snap.stepMeters());
         new FloorPainter(g, viewport()).treadmills(draft.world(), 0);
+        painter.blocked(
+                blockedHomes().stream().filter(draft.world().homes()::contains).toList());
         painter.robots(robots);
         draft.selected().ifPresent(item -> painter.selection(draft.world(), item));
         if (pointer != null) {

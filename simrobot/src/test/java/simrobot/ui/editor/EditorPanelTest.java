@@ -274,6 +274,20 @@ class EditorPanelTest {
         assertEquals(made.minXMeters(), larger.minXMeters(), 1e-9);
     }
 
+    @Test
+    void aHomeInABoxIsWarnedOfAndShownUntilItIsFree() {
+        bench.click("editor.tool.box");
+        drag(1, 1, 2, 2, 0);
+        int free = WindowBench.count(WindowBench.painted(floor, 1), Ink.DANGER);
+        bench.click("editor.tool.home");
+        drag(1.5, 1.5, 2.5, 1.5, 0);
+        assertTrue(bench.spoken("editor.state").startsWith("No robot fits at Home"), bench.spoken("editor.state"));
+        assertTrue(bench.spoken("editor.state").contains("0.25 m"), bench.spoken("editor.state"));
+        assertTrue(WindowBench.count(WindowBench.painted(floor, 1), Ink.DANGER) > free + 20);
+        type("x", "3.5");
+        assertFalse(bench.spoken("editor.state").contains("fits"), bench.spoken("editor.state"));
+    }
+
     private void key(int code, int modifiers) {
         press(floor, JComponent.WHEN_FOCUSED, code, modifiers);
     }

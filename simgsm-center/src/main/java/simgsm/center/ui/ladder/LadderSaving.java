@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JOptionPane;
@@ -48,7 +49,7 @@ final class LadderSaving {
 
     /** Writes the kind of file that the ending says: a picture for svg, else text. */
     void write(Path file, List<LadderRow> rows, Lifelines lifelines) throws IOException {
-        boolean isPicture = String.valueOf(file).endsWith("." + PICTURE);
+        boolean isPicture = String.valueOf(file).toLowerCase(Locale.ROOT).endsWith("." + PICTURE);
         Files.writeString(
                 file, isPicture ? LadderFile.svg(rows, lifelines, texts.of("window.ladder")) : LadderFile.text(rows));
     }

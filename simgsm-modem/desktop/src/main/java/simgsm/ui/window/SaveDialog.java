@@ -44,12 +44,19 @@ public final class SaveDialog {
         while (chooser.showSaveDialog(owner) == JFileChooser.APPROVE_OPTION) {
             Path chosen = chooser.getSelectedFile().toPath();
             String ending = ((FileNameExtensionFilter) chooser.getFileFilter()).getExtensions()[0];
-            Path file = withEnding(chosen, ending, base);
+            Path file = named(chosen, ending, kinds, base);
             if (!Files.exists(file) || mayReplace(owner, file, replacing)) {
                 return Optional.of(file);
             }
         }
         return Optional.empty();
+    }
+
+    /** The file by the ending that was typed, where it is one of the kinds'; else with that of the chosen kind. */
+    static Path named(Path typed, String chosenEnding, List<Kind> kinds, UnaryOperator<String> base) {
+        return kinds.stream().anyMatch(kind -> hasEnding(typed, kind.ending()))
+                ? typed
+                : withEnding(typed, chosenEnding, base);
     }
 
     private static boolean hasEnding(Path file, String ending) {
