@@ -3,6 +3,7 @@ package simgsm.ui.lesson;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Insets;
+import java.awt.Rectangle;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -79,6 +80,12 @@ final class GlossaryText extends JEditorPane {
             @Override
             public void setVisible(boolean visible) {
                 super.setVisible(false);
+            }
+
+            /** A new text leaves the place to which its list is scrolled. */
+            @Override
+            protected void adjustVisibility(Rectangle place) {
+                // nothing is written here that has to be followed
             }
         });
         addHyperlinkListener(event -> {
