@@ -27,7 +27,7 @@ class LoneJarsTest {
             assertEquals(print(dist, world), print(folder, world), String.join(" ", world));
         }
         assertTrue(print(folder, "--world", "nope.map").contains("nope.map: no such file"));
-        assertTrue(print(folder, "--world", "elsewhere/demo.map").contains("elsewhere/demo.map: no such file"));
+        assertTrue(print(folder, "--world", "elsewhere/demo.map").contains("elsewhere/demo.map: no such folder "));
     }
 
     private static String print(Path folder, String... world) throws Exception {
