@@ -118,8 +118,7 @@ public final class Program {
                 out.flush();
                 return ExitStatus.OK;
             }
-            LogSettings.apply(
-                    arguments.text("log-level").orElse(hasWindow(args) ? LogSettings.WITH_WINDOW : logLevel));
+            LogSettings.apply(arguments.text("log-level").orElse(hasWindow(args) ? LogSettings.WITH_WINDOW : logLevel));
             check.check(arguments);
             requireScript(arguments);
             for (String output : OUTPUTS) {

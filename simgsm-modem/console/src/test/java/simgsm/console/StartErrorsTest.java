@@ -44,7 +44,13 @@ class StartErrorsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"'', WARNING", "--headless, INFO", "--batch=3, INFO", "--log-level=info, INFO", "--log-level=debug, FINE"})
+    @CsvSource({
+        "'', WARNING",
+        "--headless, INFO",
+        "--batch=3, INFO",
+        "--log-level=info, INFO",
+        "--log-level=debug, FINE"
+    })
     void aProgramWithAWindowLogsFromWarningsOnUnlessItsUserWantsMore(String option, String level) {
         List<String> words = option.isEmpty() ? List.of() : List.of(option);
         program().run(words, out(), out(), arguments -> {

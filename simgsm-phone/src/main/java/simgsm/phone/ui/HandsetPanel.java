@@ -74,7 +74,7 @@ public final class HandsetPanel extends JPanel {
         UserAction goToEvents = new UserAction("events.go", texts.of("events.title"), this::goToEvents)
                 .onKey(this, KeyEvent.VK_2, InputEvent.ALT_DOWN_MASK);
         foot.setToolTip(HandsetFold.EVENTS, (String) goToEvents.getValue(Action.SHORT_DESCRIPTION));
-        Keyboard.install(this, controls);
+        Keyboard.install(this, texts, controls);
         open(HandsetFold.NONE);
         setBackground(Theme.color(Ink.SURFACE));
         shown = null;

@@ -7,13 +7,16 @@ import java.awt.event.HierarchyEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.beans.PropertyChangeListener;
+import java.util.Locale;
 import javax.swing.AbstractAction;
 import javax.swing.ActionMap;
 import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import simgsm.console.TextBundle;
 import simgsm.phone.screen.PhoneKey;
+import simgsm.ui.UserAction;
 
 /**
  * Maps the computer's keyboard to the handset: typed characters are passed on in any keyboard layout; Enter, Escape and the
@@ -31,8 +34,8 @@ final class Keyboard {
         this.controls = controls;
     }
 
-    /** Binds the keyboard to a panel and to every focused component within it. */
-    static void install(JComponent panel, HandsetControls controls) {
+    /** Binds the keyboard to a panel and to every focused component within it. The help lists keys by the texts of phone keys. */
+    static void install(JComponent panel, TextBundle texts, HandsetControls controls) {
         Keyboard keyboard = new Keyboard(controls);
         InputMap inputs = new Inputs();
         inputs.setParent(panel.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT));
@@ -43,20 +46,20 @@ final class Keyboard {
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, true), "enter.up");
         actions.put("enter.down", action(event -> controls.enterDown()));
         actions.put("enter.up", action(event -> controls.enterUp()));
-        bind(inputs, actions, controls, PhoneKey.END, KeyEvent.VK_ESCAPE);
-        bind(inputs, actions, controls, PhoneKey.CALL, KeyEvent.VK_F6);
-        bind(inputs, actions, controls, PhoneKey.LEFT, KeyEvent.VK_LEFT);
+        bind(inputs, actions, texts, controls, PhoneKey.END, KeyEvent.VK_ESCAPE);
+        bind(inputs, actions, texts, controls, PhoneKey.CALL, KeyEvent.VK_F6);
+        bind(inputs, actions, texts, controls, PhoneKey.LEFT, KeyEvent.VK_LEFT);
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, false), "erase");
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, true), "none");
         actions.put("erase", action(event -> controls.eraseDown()));
-        bind(inputs, actions, controls, PhoneKey.RIGHT, KeyEvent.VK_RIGHT);
-        bind(inputs, actions, controls, PhoneKey.UP, KeyEvent.VK_UP);
-        bind(inputs, actions, controls, PhoneKey.DOWN, KeyEvent.VK_DOWN);
-        bind(inputs, actions, controls, PhoneKey.MESSAGE, KeyEvent.VK_F2);
-        bind(inputs, actions, controls, PhoneKey.MENU, KeyEvent.VK_F3);
-        bind(inputs, actions, controls, PhoneKey.SOFT_LEFT, KeyEvent.VK_F4);
-        bind(inputs, actions, controls, PhoneKey.SOFT_RIGHT, KeyEvent.VK_F5);
-        bind(inputs, actions, controls, PhoneKey.MENU, KeyEvent.VK_CONTEXT_MENU);
+        bind(inputs, actions, texts, controls, PhoneKey.RIGHT, KeyEvent.VK_RIGHT);
+        bind(inputs, actions, texts, controls, PhoneKey.UP, KeyEvent.VK_UP);
+        bind(inputs, actions, texts, controls, PhoneKey.DOWN, KeyEvent.VK_DOWN);
+        bind(inputs, actions, texts, controls, PhoneKey.MESSAGE, KeyEvent.VK_F2);
+        bind(inputs, actions, texts, controls, PhoneKey.MENU, KeyEvent.VK_F3);
+        bind(inputs, actions, texts, controls, PhoneKey.SOFT_LEFT, KeyEvent.VK_F4);
+        bind(inputs, actions, texts, controls, PhoneKey.SOFT_RIGHT, KeyEvent.VK_F5);
+        bind(inputs, actions, texts, controls, PhoneKey.MENU, KeyEvent.VK_CONTEXT_MENU);
         panel.setInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, inputs);
         keyboard.watchFocus(panel);
         panel.setFocusable(true);
@@ -81,11 +84,13 @@ final class Keyboard {
         });
     }
 
-    private static void bind(InputMap inputs, ActionMap actions, HandsetControls controls, PhoneKey key, int code) {
+    private static void bind(
+            InputMap inputs, ActionMap actions, TextBundle texts, HandsetControls controls, PhoneKey key, int code) {
         String name = PhoneKeyButton.nameOf(key);
+        String meaning = texts.of("key." + key.name().toLowerCase(Locale.ROOT));
         inputs.put(KeyStroke.getKeyStroke(code, 0, false), name + ".down");
         inputs.put(KeyStroke.getKeyStroke(code, 0, true), name + ".up");
-        actions.put(name + ".down", action(event -> controls.keyDown(key)));
+        actions.put(name + ".down", new UserAction(name + ".down", meaning, () -> controls.keyDown(key)));
         actions.put(name + ".up", action(event -> controls.keyUp(key)));
     }
 

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.phone.screen.Screen;
+import simgsm.ui.UserAction;
 
 /** The computer's keyboard as the handset's. */
 class KeyboardTest {
@@ -43,6 +44,20 @@ class KeyboardTest {
 
     private void letGo() {
         strike(KeyStroke.getKeyStroke(KeyEvent.VK_5, 0, true), null, 0);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "F2, Write a message",
+        "F3, Menu",
+        "F4, Left key of the display",
+        "F5, Right key of the display",
+        "F6, Call",
+        "ESCAPE, Hang up"
+    })
+    void theHelpCanNameTheKeysOfThePhone(String key, String meaning) {
+        Object name = bindingOf(KeyStroke.getKeyStroke(key));
+        assertEquals(meaning, ((UserAction) bench.panel.getActionMap().get(name)).name());
     }
 
     @Test

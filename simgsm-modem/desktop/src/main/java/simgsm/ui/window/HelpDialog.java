@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
@@ -49,7 +50,7 @@ final class HelpDialog {
     /** A key and what it does. */
     record ShownKey(String key, String action) {}
 
-    /** The keys that work everywhere in the window now, and the mnemonics of its buttons, in the order of the keys' names. */
+    /** The keys that work everywhere in the window or in a panel of it now, and the mnemonics of its buttons, in the order of the keys' names. */
     static List<ShownKey> keysOf(Component root) {
         return components(root)
                 .filter(JComponent.class::isInstance)
@@ -73,10 +74,14 @@ final class HelpDialog {
     }
 
     private static Stream<ShownKey> bindings(JComponent component) {
-        KeyStroke[] strokes =
-                component.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).keys();
+        return Stream.of(JComponent.WHEN_IN_FOCUSED_WINDOW, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
+                .flatMap(condition -> bindings(component, component.getInputMap(condition)));
+    }
+
+    private static Stream<ShownKey> bindings(JComponent component, InputMap inputs) {
+        KeyStroke[] strokes = inputs.keys();
         return Stream.of(strokes == null ? new KeyStroke[0] : strokes).flatMap(stroke -> {
-            Object id = component.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).get(stroke);
+            Object id = inputs.get(stroke);
             return component.getActionMap().get(id) instanceof UserAction action
                             && !action.name().isBlank()
                     ? Stream.of(new ShownKey(text(stroke.getModifiers(), stroke.getKeyCode()), action.name()))

@@ -11,9 +11,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
@@ -49,6 +51,14 @@ class HelpDialogTest {
         JPanel zoomed = new JPanel();
         new UserAction("larger", "Larger", () -> {}).onKey(zoomed, KeyEvent.VK_EQUALS, InputEvent.CTRL_DOWN_MASK);
         assertEquals(List.of(new HelpDialog.ShownKey("Ctrl+=", "Larger")), HelpDialog.keysOf(zoomed));
+    }
+
+    @Test
+    void keysOfAPanelAreListed() {
+        JPanel phone = new JPanel();
+        new UserAction("message", "Write a message", () -> {})
+                .bind(phone, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_F2, 0));
+        assertEquals(List.of(new HelpDialog.ShownKey("F2", "Write a message")), HelpDialog.keysOf(phone));
     }
 
     @Test
