@@ -165,7 +165,7 @@ public final class LadderPanel extends JPanel {
     /** In a low place as many columns as it is wide enough for; they scroll sideways. */
     private void arrangeColumns(boolean isLow) {
         int room = getWidth() - pane.getInsets().left - pane.getInsets().right;
-        int most = Math.min(MOST_COLUMNS, room / Math.max(1, lifelines().leastWidth()));
+        int most = Math.min(MOST_COLUMNS, room / Math.max(1, lifelines().leastColumnWidth()));
         int columns = isLow ? Math.max(1, most) : 1;
         if (columns != list.columns() || columns > 1 && room / columns != list.columnWidth()) {
             boolean inColumns = columns > 1;

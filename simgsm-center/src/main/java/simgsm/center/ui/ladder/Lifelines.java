@@ -25,6 +25,8 @@ record Lifelines(List<String> names) {
     private static final int HALF_HEAD_UNITS = 44;
 
     private static final int LEAST_GAP_UNITS = 72;
+    /** In columns beside one another: most names of messages stand between two lines, none covers a neighbour's. */
+    private static final int COLUMN_GAP_UNITS = 108;
     /** Around a name: its box, and the distance to the next. */
     static final int HEAD_MARGIN_UNITS = 24;
 
@@ -56,11 +58,20 @@ record Lifelines(List<String> names) {
 
     /** The least width at which the longest name can be read whole above its line, in pixels. */
     int leastWidth() {
+        return widthFor(LEAST_GAP_UNITS);
+    }
+
+    /** The least width of a column, in pixels. */
+    int leastColumnWidth() {
+        return widthFor(COLUMN_GAP_UNITS);
+    }
+
+    private int widthFor(int gapUnits) {
         double widest = names.stream()
                 .mapToDouble(name -> Drawing.width(Theme.monoStrong(), name))
                 .max()
                 .orElse(0);
-        double gap = Math.max(Theme.exact(LEAST_GAP_UNITS), widest + Theme.exact(HEAD_MARGIN_UNITS));
+        double gap = Math.max(Theme.exact(gapUnits), widest + Theme.exact(HEAD_MARGIN_UNITS));
         int gaps = Math.max(1, names.size() - 1);
         return (int) Math.ceil(Theme.exact(TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS) + gap * gaps);
     }
