@@ -14,6 +14,7 @@ import java.util.Properties;
 import java.util.TreeMap;
 import simgsm.air.Msisdn;
 import simgsm.console.FolderLock;
+import simgsm.file.FileErrors;
 
 /**
  * The file of {@code --data}: what one phone keeps from run to run, as Java's properties in UTF-8. Phones of other numbers may
@@ -24,6 +25,8 @@ final class PhoneData implements AutoCloseable {
 
     private final Path file;
     private Map<String, String> known = Map.of();
+    /** What a full disk, or a program that has the file open, has kept from being written; null for nothing. */
+    private Map<String, String> unwritten;
 
     private final FolderLock lock;
 
@@ -57,9 +60,10 @@ final class PhoneData implements AutoCloseable {
 
     /**
      * Writes what has changed since the last call, in one step: whoever kills the program leaves the file as it was before
-     * or as it is after. A disk that is full costs the newest changes only.
+     * or as it is after. What cannot be written is tried again with the next change and at the end.
      */
     void write(Map<String, String> texts) {
+        unwritten = null;
         if (texts.equals(known)) {
             return;
         }
@@ -74,12 +78,16 @@ final class PhoneData implements AutoCloseable {
             Files.move(next, file, StandardCopyOption.ATOMIC_MOVE);
             known = Map.copyOf(texts);
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "--data: {0} cannot be written: {1}", file, e.getMessage());
+            unwritten = Map.copyOf(texts);
+            LOG.log(Level.WARNING, "--data: {0} cannot be written: {1}", file, FileErrors.describe(e));
         }
     }
 
     @Override
     public void close() {
+        if (unwritten != null) {
+            write(unwritten);
+        }
         lock.close();
     }
 }

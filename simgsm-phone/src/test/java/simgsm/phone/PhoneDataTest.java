@@ -70,6 +70,20 @@ class PhoneDataTest {
     }
 
     @Test
+    void whatCouldNotBeWrittenIsWrittenAtTheEnd() throws IOException {
+        Path file = folder.resolve("phone-5550100.properties");
+        Path obstacle = Files.createDirectories(file.resolve("obstacle"));
+        try (PhoneData data = PhoneData.take(folder, OWN)) {
+            data.write(Map.of("volume", "3"));
+            Files.delete(obstacle);
+            Files.delete(file);
+        }
+        try (PhoneData data = PhoneData.take(folder, OWN)) {
+            assertEquals(Map.of("volume", "3"), data.read());
+        }
+    }
+
+    @Test
     void aMessageThatWasOnItsWayHasFailedAndNoReportOfThisRunIsItsOwn() throws IOException {
         Bench after = again(used());
         assertEquals(

@@ -12,7 +12,6 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.ServiceWords;
 import simgsm.phone.screen.Words;
 import simgsm.station.context.StationEvent;
-import simgsm.station.context.UssdEnding;
 
 /** What just happened, in words and in the order of time: the newest {@value #CAPACITY} events that concern the user. */
 public final class HandsetLog {
@@ -145,8 +144,8 @@ public final class HandsetLog {
             add("log.network", text.text());
         } else if (event instanceof StationEvent.ServiceAnswered answer) {
             add("log.service", ServiceWords.title(answer.status()), ServiceWords.state(answer.status()));
-        } else if (event instanceof StationEvent.UssdEnded end && end.how() != UssdEnding.COMPLETED) {
-            add("log.service.none");
+        } else if (event instanceof StationEvent.UssdEnded end) {
+            ServiceWords.noteOf(end).ifPresent(note -> add("log.service.none", note));
         }
     }
 }

@@ -2,10 +2,8 @@ package simgsm.phone.screen;
 
 import java.util.Optional;
 import simgsm.dtmf.DtmfKey;
-import simgsm.ss.SsError;
 import simgsm.ss.UssdText;
 import simgsm.station.context.StationEvent;
-import simgsm.station.context.UssdEnding;
 
 /** A USSD dialogue on the display: the network's texts and the reply being typed. */
 final class UssdDialog {
@@ -50,24 +48,7 @@ final class UssdDialog {
         if (!isRead) {
             shown = Optional.empty();
         }
-        boolean isQuiet = end.how() == UssdEnding.COMPLETED || end.how() == UssdEnding.CANCELLED;
-        return isQuiet ? Optional.empty() : Optional.of(note(end));
-    }
-
-    private static Screen.Note note(StationEvent.UssdEnded end) {
-        boolean isUnknown = end.error().equals(Optional.of(SsError.UNEXPECTED_DATA_VALUE));
-        return switch (end.how()) {
-            case REFUSED ->
-                isUnknown
-                        ? new Screen.Note(Screen.Note.Kind.USSD_UNKNOWN, "")
-                        : new Screen.Note(
-                                Screen.Note.Kind.USSD_REFUSED,
-                                end.error()
-                                        .map(error -> String.valueOf(error.code()))
-                                        .orElse(""));
-            case NO_SERVICE -> new Screen.Note(Screen.Note.Kind.USSD_NO_SERVICE, "");
-            default -> new Screen.Note(Screen.Note.Kind.USSD_NO_ANSWER, "");
-        };
+        return ServiceWords.noteOf(end);
     }
 
     /** A character of the reply. @return false if none is expected */

@@ -6,7 +6,7 @@ import java.util.List;
  * A text for the display that is put into words when it is drawn.
  *
  * @param key of the phone's bundle; empty for a text that is shown as it is
- * @param arguments of the bundle's text, or the text itself; {@code Words}, causes and times among them are put into words
+ * @param arguments of the bundle's text, or the text itself; {@code Words}, causes, notes and times among them are put into words
  *     first
  */
 public record Words(String key, List<Object> arguments) {

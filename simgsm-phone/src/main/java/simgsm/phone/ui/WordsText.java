@@ -7,6 +7,7 @@ import java.util.Locale;
 import simgsm.air.Cause;
 import simgsm.air.RpCause;
 import simgsm.console.TextBundle;
+import simgsm.phone.screen.Screen;
 import simgsm.phone.screen.Words;
 
 /** The screens' words in one language, with times of one zone. */
@@ -39,6 +40,9 @@ final class WordsText {
         }
         if (value instanceof RpCause cause) {
             return CauseText.of(texts, cause);
+        }
+        if (value instanceof Screen.Note note) {
+            return CauseText.ofNote(texts, note);
         }
         return value instanceof Instant instant ? dayAndTime(instant) : value;
     }

@@ -13,7 +13,9 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.phone.screen.Words;
 import simgsm.sim.SimPhoneBook;
+import simgsm.ss.SsError;
 import simgsm.station.context.StationEvent;
+import simgsm.station.context.UssdEnding;
 
 /** What just happened, as the user is to read it. */
 class HandsetLogTest {
@@ -81,6 +83,25 @@ class HandsetLogTest {
         bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
         bench.handset.accept(new StationEvent.UssdReceived("your number: 5550100", false));
         assertEquals(List.of("log.message 5550200 3 Done", "log.network your number: 5550100"), logged(bench));
+    }
+
+    @Test
+    void aCodeWithoutAnAnswerIsToldWithItsReasonUnlessTheUserEndedIt() {
+        Bench bench = new Bench();
+        bench.handset.accept(new StationEvent.UssdEnded(UssdEnding.CANCELLED, Optional.empty()));
+        bench.handset.accept(new StationEvent.UssdEnded(UssdEnding.COMPLETED, Optional.empty()));
+        bench.handset.accept(
+                new StationEvent.UssdEnded(UssdEnding.REFUSED, Optional.of(SsError.UNEXPECTED_DATA_VALUE)));
+        bench.handset.accept(new StationEvent.UssdEnded(UssdEnding.REFUSED, Optional.of(SsError.ILLEGAL_SS_OPERATION)));
+        bench.handset.accept(new StationEvent.UssdEnded(UssdEnding.NO_SERVICE, Optional.empty()));
+        bench.handset.accept(new StationEvent.UssdEnded(UssdEnding.NO_ANSWER, Optional.empty()));
+        assertEquals(
+                List.of(
+                        "log.service.none Note[kind=USSD_UNKNOWN, detail=]",
+                        "log.service.none Note[kind=USSD_REFUSED, detail=16]",
+                        "log.service.none Note[kind=USSD_NO_SERVICE, detail=]",
+                        "log.service.none Note[kind=USSD_NO_ANSWER, detail=]"),
+                logged(bench));
     }
 
     @Test

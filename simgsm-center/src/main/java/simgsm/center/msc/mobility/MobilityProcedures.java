@@ -19,6 +19,7 @@ import simgsm.center.subscriber.SubscriberRegister;
 import simgsm.octets.OctetString;
 import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;
+import simgsm.timer.Timer;
 
 /** Mobility management on the network side (TS 24.008, 4): registration, service requests, and the subscribers' locations. */
 public final class MobilityProcedures implements LinkUser {
@@ -29,6 +30,9 @@ public final class MobilityProcedures implements LinkUser {
     private final Consumer<Subscriber> detached;
     private final Consumer<Subscriber> reachable;
     private final Map<Subscriber, Link> locations = new HashMap<>();
+    /** Run for subscribers over towers; see {@link #detachSilentAfter}. */
+    private final Map<Subscriber, Timer> silences = new HashMap<>();
+
     private final Map<Link, LocationUpdate> updates = new HashMap<>();
     private final Map<Link, CardAuthentication> authentications = new HashMap<>();
     private long silenceNanos;
@@ -213,10 +217,7 @@ public final class MobilityProcedures implements LinkUser {
     }
 
     private void superviseSilence(Link link, Subscriber subscriber, long nanos) {
-        link.timers().start(nanos, () -> {
-            if (locations.get(subscriber) != link) {
-                return;
-            }
+        Timer silence = link.timers().start(nanos, () -> {
             long silent = link.radio().isIdle()
                     ? link.timers().nowNanos() - link.radio().usedNanos()
                     : 0;
@@ -226,6 +227,12 @@ public final class MobilityProcedures implements LinkUser {
                 superviseSilence(link, subscriber, silenceNanos - silent);
             }
         });
+        silences.put(subscriber, silence);
+    }
+
+    private void leaveLocation(Subscriber subscriber, Link link) {
+        locations.remove(subscriber);
+        link.timers().cancel(silences.remove(subscriber));
     }
 
     /** The subscriber is on a radio connection: what waits for one goes on. */
@@ -343,7 +350,7 @@ public final class MobilityProcedures implements LinkUser {
     /** A mobile of towers updates its location on a new radio connection: it stays attached. */
     private void move(Subscriber subscriber, Link old) {
         old.deregister();
-        locations.remove(subscriber);
+        leaveLocation(subscriber, old);
         old.drop(subscriber + " has updated its location");
     }
 
@@ -369,7 +376,7 @@ public final class MobilityProcedures implements LinkUser {
             Subscriber subscriber = link.subscriber();
             link.paging().fail();
             link.deregister();
-            locations.remove(subscriber);
+            leaveLocation(subscriber, link);
             register.detach(subscriber);
             detached.accept(subscriber);
         }
