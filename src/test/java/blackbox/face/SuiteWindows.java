@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.ResourceBundle;
+import java.util.Set;
 import java.util.stream.IntStream;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
@@ -32,6 +33,8 @@ import simgsm.center.ui.MonitorPanel;
 import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.NetworkAccess;
 import simgsm.console.TextBundle;
+import simgsm.lesson.Lesson;
+import simgsm.lesson.LessonException;
 import simgsm.lesson.LessonLibrary;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.ui.HandsetControls;
@@ -40,7 +43,11 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.lesson.ClassActs;
 import simgsm.ui.lesson.ClassPanel;
 import simgsm.ui.lesson.ClassView;
+import simgsm.ui.lesson.LessonActs;
 import simgsm.ui.lesson.LessonList;
+import simgsm.ui.lesson.LessonPanel;
+import simgsm.ui.lesson.LessonView;
+import simgsm.ui.lesson.SheetPanel;
 import simgsm.ui.window.ProgramWindow;
 import simrobot.control.LoggedEvent;
 import simrobot.control.RobotEventLog;
@@ -69,7 +76,9 @@ final class SuiteWindows {
         CENTER,
         TOWN,
         CLASS,
-        LESSONS
+        LESSONS,
+        LESSON,
+        SHEET
     }
 
     SuiteWindows() {
@@ -124,8 +133,16 @@ final class SuiteWindows {
                 false);
     }
 
-    /** On the event thread, in the theme that is installed. */
     JComponent open(Which which, String language) {
+        return open(which, language, forms(which).get(0));
+    }
+
+    /**
+     * On the event thread, in the theme that is installed.
+     *
+     * @param form for a lesson and a sheet the lesson's name
+     */
+    JComponent open(Which which, String language, String form) {
         Locale locale = Locale.forLanguageTag(language);
         return switch (which) {
             case TOWN ->
@@ -138,8 +155,49 @@ final class SuiteWindows {
                         Runnable::run);
             case CLASS -> classPanel(locale);
             case LESSONS -> new LessonList(LessonLibrary.ofSuite(), locale, nothing(LessonList.Acts.class));
+            case LESSON -> lesson(form, locale);
+            case SHEET -> sheet(form, locale);
             default -> program(which, language);
         };
+    }
+
+    /** A lesson that is done, with programs at work and the hints of all steps. */
+    private static LessonPanel lesson(String name, Locale locale) {
+        try {
+            LessonLibrary library = LessonLibrary.ofSuite();
+            Lesson lesson = library.lesson(name);
+            LessonPanel panel = new LessonPanel(
+                    lesson,
+                    library.texts(lesson, locale),
+                    library.names(),
+                    locale,
+                    text -> text,
+                    nothing(LessonActs.class));
+            List<LessonView.StepView> steps = lesson.steps().stream()
+                    .map(step -> new LessonView.StepView(step.name(), LessonView.StepState.DONE, true))
+                    .toList();
+            panel.show(new LessonView(
+                    9999,
+                    true,
+                    steps,
+                    Set.of("phone3"),
+                    "Saved as /home/student/.local/share/simgsm/lessons/call-by-message-9999-Ana.txt"));
+            lesson.steps()
+                    .forEach(step -> ((AbstractButton) ComponentNames.find(panel, "lesson.hint.of." + step.name())
+                                    .orElseThrow())
+                            .doClick(0));
+            return panel;
+        } catch (LessonException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static SheetPanel sheet(String name, Locale locale) {
+        try {
+            return new SheetPanel(LessonLibrary.ofSuite().sheet(name, locale).orElseThrow(), "Sheet");
+        } catch (LessonException e) {
+            throw new AssertionError(e);
+        }
     }
 
     private static ClassPanel classPanel(Locale locale) {
@@ -191,7 +249,8 @@ final class SuiteWindows {
 
     /**
      * The forms of a window: the phone's open scope and events; SimRobot's sheets, form for a new robot, presentation and editor with a
-     * chosen item; the centre as it opens, with the ladder alone, each tab and a chosen message.
+     * chosen item; the centre as it opens, with the ladder alone, each tab and a chosen message; each lesson and its
+     * sheet.
      */
     static List<String> forms(Which which) {
         return switch (which) {
@@ -201,6 +260,7 @@ final class SuiteWindows {
             case REPLAY -> List.of("plain", "tab.events");
             case CENTER -> List.of("ladder", "alone", "tab 0", "tab 1", "tab 2", "tab 3", "message");
             case TOWN, CLASS, LESSONS -> List.of("plain");
+            case LESSON, SHEET -> LessonLibrary.ofSuite().names();
         };
     }
 

@@ -206,7 +206,7 @@ public final class LessonPanel extends JPanel {
                 choose(action.name());
             }
         });
-        return ComponentNames.name(new JButton(press), id, name);
+        return ComponentNames.name(new WrappingButton(press), id, name);
     }
 
     private void choose(String action) {
@@ -250,7 +250,7 @@ public final class LessonPanel extends JPanel {
         ProgramButton(LessonProgram program) {
             name = program.name();
             isLater = program.isLater();
-            button = new JButton(new UserAction("lesson.program." + name, "", () -> {
+            button = new WrappingButton(new UserAction("lesson.program." + name, "", () -> {
                 if (isRunning) {
                     acts.stopProgram(name);
                 } else {
