@@ -78,15 +78,26 @@ public final class Divider extends JComponent implements Accessible {
 
     /** @param across whether the key moves an upright divider; @param sign 1 where it makes the part larger */
     private void bind(String id, int key, boolean across, int sign) {
-        bind(id, key, () -> step(across, sign * Theme.px(STEP_UNITS)));
+        bind(id, key, () -> step(across, sign * STEP_UNITS));
         new UserAction("divider." + id + ".little", "", () -> step(across, sign))
                 .bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, InputEvent.SHIFT_DOWN_MASK));
     }
 
-    private void step(boolean across, int change) {
+    /** In units: a single one may be less than a pixel, or lost by rounding one. */
+    private void step(boolean across, int changeUnits) {
         if (across == upright) {
-            want(pixels + change);
+            int most = units(mostPixels);
+            change(OptionalInt.of(Math.max(leastUnits, Math.min(most, nowUnits() + changeUnits))));
         }
+    }
+
+    private int nowUnits() {
+        boolean isAsWanted = wantedUnits.isPresent() && Theme.px(wantedUnits.getAsInt()) == pixels;
+        return isAsWanted ? wantedUnits.getAsInt() : units(pixels);
+    }
+
+    private static int units(int pixels) {
+        return (int) Math.round(pixels / Theme.zoom());
     }
 
     // ---- for the layout --------------------------------------------------------------------------------------------
@@ -116,7 +127,7 @@ public final class Divider extends JComponent implements Accessible {
     // ---- moves -----------------------------------------------------------------------------------------------------
 
     private void want(int wantedPixels) {
-        change(OptionalInt.of((int) Math.round(limited(wantedPixels) / Theme.zoom())));
+        change(OptionalInt.of(units(limited(wantedPixels))));
     }
 
     /** Gives the part its own size. */
@@ -235,7 +246,7 @@ public final class Divider extends JComponent implements Accessible {
 
         @Override
         public Number getCurrentAccessibleValue() {
-            return (int) Math.round(pixels / Theme.zoom());
+            return nowUnits();
         }
 
         @Override
@@ -251,7 +262,7 @@ public final class Divider extends JComponent implements Accessible {
 
         @Override
         public Number getMaximumAccessibleValue() {
-            return (int) Math.round(mostPixels / Theme.zoom());
+            return units(mostPixels);
         }
     }
 }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Locale;
 import javax.accessibility.AccessibleRole;
@@ -31,7 +32,11 @@ class DividedPanelTest {
     }
 
     private void press(int key) {
-        Object bound = divider.getInputMap().get(KeyStroke.getKeyStroke(key, 0));
+        press(key, 0);
+    }
+
+    private void press(int key, int modifiers) {
+        Object bound = divider.getInputMap().get(KeyStroke.getKeyStroke(key, modifiers));
         divider.getActionMap().get(bound).actionPerformed(new ActionEvent(divider, 0, ""));
         panel.doLayout();
     }
@@ -81,6 +86,24 @@ class DividedPanelTest {
         Theme.zoomTo(2);
         lay(816);
         assertEquals(232, detail.getHeight());
+    }
+
+    /** At zoom 2 a step of one pixel was half a unit, which rounding took back. */
+    @Test
+    void withShiftADividerMovesByOneUnitAtEveryZoom() {
+        for (double zoom : new double[] {0.8, 1, 1.25, 1.5, 2, 3}) {
+            Theme.zoomTo(zoom);
+            divider.reset();
+            lay(Theme.px(808));
+            press(KeyEvent.VK_UP);
+            AccessibleValue value = divider.getAccessibleContext().getAccessibleValue();
+            int before = value.getCurrentAccessibleValue().intValue();
+            press(KeyEvent.VK_DOWN, InputEvent.SHIFT_DOWN_MASK);
+            assertEquals(before - 1, value.getCurrentAccessibleValue(), "zoom " + zoom);
+            press(KeyEvent.VK_UP, InputEvent.SHIFT_DOWN_MASK);
+            press(KeyEvent.VK_UP, InputEvent.SHIFT_DOWN_MASK);
+            assertEquals(before + 1, value.getCurrentAccessibleValue(), "zoom " + zoom);
+        }
     }
 
     @Test

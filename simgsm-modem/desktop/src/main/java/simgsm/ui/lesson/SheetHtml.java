@@ -27,7 +27,7 @@ final class SheetHtml {
     private void line(String line) {
         if (line.startsWith("|")) {
             row(line);
-        } else if (line.startsWith("#")) {
+        } else if (line.matches("#{1,6} .*")) {
             end();
             int level = line.indexOf(' ');
             html.append("<h").append(level).append('>').append(inline(line.substring(level + 1)));

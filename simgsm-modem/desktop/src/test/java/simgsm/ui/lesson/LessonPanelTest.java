@@ -229,6 +229,12 @@ class LessonPanelTest {
     }
 
     @Test
+    void anOrderAtTheBeginningOfALineIsNoHeading() {
+        String html = SheetHtml.of("Then press\n#**20 and\n#*0\n\n## Next\n", "#ffffff");
+        assertTrue(html.contains("<p>Then press #**20 and #*0</p><h2>Next</h2>"), html);
+    }
+
+    @Test
     void theListsOfLessonsAndTermsAreNamed() throws Exception {
         LessonList list = list(library);
         assertEquals(List.of(), ComponentNames.unnamed(list));
