@@ -106,7 +106,7 @@ public final class WindowModel implements OperatorActions {
         callMonitor = simRobot.callMonitor();
         recording = new SessionRecording(simulation);
         log = new RobotEventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
-        ports.p2os().setWorldLoader(file -> read(file, ClientRequests::mayLoad));
+        ports.p2os().setWorldLoader(file -> read(file, ClientRequests::mayLoad, () -> {}));
         simRobot.onAdded(this::added);
         simRobot.onRemoved(this::removed);
     }
@@ -302,9 +302,7 @@ public final class WindowModel implements OperatorActions {
     public void load(Path file) {
         worker.execute(() -> {
             Path place = WorldFile.find(Optional.of(file));
-            if (read(place)) {
-                recent.add(place);
-            }
+            read(place, owned -> true, () -> worker.execute(() -> recent.add(place)));
         });
     }
 
@@ -357,12 +355,13 @@ public final class WindowModel implements OperatorActions {
                 failure -> answer.accept(failure.map(why -> refusals.unwritable(file, why))));
     }
 
-    /** Loads a world; a file that cannot be read changes nothing and is reported. @return whether it could be read */
-    boolean read(Path file) {
-        return read(file, owned -> true);
+    /** Loads a world; a file that cannot be read changes nothing and is reported. */
+    void read(Path file) {
+        read(file, owned -> true, () -> {});
     }
 
-    private boolean read(Path file, Predicate<Simulation> permitted) {
+    /** @param loaded run on the simulation's thread once the robots are in that world */
+    private void read(Path file, Predicate<Simulation> permitted, Runnable loaded) {
         try {
             World world = WorldFile.read(Optional.of(file), resolutionMeters);
             simulation.withSimulation(owned -> {
@@ -374,14 +373,13 @@ public final class WindowModel implements OperatorActions {
                     worldFile = file;
                     watch.setCurrent(file);
                     tell("");
+                    loaded.run();
                 } catch (IllegalArgumentException tooSmall) {
                     tell(refusals.tooSmall(world.name()));
                 }
             });
-            return true;
         } catch (IOException unreadable) {
             tell(refusals.unreadable(file, unreadable));
-            return false;
         }
     }
 

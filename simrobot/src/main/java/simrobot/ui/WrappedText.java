@@ -15,6 +15,7 @@ public final class WrappedText extends JTextArea {
         setLineWrap(true);
         setWrapStyleWord(true);
         setOpaque(false);
+        setVisible(false);
         Theme.styled(this, area -> {
             area.setForeground(Theme.color(ink));
             area.setFont(Theme.base());

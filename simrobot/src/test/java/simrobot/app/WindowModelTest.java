@@ -14,8 +14,9 @@ import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -218,10 +219,34 @@ class WindowModelTest {
         model.load(Files.writeString(folder.resolve("broken.map"), "2D-Map\nLINES\n1 2 3\n"));
         model.load(office);
         Path saved = folder.resolve("saved.map").toAbsolutePath();
-        CountDownLatch written = new CountDownLatch(1);
-        model.save(World.bare(), saved, refusal -> written.countDown());
-        written.await();
+        save(saved);
+        status();
+        save(saved);
         assertEquals(List.of(saved, office), model.recentWorlds());
+    }
+
+    /** The next start would begin with it, and end at once for lack of a place. */
+    @Test
+    void aWorldThatHasNoRoomForTheRobotsIsNotAmongTheRecentOnes() throws Exception {
+        String walls = IntStream.rangeClosed(-800, 800)
+                .mapToObj(row -> "-320000 " + 400 * row + " 320000 " + 400 * row + "\n")
+                .collect(Collectors.joining());
+        Path solid = Files.writeString(folder.resolve("solid.map"), "2D-Map\nLINES\n" + walls);
+        model.load(solid);
+        Path saved = folder.resolve("saved.map").toAbsolutePath();
+        save(saved);
+        status();
+        assertEquals(
+                "the robots do not all fit into solid.map", model.snapshot().notice());
+        save(saved);
+        assertEquals(List.of(saved), model.recentWorlds());
+    }
+
+    /** What the window's worker was given before is done then. */
+    private void save(Path file) throws Exception {
+        CompletableFuture<Optional<String>> answer = new CompletableFuture<>();
+        model.save(World.bare(), file, answer::complete);
+        assertEquals(Optional.empty(), answer.get(20, TimeUnit.SECONDS));
     }
 
     @Test

@@ -65,7 +65,6 @@ final class EventsCard extends JPanel {
         list.setToolTipText(texts.of("log.whole"));
         list.setCellRenderer(new RowRenderer());
         whole = new WrappedText("events.whole", texts.of("log.whole"), Ink.TEXT);
-        whole.setVisible(false);
         list.addListSelectionListener(chosen -> whole.show(
                 list.isSelectionEmpty() ? "" : words.of(list.getSelectedValue().event())));
         pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
@@ -105,15 +104,28 @@ final class EventsCard extends JPanel {
         filteredFor = selected;
         var bar = pane.getVerticalScrollBar();
         boolean atEnd = bar.getValue() + bar.getVisibleAmount() >= bar.getMaximum() - Theme.px(4);
-        model.show(
+        List<LoggedEvent> chosen = list.getSelectedValuesList();
+        boolean grown = model.show(
                 onlySelected.isSelected()
                         ? events.stream()
                                 .filter(event -> event.robot().equals(selected))
                                 .toList()
                         : events);
+        if (!grown) {
+            select(chosen);
+        }
         if (atEnd && model.getSize() > 0 && list.getSelectedIndex() < 0) {
             list.ensureIndexIsVisible(model.getSize() - 1);
         }
+    }
+
+    /** What was chosen stays so in another row; what has gone is chosen no more. */
+    private void select(List<LoggedEvent> chosen) {
+        list.clearSelection();
+        chosen.stream()
+                .mapToInt(model.rows::indexOf)
+                .filter(row -> row >= 0)
+                .forEach(row -> list.addSelectionInterval(row, row));
     }
 
     /** The selected lines, or all. */
@@ -136,7 +148,8 @@ final class EventsCard extends JPanel {
     private static final class Rows extends AbstractListModel<LoggedEvent> {
         private List<LoggedEvent> rows = List.of();
 
-        void show(List<LoggedEvent> newRows) {
+        /** @return whether the rows before are still where they were */
+        boolean show(List<LoggedEvent> newRows) {
             int before = rows.size();
             boolean grown =
                     newRows.size() >= before && (before == 0 || newRows.get(before - 1) == rows.get(before - 1));
@@ -146,6 +159,7 @@ final class EventsCard extends JPanel {
             } else if (newRows.size() > before) {
                 fireIntervalAdded(this, before, newRows.size() - 1);
             }
+            return grown;
         }
 
         @Override

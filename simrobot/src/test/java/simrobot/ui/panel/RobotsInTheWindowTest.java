@@ -304,6 +304,26 @@ class RobotsInTheWindowTest {
         assertEquals("Collision", ((JTextArea) bench.component("events.whole")).getText());
     }
 
+    /** A full log loses its first line with each new one; the index of the chosen line was kept, and so another was chosen. */
+    @Test
+    void theChosenEventStaysChosenWhileRowsGo() {
+        LoggedEvent first = new LoggedEvent(0, "anna", new RobotEvent.Added("5550200"));
+        LoggedEvent collision = new LoggedEvent(1, "anna", new RobotEvent.StatusChanged(RobotStatus.COLLISION));
+        LoggedEvent ofBert = new LoggedEvent(2, "bert", new RobotEvent.Added("5550201"));
+        bench.events = List.of(first, collision, ofBert);
+        bench.show();
+        bench.click("tab.events");
+        JList<?> list = (JList<?>) bench.component("events");
+        list.setSelectedIndex(2);
+        bench.events = List.of(collision, ofBert, first);
+        bench.show();
+        assertEquals(List.of(ofBert), list.getSelectedValuesList());
+        assertEquals("added, number 5550201", ((JTextArea) bench.component("events.whole")).getText());
+        ((JCheckBox) bench.component("events.only")).doClick(0);
+        assertTrue(list.isSelectionEmpty());
+        assertFalse(bench.component("events.whole").isVisible());
+    }
+
     @Test
     void eventsThatCameWhileTheLogWasHiddenAreThereWhenItIsShown() {
         bench.events = List.of(new LoggedEvent(0, "anna", new RobotEvent.Added("5550200")));
