@@ -179,6 +179,19 @@ class HoldAnswersTest {
     }
 
     @Test
+    void aNewCallIsNotOnHoldBecauseAFormerOneWasWhenItEnded() {
+        waiting();
+        assertTrue(scene.station.rejectWaiting());
+        scene.expect(new Disconnect(THEIRS.answered(), Cause.USER_BUSY));
+        scene.down(new Facility(THEIRS, HoldNotification.encode(true)));
+        scene.down(new ReleaseComplete(THEIRS, Optional.empty()));
+        news();
+        twoCalls();
+        scene.down(new Facility(THEIRS, HoldNotification.encode(true)));
+        assertEquals(List.of("on hold"), news());
+    }
+
+    @Test
     void anotherFacilityIsNotAnswered() {
         scene.down(new Facility(TO_OWN, OctetString.ofHex("a10302013b")));
         scene.down(new Facility(TO_OWN, OctetString.ofHex("")));

@@ -49,8 +49,9 @@ final class EventsPanel extends JPanel {
         if (entries == shown) {
             return;
         }
+        boolean isAtEnd = area.getCaretPosition() == area.getDocument().getLength();
+        removeOldest(entries);
         int length = area.getDocument().getLength();
-        boolean isAtEnd = area.getCaretPosition() == length;
         int same = 0;
         while (same < Math.min(shown.size(), entries.size()) && shown.get(same) == entries.get(same)) {
             same++;
@@ -61,6 +62,16 @@ final class EventsPanel extends JPanel {
         if (isAtEnd) {
             area.setCaretPosition(area.getDocument().getLength());
         }
+    }
+
+    /** Removes the lines of events that have made room, so that a reader keeps the place. */
+    private void removeOldest(List<HandsetLog.Entry> entries) {
+        int gone = 0;
+        while (gone < shown.size() && (entries.isEmpty() || shown.get(gone) != entries.get(0))) {
+            gone++;
+        }
+        area.replaceRange("", 0, lines(shown.subList(0, gone)).length());
+        shown = shown.subList(gone, shown.size());
     }
 
     private String lines(List<HandsetLog.Entry> entries) {

@@ -16,6 +16,7 @@ import java.util.Set;
 import javax.swing.AbstractButton;
 import javax.swing.ButtonModel;
 import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -27,6 +28,7 @@ import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.screen.PhoneKey;
+import simgsm.station.context.StationEvent;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 
@@ -207,6 +209,28 @@ class HandsetPanelTest {
         bench.panel.doLayout();
         assertEquals(key, bench.find("key.5").getBounds());
         assertEquals(new Rectangle(318, 24, 260, 574), bench.find("scope").getBounds());
+    }
+
+    @Test
+    void aReaderOfTheEventsKeepsThePlaceWhenTheOldestMakeRoom() throws Exception {
+        PanelBench bench = new PanelBench(Bench.connected(), Locale.ENGLISH);
+        JTextArea events = (JTextArea) bench.find("events");
+        receive(bench, 0, 299);
+        bench.paint(1);
+        events.setCaretPosition(events.getText().indexOf("message from 5550200: 100\n"));
+        receive(bench, 299, 310);
+        // A caret follows changes of the event thread only.
+        SwingUtilities.invokeAndWait(() -> bench.paint(1));
+        assertEquals(events.getText().indexOf("message from 5550200: 100\n"), events.getCaretPosition());
+        assertTrue(events.getText().startsWith("12:00  message from 5550200: 10\n"));
+        assertEquals("12:00  message from 5550200: 309", lastLineOf(events));
+        assertEquals(300, events.getText().lines().count());
+    }
+
+    private static void receive(PanelBench bench, int from, int to) {
+        for (int i = from; i < to; i++) {
+            bench.bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", String.valueOf(i)));
+        }
     }
 
     @Test

@@ -227,6 +227,11 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     /** The network has told whether the other party of one of the calls holds it. */
     void heldByPeer(TransactionIdentifier received, boolean onHold) {
         TransactionIdentifier own = received.answered();
+        boolean isOver =
+                !has(received) && !(second.isPresent() && second.transaction().equals(own));
+        if (isOver) {
+            return;
+        }
         boolean isNew = onHold ? heldByPeer.add(own) : heldByPeer.remove(own);
         if (isNew && has(received)) {
             report(new StationEvent.HeldByPeer(onHold));
