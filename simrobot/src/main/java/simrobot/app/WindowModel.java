@@ -346,6 +346,17 @@ public final class WindowModel implements OperatorActions {
     }
 
     @Override
+    public void keep(World draft, Path file) {
+        worker.execute(() -> {
+            try {
+                MapWriter.save(draft, file);
+            } catch (IOException unwritable) {
+                LOG.log(Level.DEBUG, "no copy of the draft: " + unwritable.getMessage());
+            }
+        });
+    }
+
+    @Override
     public void export(String robot, Path file, Consumer<Optional<String>> answer) {
         exports.export(
                 simulation.snapshot(),

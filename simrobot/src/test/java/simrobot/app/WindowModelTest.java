@@ -225,6 +225,17 @@ class WindowModelTest {
         assertEquals(List.of(saved, office), model.recentWorlds());
     }
 
+    /** After a crash the next start would show the draft's copy as the user's world. */
+    @Test
+    void theCopyOfADraftIsNotAmongTheRecentWorlds() throws Exception {
+        Path copy = folder.resolve(".mine.map.draft");
+        model.keep(World.bare(), copy);
+        Path saved = folder.resolve("mine.map").toAbsolutePath();
+        save(saved);
+        assertTrue(Files.exists(copy));
+        assertEquals(List.of(saved), model.recentWorlds());
+    }
+
     /** The next start would begin with it, and end at once for lack of a place. */
     @Test
     void aWorldThatHasNoRoomForTheRobotsIsNotAmongTheRecentOnes() throws Exception {

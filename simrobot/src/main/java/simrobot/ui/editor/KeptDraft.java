@@ -24,11 +24,11 @@ final class KeptDraft {
         return file.resolveSibling("." + file.getFileName() + ".draft");
     }
 
-    /** Writes the draft, if it differs from the one written last. A folder that cannot be written to holds no copy. */
+    /** Writes the draft, if it differs from the one written last. */
     void keep(World draft, Path file) {
         if (draft != written) {
             written = draft;
-            operator.save(draft, placeOf(file), refusal -> {});
+            operator.keep(draft, placeOf(file));
         }
     }
 

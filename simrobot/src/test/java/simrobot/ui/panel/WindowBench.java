@@ -301,6 +301,11 @@ public final class WindowBench implements OperatorActions {
     }
 
     @Override
+    public void keep(World draft, Path file) {
+        save(draft, file, refusal -> {});
+    }
+
+    @Override
     public void export(String robot, Path file, Consumer<Optional<String>> answer) {
         acts.add("export " + robot + " " + file.getFileName());
         answer.accept(Optional.empty());
