@@ -7,7 +7,10 @@ import java.awt.geom.Path2D;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.JComponent;
+import javax.swing.JFormattedTextField;
+import javax.swing.JSpinner;
 import javax.swing.Painter;
+import javax.swing.SwingUtilities;
 import javax.swing.UIDefaults;
 import simgsm.draw.Ink;
 
@@ -16,10 +19,16 @@ import simgsm.draw.Ink;
  * an arrow or a tick.
  */
 record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent> {
+    /** As much of a box lies outside its part of a spinner. */
+    private static final double JOINT_UNITS = 8;
+
     enum Kind {
         BUTTON,
         FIELD_FILL,
         LINED_FIELD,
+        /** The upper half of the box at the right of a spinner's field. */
+        SPINNER_NEXT,
+        SPINNER_PREVIOUS,
         FIELD,
         AREA,
         CHECK,
@@ -74,8 +83,8 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             case "Button", "ToggleButton", "ComboBox", "ToolBar:Button", "ToolBar:ToggleButton" ->
                 background ? Kind.BUTTON : null;
             case "ComboBox:\"ComboBox.arrowButton\"" -> background ? Kind.NOTHING : Kind.ARROW_LEFT;
-            case "Spinner:\"Spinner.nextButton\"" -> background ? Kind.NOTHING : Kind.ARROW_UP;
-            case "Spinner:\"Spinner.previousButton\"" -> background ? Kind.NOTHING : Kind.ARROW_DOWN;
+            case "Spinner:\"Spinner.nextButton\"" -> background ? Kind.SPINNER_NEXT : Kind.ARROW_UP;
+            case "Spinner:\"Spinner.previousButton\"" -> background ? Kind.SPINNER_PREVIOUS : Kind.ARROW_DOWN;
             case "ComboBox:\"ComboBox.textField\"", "InternalFrame" -> Kind.NOTHING;
             case "TextField", "FormattedTextField", "PasswordField" -> background ? Kind.FIELD_FILL : Kind.FIELD;
             case "Spinner:Panel:\"Spinner.formattedTextField\"" -> background ? Kind.LINED_FIELD : null;
@@ -114,7 +123,10 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
     public void paint(Graphics2D graphics, JComponent component, int width, int height) {
         Graphics2D g = Drawing.on(graphics);
         try {
-            paintKind(g, width, height);
+            // The right edge of a spinner's field is the left one of its arrows.
+            boolean joins = component instanceof JFormattedTextField
+                    && SwingUtilities.getAncestorOfClass(JSpinner.class, component) != null;
+            paintKind(g, joins ? width + Theme.exact(JOINT_UNITS) : width, height);
         } finally {
             g.dispose();
         }
@@ -128,6 +140,8 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
                 box(g, 2, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD, null, 3);
                 outline(g, 2, w, h, is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE);
             }
+            case SPINNER_NEXT -> arrowBox(g, w, h, 0);
+            case SPINNER_PREVIOUS -> arrowBox(g, w, h, -h);
             case FIELD -> outline(g, 2, w, h, is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE);
             case AREA -> fill(g, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD);
             case FRAME -> frame(g, w, h);
@@ -204,6 +218,19 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         g.setColor(Theme.color(is("Disabled") ? Ink.LINE : line));
         g.setStroke(Theme.hairline());
         g.draw(Drawing.round(i + 0.5, i + 0.5, w - 2 * i - 1, h - 2 * i - 1, Theme.exact(3)));
+    }
+
+    /** Half of a box of twice the height, with a line towards the field. @param top of the box */
+    private void arrowBox(Graphics2D g, double w, double h, double top) {
+        double i = Theme.exact(2);
+        double beyond = Theme.exact(JOINT_UNITS);
+        var shape = Drawing.round(-beyond, top + i + 0.5, w + beyond - i - 0.5, 2 * h - 2 * i - 1, Theme.exact(3));
+        g.setColor(Theme.color(buttonFill()));
+        g.fill(shape);
+        g.setColor(Theme.color(is("Disabled") ? Ink.LINE : Ink.CONTROL_LINE));
+        g.setStroke(Theme.hairline());
+        g.draw(shape);
+        Drawing.fillCrisp(g, 0, Math.max(0, top + i), Theme.exact(1), h - i);
     }
 
     private static void fill(Graphics2D g, double w, double h, Ink ink) {

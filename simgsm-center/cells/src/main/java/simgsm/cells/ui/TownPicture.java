@@ -1,5 +1,7 @@
 package simgsm.cells.ui;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -58,7 +60,7 @@ final class TownPicture {
      * @param drawn a path that is being drawn; empty for none
      */
     void draw(Optional<String> selected, boolean showsPaths, List<TownPlace> drawn) {
-        snapshot.town().hills().forEach(this::hill);
+        snapshot.town().hills().forEach(this::rings);
         snapshot.town().buildings().forEach(this::building);
         if (showsPaths) {
             snapshot.town().walks().forEach(this::walk);
@@ -68,6 +70,10 @@ final class TownPicture {
             connection(mobile);
         }
         path(drawn, Ink.ACCENT);
+        snapshot.town().hills().forEach(this::name);
+        if (showsPaths) {
+            nameWalks();
+        }
         for (int i = 0; i < snapshot.cells().size(); i++) {
             tower(snapshot.town().towers().get(i), snapshot.cells().get(i), i);
         }
@@ -77,7 +83,7 @@ final class TownPicture {
         scaleBar();
     }
 
-    private void hill(Hill hill) {
+    private void rings(Hill hill) {
         double x = scale.x(hill.top().xMetres());
         double y = scale.y(hill.top().yMetres());
         g.ink(Ink.QUIET, 0.6);
@@ -85,8 +91,11 @@ final class TownPicture {
         for (int ring = 1; ring <= 3; ring++) {
             g.draw(Outline.circle(x, y, hill.radiusMetres() * ring / 3 * scale.pixelsPerMetre()));
         }
-        g.ink(Ink.QUIET);
-        g.text(hill.name() + " " + Math.round(hill.heightMetres()) + " m", Face.SMALL, x, y);
+    }
+
+    private void name(Hill hill) {
+        String text = hill.name() + " " + Math.round(hill.heightMetres()) + " m";
+        chip(text, Face.SMALL, scale.x(hill.top().xMetres()), scale.y(hill.top().yMetres()), Optional.empty());
     }
 
     private void building(Building building) {
@@ -105,11 +114,46 @@ final class TownPicture {
 
     private void walk(Walk walk) {
         path(walk.points(), Ink.QUIET);
-        TownPlace first = walk.points().get(0);
-        TownPlace middle = first.towards(
-                walk.points().get(1), first.distanceMetres(walk.points().get(1)) / 2);
-        g.ink(Ink.TEXT);
-        g.text(walk.name(), Face.SMALL, scale.x(middle.xMetres()), scale.y(middle.yMetres()) - g.px(9));
+    }
+
+    /** Writes each name at the point of its walk that is farthest from other names. */
+    private void nameWalks() {
+        Town town = snapshot.town();
+        List<TownPlace> named = new ArrayList<>();
+        town.towers().forEach(tower -> named.add(tower.place()));
+        town.hills().forEach(hill -> named.add(hill.top()));
+        town.buildings()
+                .forEach(building -> named.add(new TownPlace(
+                        (building.westMetres() + building.eastMetres()) / 2,
+                        (building.southMetres() + building.northMetres()) / 2)));
+        for (Walk walk : town.walks()) {
+            TownPlace best = quarters(walk.points()).stream()
+                    .max(Comparator.comparingDouble(place -> named.stream()
+                            .mapToDouble(other -> apart(place, other))
+                            .min()
+                            .orElse(0)))
+                    .orElseThrow();
+            named.add(best);
+            chip(walk.name(), Face.SMALL, scale.x(best.xMetres()), scale.y(best.yMetres()), Optional.empty());
+        }
+    }
+
+    /** Names are wider than high. */
+    private static double apart(TownPlace one, TownPlace other) {
+        return Math.hypot(one.xMetres() - other.xMetres(), 2 * (one.yMetres() - other.yMetres()));
+    }
+
+    /** The middle, a quarter and three quarters of each part. */
+    private static List<TownPlace> quarters(List<TownPlace> points) {
+        List<TownPlace> places = new ArrayList<>();
+        for (int i = 1; i < points.size(); i++) {
+            TownPlace from = points.get(i - 1);
+            double length = from.distanceMetres(points.get(i));
+            for (double part : new double[] {0.5, 0.25, 0.75}) {
+                places.add(from.towards(points.get(i), part * length));
+            }
+        }
+        return places;
     }
 
     private void path(MobileState mobile, boolean isSelected) {
