@@ -43,6 +43,14 @@ final class BroadcastPanel extends JPanel {
     private static final int RUNNING_UNITS = 110;
     /** Two lines of text, also in a low window. */
     private static final int LEAST_TEXT_UNITS = 42;
+    /** Six lines, so that the button stays beside the text in a high window. */
+    private static final int MOST_TEXT_UNITS = 112;
+    /** Room for five digits. */
+    private static final int NUMBER_COLUMNS = 4;
+    /** Channels of public warnings: 3GPP TS 23.041 clause 9.4.1.2.2. */
+    private static final int FIRST_WARNING = 4352;
+
+    private static final int LAST_WARNING = 6399;
 
     /** The first one names none. */
     private static final String[] LANGUAGES = {
@@ -61,6 +69,8 @@ final class BroadcastPanel extends JPanel {
     private final JLabel pages = new JLabel();
     private final JLabel result = new JLabel(" ");
     private final JLabel channelLabel;
+    private final JLabel channelName = new JLabel();
+    private final JPanel form;
     private final JComboBox<String> language = new JComboBox<>(LANGUAGES);
     private final JSpinner times = new JSpinner(new SpinnerNumberModel(1, 0, BroadcastOrder.MOST_TIMES, 1));
     private final JSpinner period = new JSpinner(new SpinnerNumberModel(
@@ -85,7 +95,14 @@ final class BroadcastPanel extends JPanel {
         text.setToolTipText(texts.of("window.broadcast.text"));
         channelLabel = new JLabel(texts.of("window.broadcast.channel"));
         channelLabel.setLabelFor(channel);
-        channel.setEditor(new JSpinner.NumberEditor(channel, "0"));
+        for (JSpinner number : List.of(channel, times, period)) {
+            JSpinner.NumberEditor editor = new JSpinner.NumberEditor(number, "0");
+            editor.getTextField().setColumns(NUMBER_COLUMNS);
+            number.setEditor(editor);
+        }
+        ComponentNames.name(channelName, "broadcast.channel.name", texts.of("window.broadcast.channel.name"));
+        channel.addChangeListener(event -> nameChannel());
+        nameChannel();
         ComponentNames.name(channel, "broadcast.channel", texts.of("window.broadcast.channel"));
         ComponentNames.name(language, "broadcast.language", texts.of("window.broadcast.language.name"));
         ComponentNames.name(times, "broadcast.times", texts.of("window.broadcast.times.name"));
@@ -112,30 +129,55 @@ final class BroadcastPanel extends JPanel {
                 ComponentNames.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send"));
         outcome = Arrange.row(8, Arrange.growing(result), stopButton);
         outcome.setVisible(false);
-        add(
-                scrolled(Arrange.column(
+        JPanel rest = new JPanel(new BorderLayout());
+        rest.setOpaque(false);
+        rest.add(running, BorderLayout.CENTER);
+        form = Arrange.column(
+                8,
+                Arrange.row(
                         8,
-                        Arrange.row(
-                                8,
-                                channelLabel,
-                                channel,
-                                labelled(texts.of("window.broadcast.language"), language),
-                                language,
-                                Arrange.spring()),
-                        Arrange.row(
-                                8,
-                                labelled(texts.of("window.broadcast.times"), times),
-                                times,
-                                labelled(texts.of("window.broadcast.period"), period),
-                                period,
-                                Arrange.spring()),
-                        Arrange.growing(field),
-                        Arrange.row(8, Arrange.growing(pages), sendButton),
-                        outcome,
-                        running)),
-                BorderLayout.CENTER);
+                        channelLabel,
+                        channel,
+                        Arrange.growing(channelName),
+                        labelled(texts.of("window.broadcast.language"), language),
+                        language),
+                Arrange.row(
+                        8,
+                        labelled(texts.of("window.broadcast.times"), times),
+                        times,
+                        labelled(texts.of("window.broadcast.period"), period),
+                        period,
+                        Arrange.spring()),
+                field,
+                Arrange.row(8, Arrange.growing(pages), sendButton),
+                outcome,
+                Arrange.growing(rest));
+        add(scrolled(form), BorderLayout.CENTER);
         dress();
         count();
+    }
+
+    /** What these channels carry; nothing for others. */
+    private void nameChannel() {
+        int number = (Integer) channel.getValue();
+        String name = number == FIRST_CHANNEL
+                ? texts.of("window.broadcast.channel.area")
+                : number >= FIRST_WARNING && number <= LAST_WARNING ? texts.of("window.broadcast.channel.warning") : "";
+        channelName.setText(name);
+        channelName.setToolTipText(name.isEmpty() ? null : name);
+    }
+
+    /** The text has the height that the other parts leave, within its bounds. */
+    @Override
+    public void doLayout() {
+        int others = form.getPreferredSize().height - field.getPreferredSize().height;
+        int spare = getHeight() - getInsets().top - getInsets().bottom - others;
+        int height = Math.max(Theme.px(LEAST_TEXT_UNITS), Math.min(Theme.px(MOST_TEXT_UNITS), spare));
+        if (height != field.getPreferredSize().height) {
+            field.setPreferredSize(new Dimension(0, height));
+            form.revalidate();
+        }
+        super.doLayout();
     }
 
     private static JScrollPane scrolled(JPanel content) {
@@ -253,6 +295,8 @@ final class BroadcastPanel extends JPanel {
     private void dress() {
         setBorder(Theme.padding(6, 4, 0, 4));
         pages.setFont(Theme.small());
+        channelName.setFont(Theme.small());
+        channelName.setForeground(Theme.color(Ink.QUIET));
         Dimension least = new Dimension(0, Theme.px(LEAST_TEXT_UNITS));
         field.setMinimumSize(least);
         field.setPreferredSize(least);
