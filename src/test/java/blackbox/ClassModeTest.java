@@ -3,7 +3,9 @@ package blackbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** {@code --demo --class N}: several phones and robots in one world. */
 class ClassModeTest {
@@ -20,6 +22,16 @@ class ClassModeTest {
                     + " orders=1 keys=9 collisions=0 seconds=\"\"\n";
             assertTrue(demo.output().contains(row), demo.output());
         }
+    }
+
+    @Test
+    void aClosedClassNeedsACardForEachStudentAndRobot(@TempDir Path folder) throws Exception {
+        String list = folder.resolve("class.hlr").toString();
+        FinishedProgram.run("simgsm-center", "--hlr", list, "--new-sim", "5550100,5550101,5550200");
+        FinishedProgram demo = FinishedProgram.run("simgsm-center", "--demo", "--class", "3", "--hlr", list);
+        assertEquals(2, demo.status(), demo.output());
+        assertTrue(
+                demo.error().contains("--class: expected SIMs of 5550102, 5550201, 5550202 in " + list), demo.error());
     }
 
     @Test

@@ -38,6 +38,7 @@ public final class CenterWindow implements CenterActions {
     private final AtomicLong nextPhone = new AtomicLong(FIRST_PHONE);
     private final AtomicLong nextRobot = new AtomicLong(FIRST_ROBOT);
     private final Set<String> cardsGivenOut = new HashSet<>();
+    private Set<String> takenNumbers = Set.of();
     private ChildPrograms children;
     private WindowCascade cascade;
     private Optional<String> lesson = Optional.empty();
@@ -47,13 +48,15 @@ public final class CenterWindow implements CenterActions {
      *
      * @param opened run on the event thread when the window is made
      * @param mayBeginLesson whether the window's help begins lessons, each of which ends what runs
+     * @param takenNumbers those of others, which no program that the window starts gets
      */
     public record Watch(
             Consumer<ExchangeEvent> events,
             Consumer<ExchangeSnapshot> snapshots,
             Runnable opened,
-            boolean mayBeginLesson) {
-        public static final Watch NONE = new Watch(event -> {}, snapshot -> {}, () -> {}, true);
+            boolean mayBeginLesson,
+            Set<String> takenNumbers) {
+        public static final Watch NONE = new Watch(event -> {}, snapshot -> {}, () -> {}, true, Set.of());
     }
 
     private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {
@@ -78,6 +81,7 @@ public final class CenterWindow implements CenterActions {
             throws InterruptedException {
         CenterWindow operator = new CenterWindow(center, arguments, window);
         operator.children = children;
+        operator.takenNumbers = watch.takenNumbers();
         center.publishSnapshots(watch.snapshots());
         center.start(watch.events());
         if (watch.mayBeginLesson()) {
@@ -153,7 +157,7 @@ public final class CenterWindow implements CenterActions {
                 .collect(Collectors.toSet()));
         List<String> spare = center.home().numbers().stream()
                 .map(Msisdn::digits)
-                .filter(number -> !attached.contains(number))
+                .filter(number -> !attached.contains(number) && !takenNumbers.contains(number))
                 .toList();
         if (spare.isEmpty()) {
             throw new IOException("every SIM in " + center.home().file().orElseThrow() + " is in use");
@@ -166,11 +170,11 @@ public final class CenterWindow implements CenterActions {
         return chosen;
     }
 
-    /** The next number that has never registered. */
+    /** The next number that has never registered and is nobody's. */
     private String free(AtomicLong next) {
         return center.ask(exchange -> {
             String number = Long.toString(next.getAndIncrement());
-            while (exchange.isKnown(new Msisdn(number))) {
+            while (takenNumbers.contains(number) || exchange.isKnown(new Msisdn(number))) {
                 number = Long.toString(next.getAndIncrement());
             }
             return number;

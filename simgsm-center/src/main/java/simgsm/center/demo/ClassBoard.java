@@ -45,6 +45,9 @@ final class ClassBoard {
         private int orders;
         private int collisions;
         private long beganNanos = -1;
+        /** Whether keys or messages have come since the beginning. */
+        private boolean hasPlayed;
+
         private double seconds = Double.NaN;
 
         private Result(String phone, String number) {
@@ -54,6 +57,7 @@ final class ClassBoard {
 
         private void begin(long nowNanos) {
             beganNanos = nowNanos;
+            hasPlayed = false;
             keys = 0;
             orders = 0;
             collisions = 0;
@@ -116,6 +120,7 @@ final class ClassBoard {
     }
 
     private static void begin(Result result, long nowNanos) {
+        result.hasPlayed = true;
         if (result.beganNanos < 0) {
             result.beganNanos = nowNanos;
         }
@@ -174,11 +179,12 @@ final class ClassBoard {
         return rows;
     }
 
-    /** The best first: those at the goal by their time; then fewer collisions, and fewer keys. */
+    /** The best first: those at the goal by their time; then those who have played, with fewer collisions, then fewer keys. */
     List<Result> ranked() {
         List<Result> ranked = new ArrayList<>(results.values());
         ranked.sort(Comparator.<Result>comparingDouble(
                         result -> result.isAtGoal() ? result.seconds : Double.POSITIVE_INFINITY)
+                .thenComparing(result -> !result.hasPlayed)
                 .thenComparingInt(result -> result.collisions)
                 .thenComparingInt(result -> result.keys));
         return ranked;

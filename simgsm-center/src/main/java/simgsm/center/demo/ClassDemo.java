@@ -3,9 +3,6 @@ package simgsm.center.demo;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.lang.ProcessBuilder.Redirect;
-import java.net.Inet4Address;
-import java.net.InetAddress;
-import java.net.NetworkInterface;
 import java.net.SocketException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,8 +16,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import simgsm.air.Msisdn;
 import simgsm.center.app.CenterEventPrinter;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterTexts;
@@ -90,6 +89,11 @@ public final class ClassDemo {
         return Long.toString(FIRST_PHONE + student);
     }
 
+    /** The teacher's own phone has the number after the last student's. */
+    private String teacher() {
+        return phone(students);
+    }
+
     private static String robot(int student) {
         return Long.toString(FIRST_ROBOT + student);
     }
@@ -98,11 +102,33 @@ public final class ClassDemo {
     public static int run(Arguments given, CenterSettings settings) throws Exception {
         Arguments arguments = given.without("remember-as", "window");
         ClassDemo demo = new ClassDemo(arguments, settings);
+        demo.requireCards();
         try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
             demo.printStudents(programs);
             return arguments.has("headless") || !Display.isAvailable()
                     ? demo.runHeadless(programs)
                     : demo.runWindowed(programs);
+        }
+    }
+
+    /** Of all students, then of all robots. */
+    private Stream<String> numbers() {
+        return Stream.concat(
+                IntStream.range(0, students).mapToObj(ClassDemo::phone),
+                IntStream.range(0, students).mapToObj(ClassDemo::robot));
+    }
+
+    /** A closed network must list the SIMs of all students and robots. */
+    private void requireCards() throws UsageException {
+        if (!settings.home().isClosed()) {
+            return;
+        }
+        List<String> missing = numbers()
+                .filter(number -> !settings.home().numbers().contains(new Msisdn(number)))
+                .toList();
+        if (!missing.isEmpty()) {
+            throw new UsageException("--class: expected SIMs of " + String.join(", ", missing) + " in "
+                    + settings.home().file().get());
         }
     }
 
@@ -114,7 +140,7 @@ public final class ClassDemo {
     }
 
     private void printStudents(DemoPrograms programs) throws SocketException {
-        for (String host : hosts()) {
+        for (String host : ClassAddresses.of(settings.address())) {
             for (int i = 0; i < students; i++) {
                 out.print(Event.of("student")
                                 .with("number", phone(i))
@@ -127,19 +153,6 @@ public final class ClassDemo {
             out.print(CenterTexts.in(settings.language()).of("class.bind") + "\n");
         }
         out.flush();
-    }
-
-    /** The addresses at which the students' machines find the centre. */
-    private List<String> hosts() throws SocketException {
-        if (!settings.address().isAnyLocalAddress()) {
-            return List.of(settings.address().getHostAddress());
-        }
-        List<String> hosts = NetworkInterface.networkInterfaces()
-                .flatMap(NetworkInterface::inetAddresses)
-                .filter(address -> address instanceof Inet4Address && !address.isLoopbackAddress())
-                .map(InetAddress::getHostAddress)
-                .toList();
-        return hosts.isEmpty() ? List.of(InetAddress.getLoopbackAddress().getHostAddress()) : hosts;
     }
 
     private Process startRobots(DemoPrograms programs, String... more) throws IOException {
@@ -215,39 +228,50 @@ public final class ClassDemo {
         return file;
     }
 
+    /** As a shell takes it for one word. */
+    private static String word(String path) {
+        return path.indexOf(' ') < 0 ? path : '"' + path + '"';
+    }
+
     /** What the window of the class does. */
     private final class Acts implements ClassActs {
         private final DemoPrograms programs;
         private final ChildConsole robots;
         private final String recording;
-        private final String host;
+        private final List<String> hosts;
 
         private Acts(DemoPrograms programs, ChildConsole robots, String recording) throws SocketException {
             this.programs = programs;
             this.robots = robots;
             this.recording = recording;
-            this.host = hosts().get(0);
+            this.hosts = ClassAddresses.of(settings.address());
         }
 
         /** The motors' switch ends what a robot does, so that it can be placed. */
         @Override
         public void start() {
+            Map<String, List<String>> places;
             synchronized (ClassDemo.this) {
                 board.start(System.nanoTime());
                 isChanged = true;
-                homes.forEach((robot, place) -> {
-                    order("@" + robot + " motors off");
-                    order("@" + robot + " place " + String.join(" ", place));
-                    order("@" + robot + " motors on");
-                });
+                places = new LinkedHashMap<>(homes);
             }
+            // Without the lock: SimRobot may wait until its events are taken before it reads on.
+            places.forEach((robot, place) -> {
+                order("@" + robot + " motors off");
+                order("@" + robot + " place " + String.join(" ", place));
+                order("@" + robot + " motors on");
+            });
         }
 
         private void order(String line) {
             try {
                 robots.command(line);
             } catch (IOException e) {
-                notice = Optional.of(String.valueOf(e.getMessage()));
+                synchronized (ClassDemo.this) {
+                    notice = Optional.of(String.valueOf(e.getMessage()));
+                    isChanged = true;
+                }
             }
         }
 
@@ -275,19 +299,23 @@ public final class ClassDemo {
         @Override
         public List<String> commands() {
             return IntStream.range(0, students)
-                    .mapToObj(i -> command(phone(i), host, programs))
+                    .mapToObj(i -> command(phone(i), hosts.get(0), programs))
                     .toList();
         }
 
         @Override
         public String pattern() {
-            return command("N", host, programs);
+            return command("N", hosts.get(0), programs);
         }
 
         @Override
         public Optional<String> warning() {
-            return settings.address().isLoopbackAddress()
-                    ? Optional.of(CenterTexts.in(settings.language()).of("class.bind"))
+            TextBundle texts = CenterTexts.in(settings.language());
+            if (settings.address().isLoopbackAddress()) {
+                return Optional.of(texts.of("class.bind"));
+            }
+            return hosts.size() > 1
+                    ? Optional.of(texts.of("class.addresses", String.join(", ", hosts)))
                     : Optional.empty();
         }
     }
@@ -299,17 +327,19 @@ public final class ClassDemo {
                 new WindowPlace(screen.x(), screen.y(), screen.width() - column, screen.height()),
                 ProgramWindow.zoomPercent(arguments));
         String zoom = String.valueOf(layout.zoomPercent());
-        programs.startPhone(
-                Redirect.DISCARD,
-                "--end-with-input",
-                "--zoom",
-                zoom,
-                "--window",
-                layout.phone().toString());
+        if (!settings.home().isClosed() || settings.home().numbers().contains(new Msisdn(teacher()))) {
+            List<String> options = List.of(
+                    "--end-with-input",
+                    "--zoom",
+                    zoom,
+                    "--window",
+                    layout.phone().toString());
+            programs.start("simgsm-phone.jar", teacher(), Redirect.DISCARD, options);
+        }
         String recording = recording(LocalDateTime.now()).toString();
         out.print(Event.of("recording")
                         .with("file", recording)
-                        .with("command", "java -jar simrobot.jar --replay " + recording)
+                        .with("command", "java -jar simrobot.jar --replay " + word(recording))
                 + "\n");
         out.flush();
         ChildConsole robots = new ChildConsole(
@@ -341,7 +371,8 @@ public final class ClassDemo {
                         screen.height(),
                         acts,
                         this::view),
-                false);
+                false,
+                numbers().collect(Collectors.toSet()));
         CenterWindow.run(programs.center(), arguments, settings, programs.children(), window, watch);
         printResults();
         return ExitStatus.OK;

@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ThreadLocalRandom;
@@ -120,7 +121,8 @@ public final class WindowedLesson implements LessonActs {
                     CenterSettings.read(arguments),
                     programs.children(),
                     window,
-                    new CenterWindow.Watch(session.centerEvents(), session.trace(), () -> opened.open(place), true));
+                    new CenterWindow.Watch(
+                            session.centerEvents(), session.trace(), () -> opened.open(place), true, Set.of()));
             opened.end();
             return chosen.or(() -> Optional.ofNullable(opened.next));
         } finally {

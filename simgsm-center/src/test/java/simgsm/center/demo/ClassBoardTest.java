@@ -51,6 +51,18 @@ class ClassBoardTest {
     }
 
     @Test
+    void whoHasPlayedStandsBeforeWhoIsAbsent() {
+        board.start(0);
+        event(1, "keys robot=b keys=5");
+        event(2, "status robot=b value=Collision");
+        assertEquals("101", first().get(0));
+        board.start(3_000_000_000L);
+        assertEquals("100", first().get(0));
+        event(4, "sms robot=b from=101 text=x");
+        assertEquals("101", first().get(0));
+    }
+
+    @Test
     void theFasterOneIsFirstThenTheOneWithFewerCollisions() {
         event(1, "status robot=a value=Collision");
         assertEquals("101", first().get(0));
