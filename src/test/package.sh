@@ -12,7 +12,7 @@ demo= cells= server= manager= watch=
 finish() {
     for process in $demo $cells $watch $manager $server; do kill "$process" 2>/dev/null || true; done
     wait
-    rm -rf "$place"
+    rm -rf "$place" "$place.log"
 }
 trap finish EXIT
 fail() { echo "package: $*" >&2; exit 1; }
@@ -64,5 +64,4 @@ demo= cells=
 installer --remove simgsm
 left=$(find "$place" -path "*/var/lib/dpkg" -prune -o -type f -path "*/usr/*" -print | head -5)
 [ -z "$left" ] || fail "removed, but there is still $left"
-rm -f "$place.log"
 echo "package: $(basename "$package") installs, starts, is grouped by its menu entries, and is removed"

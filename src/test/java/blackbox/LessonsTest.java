@@ -60,6 +60,20 @@ class LessonsTest {
         assertTrue(run.output().contains("result=fail"), run.output());
     }
 
+    @Test
+    void triesOfOneValueOrOfARefusedOneAreNoDifferentOnes() throws Exception {
+        FinishedProgram run = FinishedProgram.run("simgsm-center", "--lesson", "break-it", "--check", "wrong");
+        assertTrue(run.output().contains("check step=tried result=fail"), run.output());
+    }
+
+    @Test
+    void anotherProcessThanTheStudentsOwnIsNotIt() throws Exception {
+        FinishedProgram run =
+                FinishedProgram.run("simgsm-center", "--lesson", "your-first-behaviour", "--check", "wrong");
+        assertTrue(run.output().contains("check step=compiled result=pass"), run.output());
+        assertTrue(run.output().contains("check step=behaviour result=fail"), run.output());
+    }
+
     private static Matcher score(FinishedProgram run) {
         String last = run.output().lines().reduce("", (first, second) -> second);
         Matcher score = SCORE.matcher(last);
@@ -118,6 +132,18 @@ class LessonsTest {
         try (Stream<Path> left = Files.list(temporary)) {
             assertEquals(List.of(), left.toList());
         }
+    }
+
+    @Test
+    void aSolutionUsesFilesBesideItAlone(@TempDir Path folder) throws Exception {
+        Path solution = Files.write(folder.resolve("mine.txt"), List.of("use ../secret.txt"));
+        FinishedProgram run = FinishedProgram.run(
+                "simgsm-center", "--lesson", "break-it", "--check", solution.toString(), "--lang", "en");
+        assertEquals(1, run.status(), run.output() + run.error());
+        assertTrue(
+                run.error()
+                        .contains("line 1: use: expected the name of a file beside the solution, found ../secret.txt"),
+                run.error());
     }
 
     @Test

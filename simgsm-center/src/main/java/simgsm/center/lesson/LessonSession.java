@@ -38,9 +38,12 @@ final class LessonSession implements AutoCloseable {
     private static final double START_SECONDS = 60;
 
     private static final double WAIT_SECONDS = 20;
+    private static final double MOST_WAIT_SECONDS = 600;
     private static final int END_SECONDS = 10;
 
     private static final String CENTRE = "centre";
+    /** Fields of a tool's event for conditions alone. */
+    private static final Set<String> UNTOLD = Set.of("output", "status", LessonTools.OPTIONS);
 
     private final LessonRun run;
     private final DemoPrograms programs;
@@ -51,6 +54,8 @@ final class LessonSession implements AutoCloseable {
     private final Map<String, ChildConsole> consoles = new ConcurrentHashMap<>();
     private final Queue<String> told = new ConcurrentLinkedQueue<>();
     private final Map<String, Integer> atPorts = new ConcurrentHashMap<>();
+    /** Whether a tool has failed since the action began. */
+    private boolean hasFailed;
 
     /**
      * @param folder in which tools run and files are handed in
@@ -222,11 +227,12 @@ final class LessonSession implements AutoCloseable {
 
     /** What a tool has found, for the student and for the conditions. */
     private void tell(Event event) {
+        hasFailed |= !event.fields().getOrDefault("status", "0").equals("0");
         boolean isWordy = event.name().equals("pdu")
                 || !event.fields().getOrDefault("status", "0").equals("0");
         StringBuilder line = new StringBuilder(event.name());
         event.fields().forEach((key, value) -> {
-            if (isWordy ? key.equals("output") : !key.equals("output") && !key.equals("status")) {
+            if (isWordy ? key.equals("output") : !UNTOLD.contains(key)) {
                 line.append(isWordy ? ": " : " " + key + " ").append(value);
             }
         });
@@ -301,7 +307,11 @@ final class LessonSession implements AutoCloseable {
                 .orElseThrow(() -> new LessonFailure("expected an action of the lesson, found " + parts[0]));
         String input = parts.length == 2 ? parts[1].replace('\\', '/') : "";
         String name = input.substring(input.lastIndexOf('/') + 1).replaceFirst("[.][a-z]+$", "");
+        hasFailed = false;
         for (String line : action.lines()) {
+            if (hasFailed) {
+                return; // what follows would work on the files of an earlier try
+            }
             // The input comes last: a name in braces in it would be replaced by what the student has to find.
             perform(replaced(line, true).replace("{input}", input).replace("{name}", name));
         }
@@ -333,6 +343,9 @@ final class LessonSession implements AutoCloseable {
         String last = words.isEmpty() ? "" : words.get(words.size() - 1);
         if (last.matches("[0-9]+(\\.[0-9]+)?")) {
             seconds = Double.parseDouble(last);
+            if (seconds > MOST_WAIT_SECONDS) {
+                throw new LessonFailure("wait: expected at most " + (int) MOST_WAIT_SECONDS + " s, found " + last);
+            }
             words.remove(words.size() - 1);
         }
         if (words.isEmpty()) {

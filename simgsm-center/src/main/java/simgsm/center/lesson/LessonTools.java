@@ -19,6 +19,9 @@ final class LessonTools {
     /** Octets of a tool's output that are kept. */
     static final int MOST_OUTPUT = 1 << 20;
 
+    /** Field of a tool's event: what the tool was told. */
+    static final String OPTIONS = "options";
+
     private final ChildPrograms programs;
     private final Path folder;
 
@@ -36,14 +39,15 @@ final class LessonTools {
     }
 
     /**
-     * A tool of {@code simgsm-modem.jar}: an event with the tool's name, {@code status} and {@code output}; for {@code
-     * decode} also {@code keys} and {@code count}.
+     * A tool of {@code simgsm-modem.jar}: an event with the tool's name, {@code status}, {@code output} and {@code options},
+     * the words after its name; for {@code decode} also {@code keys} and {@code count}.
      */
     Event tool(List<String> words) throws IOException, InterruptedException {
         Printed printed = jar("simgsm-modem.jar", words);
         Event event = Event.of(words.get(0))
                 .with("status", printed.status())
-                .with("output", printed.output().strip());
+                .with("output", printed.output().strip())
+                .with(OPTIONS, String.join(" ", words.subList(1, words.size())));
         if (words.get(0).equals("decode")) {
             String[] columns = printed.output().lines().findFirst().orElse("").split("\t", -1);
             String keys = columns.length > 1 ? columns[1] : "";

@@ -63,8 +63,12 @@ record Solution(
         }
         String wanted = text.substring("use ".length()).strip();
         try {
-            session.handIn(Path.of(wanted).getFileName().toString(), beside(wanted));
-        } catch (IOException | LessonException e) {
+            Path file = Path.of(wanted);
+            if (!file.equals(file.getFileName()) || wanted.equals("..")) {
+                throw new LessonFailure("use: expected the name of a file beside the solution, found " + wanted);
+            }
+            session.handIn(wanted, beside(wanted));
+        } catch (IOException | LessonException | IllegalArgumentException e) {
             throw new LessonFailure("use: " + e.getMessage());
         }
     }

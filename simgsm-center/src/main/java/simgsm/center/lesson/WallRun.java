@@ -37,7 +37,7 @@ final class WallRun {
      * Runs a process of the lesson's folder for 60 s.
      *
      * @param process its name
-     * @return an event {@code drive status= output= travelled= collisions= near= far=}: metres, and the percentages of the
+     * @return an event {@code drive status= output= name= travelled= collisions= near= far=}: metres, and percentages of the
      *     time, after the first 15 s, in which the robot's middle is less than 0.4 m and more than 0.8 m from every wall
      */
     static Event run(LessonTools tools, Path folder, String process, String world)
@@ -58,7 +58,10 @@ final class WallRun {
                         SECONDS,
                         "--track",
                         TRACK));
-        Event event = Event.of("drive").with("status", printed.status()).with("output", printed.lastLine());
+        Event event = Event.of("drive")
+                .with("status", printed.status())
+                .with("output", printed.lastLine())
+                .with("name", process);
         Path track = folder.resolve(TRACK);
         if (printed.status() != 0 || !Files.exists(track)) {
             return event;

@@ -1,6 +1,7 @@
 package simgsm.lesson;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * One condition of a step.
@@ -8,9 +9,15 @@ import java.util.List;
  * @param patterns events that have to come in this order
  * @param least how often the first must come; only with a single pattern
  * @param most how often it may come at most; without a limit for a condition that must come true
+ * @param different the field by whose values events are told apart: each value counts once; empty where all events count
  */
-public record LessonCondition(List<EventPattern> patterns, int least, int most) {
+public record LessonCondition(List<EventPattern> patterns, int least, int most, Optional<String> different) {
     static final int NO_LIMIT = Integer.MAX_VALUE;
+
+    /** These events in this order. */
+    static LessonCondition inOrder(List<EventPattern> patterns) {
+        return new LessonCondition(patterns, 1, NO_LIMIT, Optional.empty());
+    }
 
     /** Whether it only limits a number, so that it is true until too many events have come. */
     boolean isLimit() {

@@ -22,6 +22,9 @@ public final class LessonLibrary {
     private static final String PLACE = "/lessons/";
     private static final String LESSON = "lesson.txt";
     private static final String INDEX = "index.txt";
+    /** Of a file of a lesson; the longest of the suite has a hundredth of it. */
+    private static final long MOST_OCTETS = 1 << 20;
+
     private static final LessonLibrary SUITE =
             new LessonLibrary(LessonReader.list(resource(INDEX).orElse("")), Optional.empty(), List.of());
 
@@ -105,6 +108,9 @@ public final class LessonLibrary {
                 throw new LessonException(
                         index + ": expected names of " + String.join(", ", found) + ", found " + name);
             }
+            if (names.indexOf(name) != names.lastIndexOf(name)) {
+                throw new LessonException(index + ": expected each name once, found " + name + " for the second time");
+            }
         }
         found.stream().filter(name -> !names.contains(name)).forEach(names::add);
         return names;
@@ -169,7 +175,9 @@ public final class LessonLibrary {
     /** A file of a lesson's folder as it is. */
     public byte[] octets(String name, String file) throws LessonException, IOException {
         if (own.contains(name)) {
-            return Files.readAllBytes(folder.orElseThrow().resolve(name).resolve(file));
+            Path path = folder.orElseThrow().resolve(name).resolve(file);
+            requireSmall(path);
+            return Files.readAllBytes(path);
         }
         return text(name, file).getBytes(StandardCharsets.UTF_8);
     }
@@ -187,9 +195,17 @@ public final class LessonLibrary {
         return Files.isRegularFile(path) ? Optional.of(text(path)) : Optional.empty();
     }
 
+    private static void requireSmall(Path file) throws LessonException, IOException {
+        long octets = FileErrors.naming(file, () -> Files.size(file));
+        if (octets > MOST_OCTETS) {
+            throw new LessonException(file + ": expected at most " + MOST_OCTETS + " octets, found " + octets);
+        }
+    }
+
     /** A text file in UTF-8, as editors on any system write it. */
     private static String text(Path file) throws LessonException {
         try {
+            requireSmall(file);
             return Utf8Text.read(file).replace("\r\n", "\n");
         } catch (IOException e) {
             throw new LessonException(FileErrors.describe(e));

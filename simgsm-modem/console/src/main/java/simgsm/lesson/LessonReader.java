@@ -15,8 +15,20 @@ final class LessonReader {
 
     /** Words with a meaning of their own where programs are named. */
     private static final Set<String> TAKEN = Set.of(
-            "predict", "answer", "start", "stop", "tool", "java", "drive", "capture", "give", "use", "at", "submit",
-            "act");
+            "predict",
+            "answer",
+            "start",
+            "stop",
+            "tool",
+            "java",
+            "drive",
+            "capture",
+            "give",
+            "use",
+            "at",
+            "submit",
+            "act",
+            "different");
 
     private static final Set<String> SOURCES = Set.of("centre", "trace", "tool", LessonRun.STUDENT);
     private static final List<String> PROGRAMS = List.of("simgsm-phone", "simrobot", "simgsm-cells");
@@ -111,7 +123,7 @@ final class LessonReader {
             case "centre" -> center(words);
             case "program" -> program(words, false);
             case "later" -> program(words, true);
-            case "closed" -> closed.addAll(words);
+            case "closed" -> closed(words);
             case "capture" -> captured = true;
             case "draw" -> draw(words);
             case "let" -> let(words);
@@ -126,11 +138,18 @@ final class LessonReader {
             case "after" -> after = Optional.of(known(inStep(one(words, "a step's name"))));
             case "again" -> again = Optional.of(pattern(rest));
             case "answer" -> answer = Optional.of(inStep(one(words, "a name")));
-            case "when" -> conditions.add(new LessonCondition(List.of(pattern(rest)), 1, LessonCondition.NO_LIMIT));
+            case "when" -> conditions.add(LessonCondition.inOrder(List.of(pattern(rest))));
             case "then" -> then(rest);
             case "at-least" -> conditions.add(counted(rest, true));
             case "at-most" -> conditions.add(counted(rest, false));
             default -> throw new LessonException("expected one of " + String.join(", ", WORDS) + "; found " + parts[0]);
+        }
+    }
+
+    private void closed(List<String> words) throws LessonException {
+        for (String word : words) {
+            require(word.matches("[0-9]{1,15}"), "numbers of 1 to 15 digits", word);
+            closed.add(word);
         }
     }
 
@@ -240,6 +259,7 @@ final class LessonReader {
         if (actions.isEmpty()) {
             throw new LessonException("expected action NAME before do");
         }
+        require(!line.equals("act") && !line.startsWith("act "), "a line that is no action itself", line);
         LessonAction last = actions.remove(actions.size() - 1);
         List<String> lines = new ArrayList<>(last.lines());
         lines.add(line);
@@ -303,24 +323,31 @@ final class LessonReader {
     private void then(String text) throws LessonException {
         EventPattern next = pattern(text);
         LessonCondition last = conditions.isEmpty() ? null : conditions.remove(conditions.size() - 1);
-        if (last == null || last.least() != 1 || last.isLimit()) {
+        if (last == null
+                || last.least() != 1
+                || last.isLimit()
+                || last.different().isPresent()) {
             throw new LessonException("expected when before then");
         }
         List<EventPattern> chain = new ArrayList<>(last.patterns());
         chain.add(next);
-        conditions.add(new LessonCondition(List.copyOf(chain), 1, LessonCondition.NO_LIMIT));
+        conditions.add(LessonCondition.inOrder(List.copyOf(chain)));
     }
 
+    /** {@code N [different FIELD] SOURCE EVENT [TEST]...}. */
     private LessonCondition counted(String text, boolean isLeast) throws LessonException {
         String[] parts = text.split("\\s+", 2);
         if (parts.length < 2) {
             throw new LessonException("expected a number and SOURCE EVENT [TEST]...");
         }
         int count = number(parts[0], 0, 99_999);
-        List<EventPattern> patterns = List.of(pattern(parts[1]));
+        String[] apart = parts[1].split("\\s+", 3);
+        boolean isDifferent = apart[0].equals("different") && apart.length == 3;
+        List<EventPattern> patterns = List.of(pattern(isDifferent ? apart[2] : parts[1]));
+        Optional<String> different = isDifferent ? Optional.of(apart[1]) : Optional.empty();
         return isLeast
-                ? new LessonCondition(patterns, count, LessonCondition.NO_LIMIT)
-                : new LessonCondition(patterns, 0, count);
+                ? new LessonCondition(patterns, count, LessonCondition.NO_LIMIT, different)
+                : new LessonCondition(patterns, 0, count, different);
     }
 
     private void endStep() throws LessonException {

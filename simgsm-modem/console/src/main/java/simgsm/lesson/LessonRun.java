@@ -3,10 +3,13 @@ package simgsm.lesson;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import simgsm.console.Event;
 
 /** One student's way through a lesson: events come in, steps become done. One thread at a time. */
@@ -118,6 +121,8 @@ public final class LessonRun {
         private final LessonStep step;
         /** By condition: matched patterns of a chain, or counted events. */
         private final int[] counts;
+        /** By condition: the values that have been counted. */
+        private final Map<LessonCondition, Set<String>> values = new HashMap<>();
 
         private boolean isDone;
 
@@ -134,6 +139,7 @@ public final class LessonRun {
                     .filter(each -> each.matches(source, event, LessonRun.this::solved))
                     .isPresent()) {
                 Arrays.fill(counts, 0);
+                values.clear();
             }
             count(source, event);
             isDone = areAllMet();
@@ -144,10 +150,20 @@ public final class LessonRun {
                 LessonCondition condition = step.conditions().get(i);
                 List<EventPattern> chain = condition.patterns();
                 int next = chain.size() == 1 ? 0 : counts[i];
-                if (next < chain.size() && chain.get(next).matches(source, event, LessonRun.this::solved)) {
+                if (next < chain.size()
+                        && chain.get(next).matches(source, event, LessonRun.this::solved)
+                        && isNew(condition, event)) {
                     counts[i]++;
                 }
             }
+        }
+
+        private boolean isNew(LessonCondition condition, Event event) {
+            return condition
+                    .different()
+                    .map(field -> FieldTest.plain(event.fields().getOrDefault(field, "")))
+                    .map(values.computeIfAbsent(condition, key -> new HashSet<>())::add)
+                    .orElse(true);
         }
 
         /** A step that was done once stays done. */

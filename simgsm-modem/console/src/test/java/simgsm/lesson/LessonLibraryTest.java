@@ -124,6 +124,15 @@ class LessonLibraryTest {
                 mine.resolve("en.txt") + ", line 6: expected a key of title, task, predict, question, step on, hint on;"
                         + " found hint off",
                 () -> library.texts(lesson, Locale.ENGLISH));
+        own(folder, "mine", OWN + "#".repeat(1 << 20), TEXTS);
+        assertFails(
+                mine.resolve("lesson.txt") + ": expected at most 1048576 octets, found 10",
+                () -> library.lesson("mine"));
+        Files.write(mine.resolve("big.wav"), new byte[1 << 21]);
+        assertFails("big.wav: expected at most 1048576 octets, found 2097152", () -> library.octets("mine", "big.wav"));
+        Files.writeString(folder.resolve("index.txt"), "mine mine");
+        assertFails("index.txt: expected each name once, found mine", () -> LessonLibrary.with(folder));
+        Files.delete(folder.resolve("index.txt"));
         own(folder, "mine", OWN, TEXTS.replace("hint on: Wait\n", ""));
         assertFails(mine.resolve("en.txt") + ": expected hint on: text", () -> library.texts(lesson, Locale.ENGLISH));
         own(folder, "mine", OWN, TEXTS.replace("Look.", "Press {k}."));

@@ -75,6 +75,20 @@ class LessonRunTest {
     }
 
     @Test
+    void eachValueOfADifferentFieldCountsOnce() throws Exception {
+        LessonRun run = run("step a", "again p new", "at-least 2 different key phone tone meaning=done");
+        event(run, "phone", "tone key=3 meaning=done");
+        event(run, "phone", "tone key=3 meaning=done");
+        event(run, "phone", "tone key=4");
+        assertFalse(run.isDone("a"));
+        event(run, "p", "new");
+        event(run, "phone", "tone key=4 meaning=done");
+        assertFalse(run.isDone("a"));
+        event(run, "phone", "tone key=3 meaning=done");
+        assertTrue(run.isDone("a"));
+    }
+
+    @Test
     void aStepThatIsDoneStaysDone() throws Exception {
         LessonRun run = run("step a", "when p end", "at-most 1 p order");
         event(run, "p", "order");
@@ -196,6 +210,8 @@ class LessonRunTest {
                 "draw k from 1 2;step s;when p x n={j} ! line 4: expected in braces one of folder, k, lesson; found j",
                 "let x sum 1 2;step s;when p x ! line 2: expected a function of half-heard, high, low",
                 "let x low;step s;when p x ! line 2: expected low with 1 arguments; found 0",
+                "action a;do act a;step s;when p x ! line 3: expected a line that is no action itself; found act a",
+                "closed 55x;step s;when p x ! line 2: expected numbers of 1 to 15 digits; found 55x",
                 "action a;action a;step s;when p x ! line 3: expected an action's name once; found a"
             })
     void eachFaultIsNamedWithItsLine(String lines, String expected) {

@@ -121,7 +121,9 @@ public final class LessonPanel extends JPanel {
         int at = all.indexOf(lesson.name());
         JButton previous = other("lesson.previous", at > 0 ? all.get(at - 1) : "");
         JButton next = other("lesson.next", at >= 0 && at + 1 < all.size() ? all.get(at + 1) : "");
-        return Arrange.column(Theme.HALF, title, Arrange.row(Theme.HALF, previous, next, Arrange.spring()), about);
+        JButton again = other("lesson.again", lesson.name());
+        return Arrange.column(
+                Theme.HALF, title, Arrange.row(Theme.HALF, previous, next, Arrange.spring(), again), about);
     }
 
     private JButton other(String key, String name) {

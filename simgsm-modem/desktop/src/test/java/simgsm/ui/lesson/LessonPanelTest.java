@@ -93,6 +93,14 @@ class LessonPanelTest {
                 "");
     }
 
+    @Test
+    void aLessonCanBeBegunAgain() throws Exception {
+        JButton again = (JButton)
+                ComponentNames.find(panel("twelve-keys", "es"), "lesson.again").orElseThrow();
+        again.doClick();
+        assertEquals(List.of("open twelve-keys"), done);
+    }
+
     static Stream<String> names() {
         return LessonLibrary.ofSuite().names().stream();
     }
