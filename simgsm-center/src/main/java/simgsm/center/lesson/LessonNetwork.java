@@ -30,6 +30,17 @@ final class LessonNetwork {
         return Files.createTempDirectory("simgsm-lesson");
     }
 
+    /** @throws UsageException naming the lesson where an option of its centre is wrong */
+    private static CenterSettings settings(Lesson lesson, Arguments own) throws IOException, UsageException {
+        try {
+            return CenterSettings.read(own);
+        } catch (UsageException e) {
+            boolean isLessons =
+                    lesson.center().keySet().stream().anyMatch(option -> e.getMessage().startsWith("--" + option + ":"));
+            throw isLessons ? new UsageException(lesson.name() + ": centre " + e.getMessage()) : e;
+        }
+    }
+
     /** Opens the centre of a lesson; nothing is started. */
     static DemoPrograms open(Lesson lesson, Path folder, Arguments arguments) throws IOException, UsageException {
         // The seed is that of the student's numbers; with it all phones would be one equipment. The user's own network
@@ -60,7 +71,7 @@ final class LessonNetwork {
         if (lesson.isCaptured()) {
             own = own.with("capture", folder.resolve(CAPTURE).toString());
         }
-        DemoPrograms programs = DemoPrograms.open(own, CenterSettings.read(own));
+        DemoPrograms programs = DemoPrograms.open(own, settings(lesson, own));
         programs.removeAtEnd(folder);
         return programs;
     }
