@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JOptionPane;
+import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.ui.window.SaveDialog;
 
@@ -41,7 +42,7 @@ final class LadderSaving {
         } catch (IOException e) {
             JOptionPane.showMessageDialog(
                     owner,
-                    texts.of("window.ladder.save.failed", String.valueOf(file), e.getMessage()),
+                    texts.of("window.ladder.save.failed", Program.describe(e)),
                     texts.of("window.ladder.save.title"),
                     JOptionPane.WARNING_MESSAGE);
         }

@@ -20,6 +20,7 @@ import javax.swing.JTextArea;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.DefaultTableModel;
+import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
@@ -211,7 +212,7 @@ public final class ClassPanel extends JPanel {
         try {
             frames.save(this, csv());
         } catch (IOException e) {
-            tell(words.of("class.save.failed", "class.csv", String.valueOf(e.getMessage())));
+            tell(words.of("class.save.failed", Program.describe(e)));
         }
     }
 

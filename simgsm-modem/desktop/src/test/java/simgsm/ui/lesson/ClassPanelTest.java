@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -79,6 +81,25 @@ class ClassPanelTest {
         JTextArea large = (JTextArea)
                 ComponentNames.find(panel.large(), "class.large.text").orElseThrow();
         assertTrue(large.getText().endsWith("5550101 drives robot 5550200"), large.getText());
+    }
+
+    @Test
+    void resultsThatCannotBeSavedSayWhereAndWhy() {
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), new ClassPanel.Frames() {
+            @Override
+            public void save(Component owner, String csv) throws IOException {
+                throw new AccessDeniedException("results.csv");
+            }
+
+            @Override
+            public void openLarge(Component beside, String title, JComponent content) {}
+        });
+        ((AbstractButton) ComponentNames.find(panel, "class.save").orElseThrow()).doClick();
+        Component notice = ComponentNames.find(panel, "class.notice").orElseThrow();
+        assertTrue(notice.isVisible());
+        assertEquals(
+                "Not saved: results.csv: access denied",
+                notice.getAccessibleContext().getAccessibleName());
     }
 
     private static String text(ClassPanel panel, String name) {
