@@ -397,6 +397,16 @@ class MonitorPanelTest {
     }
 
     @Test
+    void theContentOfAChannelIsNamed() {
+        JLabel name = find("broadcast.channel.name", JLabel.class);
+        assertEquals("area names", name.getText());
+        find("broadcast.channel", JSpinner.class).setValue(4370);
+        assertEquals("public warnings", name.getText());
+        find("broadcast.channel", JSpinner.class).setValue(6400);
+        assertEquals("", name.getText());
+    }
+
+    @Test
     void aBroadcastIsSentOnItsChannelAndTheTextGoesAway() {
         find("broadcast.channel", JSpinner.class).setValue(221);
         find("broadcast.text", JTextArea.class).setText("The robot moves.");

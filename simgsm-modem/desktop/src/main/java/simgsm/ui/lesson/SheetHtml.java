@@ -1,5 +1,6 @@
 package simgsm.ui.lesson;
 
+import java.awt.Font;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -15,10 +16,15 @@ final class SheetHtml {
         this.headColor = headColor;
     }
 
-    /** @param headColor background of the first row of tables, as {@code #rrggbb} */
-    static String of(String markdown, String headColor) {
+    /**
+     * @param headColor background of the first row of tables, as {@code #rrggbb}
+     * @param textColor likewise
+     */
+    static String of(String markdown, String headColor, String textColor, Font font) {
         SheetHtml sheet = new SheetHtml(headColor);
-        sheet.html.append("<html><body style='margin:0'>");
+        sheet.html
+                .append("<html><body style='margin:0; color:" + textColor + "; font-family:" + font.getFamily())
+                .append("; font-size:" + font.getSize() + "pt'>");
         markdown.lines().forEach(sheet::line);
         sheet.end();
         return sheet.html.append("</body></html>").toString();

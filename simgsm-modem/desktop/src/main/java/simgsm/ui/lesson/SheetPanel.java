@@ -1,7 +1,6 @@
 package simgsm.ui.lesson;
 
 import java.awt.BorderLayout;
-import java.awt.Color;
 import java.awt.KeyboardFocusManager;
 import javax.swing.JEditorPane;
 import javax.swing.JPanel;
@@ -13,10 +12,14 @@ import simgsm.ui.Theme;
 
 /** A teacher's sheet of a lesson: time, course, steps, answers, what goes wrong. Needs no display. */
 public final class SheetPanel extends JPanel {
+    private final String markdown;
+    private final JEditorPane text;
+
     /** @param markdown the sheet; @param name of what is shown, for assistive technology */
     public SheetPanel(String markdown, String name) {
         super(new BorderLayout());
-        JEditorPane text = new JEditorPane() {
+        this.markdown = markdown;
+        text = new JEditorPane() {
             @Override
             public void updateUI() {
                 super.updateUI();
@@ -32,9 +35,7 @@ public final class SheetPanel extends JPanel {
         text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         text.updateUI();
-        Color head = Theme.color(Ink.ACCENT_WASH);
-        text.setText(SheetHtml.of(markdown, String.format("#%06x", head.getRGB() & 0xffffff)));
-        text.setCaretPosition(0);
+        fill();
         text.setBorder(Theme.padding(12));
         JScrollPane scroll = new JScrollPane(ComponentNames.name(text, "sheet.text", name));
         scroll.setBorder(null);
@@ -43,5 +44,24 @@ public final class SheetPanel extends JPanel {
         scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         add(scroll, BorderLayout.CENTER);
         setBackground(Theme.color(Ink.SURFACE));
+    }
+
+    /** The colours of HTML are in its text. */
+    private void fill() {
+        text.setText(SheetHtml.of(markdown, css(Ink.ACCENT_WASH), css(Ink.TEXT), GlossaryText.font(false)));
+        text.setCaretPosition(0);
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (text != null) {
+            setBackground(Theme.color(Ink.SURFACE));
+            fill();
+        }
+    }
+
+    private static String css(Ink ink) {
+        return String.format("#%06x", Theme.color(ink).getRGB() & 0xffffff);
     }
 }
