@@ -153,8 +153,8 @@ final class DedicatedChannel {
     private void modeModified(boolean isDone) {
         if (isChangingMode && machine.state() == ChannelState.ACTIVE) {
             isChangingMode = false;
-            isForSpeech = isDone;
-            user.modeModified(this, isDone);
+            // A call that has waited too long for it has ended, and made no path for its speech.
+            isForSpeech = user.modeModified(this, isDone) && isDone;
         }
     }
 

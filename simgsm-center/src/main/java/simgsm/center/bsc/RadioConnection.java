@@ -183,11 +183,9 @@ final class RadioConnection {
         }
     }
 
-    /** The tower has answered MODE MODIFY REQUEST. */
-    void modeModified(DedicatedChannel of, boolean isDone) {
-        if (of == channel) {
-            machine.fire(isDone ? ConnectionEvent.CHANNEL_ACTIVE : ConnectionEvent.MODE_REFUSED);
-        }
+    /** The tower has answered MODE MODIFY REQUEST. @return false if it is too late */
+    boolean modeModified(DedicatedChannel of, boolean isDone) {
+        return of == channel && machine.fire(isDone ? ConnectionEvent.CHANNEL_ACTIVE : ConnectionEvent.MODE_REFUSED);
     }
 
     /** A channel has no speech: a call that needs it ends, as soon as the mobile is there. */

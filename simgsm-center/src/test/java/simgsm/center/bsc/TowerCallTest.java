@@ -90,6 +90,23 @@ class TowerCallTest extends TowerCalls {
         assertEquals("832502e0a2", lastLayer3());
     }
 
+    @Test
+    void aTowerThatChangesTheModeTooLateIsAskedAgainForTheNextCall() {
+        String channel = dialOnATrafficChannel();
+        west.tell(channel, "0617" + channel + "406401");
+        stage.passMillis(5_000);
+        west.up("082a 01" + channel);
+        west.tell(channel, "0524 71 03331981 05f4" + caller);
+        west.tell(channel, "036d");
+        west.received.clear();
+
+        west.tell(channel, "1305 0406600402000581 5e0581550502f0");
+
+        assertTrue(
+                west.received.stream().anyMatch(message -> message.toString().contains("0610" + channel + "406401")),
+                west.received.toString());
+    }
+
     private String lastLayer3() {
         String last = "";
         while (west.received.stream().anyMatch(message -> message.toString().startsWith("0301"))) {
