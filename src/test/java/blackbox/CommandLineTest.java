@@ -212,6 +212,7 @@ class CommandLineTest {
                 "simgsm-phone|--theme=x",
                 "simrobot|--window=x",
                 "simrobot|--robots=all;--robot=a=1",
+                "simrobot|--replay-from=5",
                 "simgsm-center|--bind=",
                 "simgsm-phone|--data=",
                 "simrobot|--world=worlds/empty.map;--record=worlds/empty.map"

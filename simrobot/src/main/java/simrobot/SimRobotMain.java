@@ -75,6 +75,9 @@ public final class SimRobotMain {
     private static int run(Arguments given) throws Exception {
         boolean hasWindow = Stream.of(WINDOWLESS).noneMatch(given::has);
         Arguments arguments = hasWindow ? WindowMemory.recall(given, "robot") : given;
+        if (arguments.has("replay-from") && (!arguments.has("replay") || !hasWindow)) {
+            throw new UsageException("--replay-from: expected with --replay FILE, in a window");
+        }
         if (arguments.has("replay")) {
             return replay(arguments);
         }
