@@ -35,8 +35,8 @@ final class LessonNetwork {
         try {
             return CenterSettings.read(own);
         } catch (UsageException e) {
-            boolean isLessons =
-                    lesson.center().keySet().stream().anyMatch(option -> e.getMessage().startsWith("--" + option + ":"));
+            boolean isLessons = lesson.center().keySet().stream()
+                    .anyMatch(option -> e.getMessage().startsWith("--" + option + ":"));
             throw isLessons ? new UsageException(lesson.name() + ": centre " + e.getMessage()) : e;
         }
     }
