@@ -12,7 +12,7 @@ import java.util.Map;
  */
 final class AnswerLimit {
     /** Answers to one sender within {@link #MINUTE_NANOS}; after them the sender is not answered for as long. */
-    static final int MAX_ANSWERS = 30;
+    static final int MAX_ANSWERS = 300;
 
     static final long MINUTE_NANOS = 60_000_000_000L;
 

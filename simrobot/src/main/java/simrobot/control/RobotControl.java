@@ -199,7 +199,7 @@ final class RobotControl {
         public void senderSilenced(String from) {
             LOG.log(
                     Level.WARNING,
-                    robot.name() + ": more than 30 SMS without a valid order within 60 s from " + from
+                    robot.name() + ": too many SMS without a valid order from " + from
                             + ", for a minute such ones get no reply");
         }
 
