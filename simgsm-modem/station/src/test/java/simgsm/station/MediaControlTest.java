@@ -2,6 +2,8 @@ package simgsm.station;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simgsm.abis.IpaFrame;
@@ -9,6 +11,9 @@ import simgsm.abis.MgcpMessage;
 import simgsm.abis.MgcpMessage.Head;
 import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.air.ProtocolViolation;
+import simgsm.station.context.MobileRadioConnection;
+import simgsm.station.context.StationContext;
+import simgsm.station.context.Uplink;
 
 /** What a station answers to the centre that asks for speech over UDP. */
 class MediaControlTest {
@@ -34,6 +39,33 @@ class MediaControlTest {
 
         assertEquals(Head.DELETED, answer(MgcpMessage.delete(8, "1", "1")).head());
         assertEquals(Optional.empty(), scene.mediaPeer);
+    }
+
+    @Test
+    void speechThatIsLateForTheEndedSocketDoesNotGoWithTheSignalling() {
+        List<IpaFrame> sent = new ArrayList<>();
+        Uplink uplink = new Uplink() {
+            @Override
+            public void send(IpaFrame frame) {
+                sent.add(frame);
+            }
+
+            @Override
+            public void drop() {
+                // Not here.
+            }
+        };
+        MobileRadioConnection radio =
+                StationContext.of(scene.identity, event -> {}, () -> {}).radio();
+        radio.setUplink(uplink);
+        radio.send(IpaFrame.SPEECH, new byte[] {1});
+        assertEquals(1, sent.size(), "without media speech goes with the signalling");
+        radio.closeMedia();
+        radio.send(IpaFrame.SPEECH, new byte[] {2});
+        assertEquals(1, sent.size(), "late speech");
+        radio.openMedia(CENTER);
+        radio.send(IpaFrame.SPEECH, new byte[] {3});
+        assertEquals(2, sent.size(), "the next call's");
     }
 
     @Test

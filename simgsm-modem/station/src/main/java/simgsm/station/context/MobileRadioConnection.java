@@ -21,6 +21,8 @@ public final class MobileRadioConnection {
     private final StationLog log;
     private Uplink uplink = Uplink.DISCONNECTED;
     private boolean open;
+    /** Whether the centre has ended the media: the call it was for ends, and its last speech has no place to go. */
+    private boolean isMediaEnded;
     /** N(SD) of the next message that carries one (TS 24.007, 11.2.3.2.3). */
     private int sendSequence;
 
@@ -32,6 +34,7 @@ public final class MobileRadioConnection {
     public void setUplink(Uplink newUplink) {
         uplink = newUplink;
         open = false;
+        isMediaEnded = false;
     }
 
     public boolean isOpen() {
@@ -46,15 +49,21 @@ public final class MobileRadioConnection {
         open = true;
     }
 
-    /** Sends a frame on a stream that needs no radio connection; speech by the media that is open, if there is. */
+    /**
+     * Sends a frame on a stream that needs no radio connection; speech by the media that is open, if there is, and not at all
+     * once the centre has ended the media.
+     */
     public void send(int stream, byte[] payload) {
-        if (stream != IpaFrame.SPEECH || !uplink.sendMedia(payload)) {
-            uplink.send(new IpaFrame(stream, payload));
+        boolean isSpeech = stream == IpaFrame.SPEECH;
+        if (isSpeech && (isMediaEnded || uplink.sendMedia(payload))) {
+            return;
         }
+        uplink.send(new IpaFrame(stream, payload));
     }
 
     /** Opens media towards the centre. @return where it is received; empty if that is not possible */
     public Optional<MediaAddress> openMedia(MediaAddress center) {
+        isMediaEnded = false;
         Optional<MediaAddress> own = uplink.openMedia();
         if (own.isPresent() && !uplink.connectMedia(center)) {
             uplink.closeMedia();
@@ -64,6 +73,7 @@ public final class MobileRadioConnection {
     }
 
     public void closeMedia() {
+        isMediaEnded = true;
         uplink.closeMedia();
     }
 
