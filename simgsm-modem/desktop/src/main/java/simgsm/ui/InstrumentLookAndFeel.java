@@ -81,6 +81,8 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         put("TextArea.caretForeground", Ink.ACCENT);
         put("ToolTip.background", Ink.CARD);
         for (String item : List.of("Menu", "MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem")) {
+            put(item + "[Enabled].textForeground", Ink.TEXT);
+            put(item + "[Disabled].textForeground", Ink.DISABLED);
             put(item + "[MouseOver].textForeground", Ink.TEXT);
             put(item + "[MouseOver]:MenuItemAccelerator.textForeground", Ink.QUIET);
             put(item + ":MenuItemAccelerator.textForeground", Ink.QUIET);
@@ -89,6 +91,8 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         put("MenuBar:Menu[Enabled].textForeground", Ink.TEXT);
         put("MenuBar:Menu[Disabled].textForeground", Ink.DISABLED);
         put("MenuBar:Menu[Selected].textForeground", Ink.TEXT);
+        put("CheckBoxMenuItem[Enabled+Selected].textForeground", Ink.TEXT);
+        put("RadioButtonMenuItem[Enabled+Selected].textForeground", Ink.TEXT);
         put("CheckBoxMenuItem[MouseOver+Selected].textForeground", Ink.TEXT);
         put("RadioButtonMenuItem[MouseOver+Selected].textForeground", Ink.TEXT);
         put("Button[Default].textForeground", Ink.ON_ACCENT);

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.awt.event.ActionEvent;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import javax.swing.Action;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -196,5 +197,15 @@ class ThemeTest {
         open[0] = false;
         toEnd.actionPerformed(new ActionEvent(box, ActionEvent.ACTION_PERFORMED, ""));
         assertEquals("goto Behind", box.getSelectedItem(), "a closed box shows what it takes");
+    }
+
+    @ParameterizedTest
+    @EnumSource(Appearance.class)
+    void menusCanBeRead(Appearance appearance) {
+        Theme.install(appearance);
+        for (String item : List.of("Menu", "MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem")) {
+            assertEquals(Theme.color(Ink.TEXT), UIManager.getColor(item + "[Enabled].textForeground"), item);
+            assertEquals(Theme.color(Ink.DISABLED), UIManager.getColor(item + "[Disabled].textForeground"), item);
+        }
     }
 }

@@ -21,8 +21,21 @@ import simgsm.ui.Theme;
  */
 final class EventsPanel extends JPanel {
     private final WordsText words;
-    private final JTextArea area = new JTextArea();
+    private final JTextArea area = new Lines();
     private List<HandsetLog.Entry> shown = List.of();
+
+    /** Keeps its place, and has no keymap, so that a typed digit goes on to the phone: a new look brings both anew. */
+    private static final class Lines extends JTextArea {
+        @Override
+        public void updateUI() {
+            int place = getCaret() == null ? 0 : getCaretPosition();
+            super.updateUI();
+            setKeymap(null);
+            if (place > 0) {
+                setCaretPosition(place);
+            }
+        }
+    }
 
     EventsPanel(TextBundle texts, WordsText words) {
         super(new BorderLayout());
@@ -33,8 +46,6 @@ final class EventsPanel extends JPanel {
         area.setEditable(false);
         area.setLineWrap(true);
         area.setWrapStyleWord(true);
-        // Without a keymap a typed digit goes on to the phone.
-        area.setKeymap(null);
         for (int key : new int[] {KeyEvent.VK_ENTER, KeyEvent.VK_ESCAPE, KeyEvent.VK_BACK_SPACE}) {
             area.getInputMap().put(KeyStroke.getKeyStroke(key, 0), "none");
         }

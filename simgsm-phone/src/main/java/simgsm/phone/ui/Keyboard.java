@@ -101,12 +101,20 @@ final class Keyboard {
             return;
         }
         char character = text.charAt(0);
+        if ((event.getModifiers() & ActionEvent.ALT_MASK) != 0 && isKeyOfWindow(character)) {
+            return;
+        }
         if (character == down && PhoneKey.ofSymbol(character).isPresent()) {
             return;
         }
         release();
         down = character;
         controls.charDown(character);
+    }
+
+    /** Alt with a letter or digit is a key of the window, such as Alt+2; with it some keyboards write #. */
+    private static boolean isKeyOfWindow(char sign) {
+        return sign < 0x80 && Character.isLetterOrDigit(sign);
     }
 
     private void release() {
@@ -129,14 +137,6 @@ final class Keyboard {
         };
     }
 
-    /** Alt with a letter or digit is a key of the window, such as Alt+2; with it some keyboards write #. */
-    private static boolean isAltKey(KeyStroke stroke) {
-        boolean isPlainAlt = (stroke.getModifiers() & InputEvent.ALT_DOWN_MASK) != 0
-                && (stroke.getModifiers() & InputEvent.ALT_GRAPH_DOWN_MASK) == 0;
-        char sign = stroke.getKeyChar();
-        return isPlainAlt && sign < 0x80 && Character.isLetterOrDigit(sign);
-    }
-
     /**
      * Returns "typed" for every character and "released" for the release of every key without a binding of its own. For keys
      * without a code, such as accented letters, Swing also asks for a stroke without a character, which is ignored.
@@ -150,7 +150,7 @@ final class Keyboard {
             }
             if (stroke.getKeyEventType() == KeyEvent.KEY_TYPED && stroke.getKeyChar() != KeyEvent.CHAR_UNDEFINED) {
                 boolean command = (stroke.getModifiers() & InputEvent.CTRL_DOWN_MASK) != 0;
-                return command || isAltKey(stroke) || Character.isISOControl(stroke.getKeyChar()) ? null : "typed";
+                return command || Character.isISOControl(stroke.getKeyChar()) ? null : "typed";
             }
             return stroke.isOnKeyRelease() ? "released" : null;
         }

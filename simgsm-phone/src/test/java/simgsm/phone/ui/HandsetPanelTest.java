@@ -3,6 +3,7 @@ package simgsm.phone.ui;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -133,7 +134,6 @@ class HandsetPanelTest {
         PanelBench bench = new PanelBench(Locale.ENGLISH);
         BufferedImage light = bench.paint(1);
         Theme.install(Appearance.DARK);
-        Theme.refresh(bench.panel);
         BufferedImage dark = bench.paint(1);
         assertNotEquals(light.getRGB(160, 330), dark.getRGB(160, 330));
         assertEquals(light.getRGB(160, 60), dark.getRGB(160, 60));
@@ -243,6 +243,10 @@ class HandsetPanelTest {
         bench.paint(1);
         JTextArea events = (JTextArea) bench.find("events");
         assertEquals("12:00  heard 6: executing", lastLineOf(events));
+        assertEquals(events.getText().length(), events.getCaretPosition(), "it follows");
+        SwingUtilities.updateComponentTreeUI(bench.panel);
+        assertNull(events.getKeymap(), "digits go on to the phone");
+        assertEquals(events.getText().length(), events.getCaretPosition(), "it still follows");
         bench.bench.farEndPlays('3');
         bench.paint(1);
         assertEquals("12:00  heard 3: executed", lastLineOf(events));
