@@ -23,9 +23,9 @@ release=$(sed -n 's/^JAVA_VERSION="\([0-9]*\).*/\1/p' "$image/runtime/release")
 for program in "$image"/bin/*; do
     name=$(basename "$program")
     alone "$program" --help >/dev/null || fail "$name --help"
-    alone "$program" --version | grep -q " ${image##*-}$" || fail "$name --version"
+    alone "$program" --version | grep " ${image##*-}$" >/dev/null || fail "$name --version"
 done
-alone "$image/bin/simrobot" --print-world --world office.map | grep -q '^line,' || fail "a world of the image"
+alone "$image/bin/simrobot" --print-world --world office.map | grep '^line,' >/dev/null || fail "a world of the image"
 output=$(alone "$image/bin/simgsm" --port 0) || fail "the demo ended with $?: $output"
 grep -q 'sms-sent' <<<"$output" || fail "the demo's transcript lacks its message: $output"
 grep -q 'Todo fue' <<<"$output" || fail "the demo is not in Spanish: $(tail -1 <<<"$output")"
