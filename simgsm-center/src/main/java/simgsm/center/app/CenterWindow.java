@@ -170,7 +170,7 @@ public final class CenterWindow implements CenterActions {
         return chosen;
     }
 
-    /** The next number that has never registered and is nobody's. */
+    /** The next number that has never registered and that the watch has not taken. */
     private String free(AtomicLong next) {
         return center.ask(exchange -> {
             String number = Long.toString(next.getAndIncrement());

@@ -29,7 +29,6 @@ import simgsm.center.app.DataDirectory;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.ExitStatus;
-import simgsm.console.HostPort;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
@@ -47,8 +46,6 @@ import simgsm.ui.window.WindowPlace;
  */
 public final class ClassDemo {
     private static final int MOST_STUDENTS = 30;
-    private static final long FIRST_PHONE = Long.parseLong(DemoPrograms.PHONE_NUMBER);
-    private static final long FIRST_ROBOT = Long.parseLong(DemoPrograms.ROBOT_NUMBER);
     private static final String WORLD = "worlds/office.map";
     /** Of the goal "Exit" in that world, in metres. */
     private static final double GOAL_X = 17.6;
@@ -61,7 +58,7 @@ public final class ClassDemo {
 
     private final Arguments arguments;
     private final CenterSettings settings;
-    private final int students;
+    private final ClassRoll roll;
     private final PrintStream out = Program.standardOutput();
     private final ClassBoard board = new ClassBoard(GOAL_X, GOAL_Y);
     /** Where each robot stood when the class began, as x, y and heading. */
@@ -72,37 +69,20 @@ public final class ClassDemo {
     private Optional<String> notice = Optional.empty();
     private long readyNanos;
 
-    private ClassDemo(Arguments arguments, CenterSettings settings) throws UsageException {
+    private ClassDemo(Arguments arguments, CenterSettings settings) throws UsageException, SocketException {
         this.arguments = arguments;
         this.settings = settings;
-        students = (int) arguments.integer("class", 1, 1, MOST_STUDENTS);
-        for (int i = 0; i < students; i++) {
-            board.add(name(i), phone(i), robot(i));
+        roll = new ClassRoll((int) arguments.integer("class", 1, 1, MOST_STUDENTS), settings);
+        for (int i = 0; i < roll.students(); i++) {
+            board.add(roll.name(i), roll.phone(i), roll.robot(i));
         }
-    }
-
-    private static String name(int student) {
-        return "robot" + (student + 1);
-    }
-
-    private static String phone(int student) {
-        return Long.toString(FIRST_PHONE + student);
-    }
-
-    /** The teacher's own phone has the number after the last student's. */
-    private String teacher() {
-        return phone(students);
-    }
-
-    private static String robot(int student) {
-        return Long.toString(FIRST_ROBOT + student);
     }
 
     /** Runs until the centre's window is closed, or without a display until all robots have moved. */
     public static int run(Arguments given, CenterSettings settings) throws Exception {
         Arguments arguments = given.without("remember-as", "window");
         ClassDemo demo = new ClassDemo(arguments, settings);
-        demo.requireCards();
+        demo.roll.requireCards();
         try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
             demo.printStudents(programs);
             return arguments.has("headless") || !Display.isAvailable()
@@ -111,41 +91,18 @@ public final class ClassDemo {
         }
     }
 
-    /** Of all students, then of all robots. */
-    private Stream<String> numbers() {
-        return Stream.concat(
-                IntStream.range(0, students).mapToObj(ClassDemo::phone),
-                IntStream.range(0, students).mapToObj(ClassDemo::robot));
-    }
-
-    /** A closed network must list the SIMs of all students and robots. */
-    private void requireCards() throws UsageException {
-        if (!settings.home().isClosed()) {
-            return;
-        }
-        List<String> missing = numbers()
-                .filter(number -> !settings.home().numbers().contains(new Msisdn(number)))
-                .toList();
-        if (!missing.isEmpty()) {
-            throw new UsageException("--class: expected SIMs of " + String.join(", ", missing) + " in "
-                    + settings.home().file().get());
-        }
-    }
-
-    /** What a student's machine starts. */
-    private String command(String number, String host, DemoPrograms programs) {
-        HostPort center = new HostPort(host, programs.center().port());
-        String card = settings.home().isClosed() ? " --sim " + number + ".sim" : "";
-        return "java -jar simgsm-phone.jar --number " + number + " --center " + center + card;
-    }
-
-    private void printStudents(DemoPrograms programs) throws SocketException {
-        for (String host : ClassAddresses.of(settings.address())) {
-            for (int i = 0; i < students; i++) {
+    private void printStudents(DemoPrograms programs) {
+        for (String host : roll.hosts()) {
+            for (int i = 0; i < roll.students(); i++) {
                 out.print(Event.of("student")
-                                .with("number", phone(i))
-                                .with("robot", robot(i))
-                                .with("command", command(phone(i), host, programs))
+                                .with("number", roll.phone(i))
+                                .with("robot", roll.robot(i))
+                                .with(
+                                        "command",
+                                        roll.command(
+                                                roll.phone(i),
+                                                host,
+                                                programs.center().port()))
                         + "\n");
             }
         }
@@ -157,11 +114,11 @@ public final class ClassDemo {
 
     private Process startRobots(DemoPrograms programs, String... more) throws IOException {
         List<String> options = new ArrayList<>(List.of("--no-sound", "--world", WORLD));
-        for (int i = 0; i < students; i++) {
-            options.addAll(List.of("--robot", name(i) + "=" + robot(i)));
+        for (int i = 0; i < roll.students(); i++) {
+            options.addAll(List.of("--robot", roll.name(i) + "=" + roll.robot(i)));
         }
         options.addAll(List.of(more));
-        return programs.start("simrobot.jar", robot(0), Redirect.PIPE, options);
+        return programs.start("simrobot.jar", roll.robot(0), Redirect.PIPE, options);
     }
 
     private synchronized void event(Event event) {
@@ -238,13 +195,11 @@ public final class ClassDemo {
         private final DemoPrograms programs;
         private final ChildConsole robots;
         private final String recording;
-        private final List<String> hosts;
 
-        private Acts(DemoPrograms programs, ChildConsole robots, String recording) throws SocketException {
+        private Acts(DemoPrograms programs, ChildConsole robots, String recording) {
             this.programs = programs;
             this.robots = robots;
             this.recording = recording;
-            this.hosts = ClassAddresses.of(settings.address());
         }
 
         /** The motors' switch ends what a robot does, so that it can be placed. */
@@ -298,14 +253,17 @@ public final class ClassDemo {
 
         @Override
         public List<String> commands() {
-            return IntStream.range(0, students)
-                    .mapToObj(i -> command(phone(i), hosts.get(0), programs))
+            return IntStream.range(0, roll.students())
+                    .mapToObj(i -> roll.command(
+                            roll.phone(i),
+                            roll.hosts().get(0),
+                            programs.center().port()))
                     .toList();
         }
 
         @Override
         public String pattern() {
-            return command("N", hosts.get(0), programs);
+            return roll.command("N", roll.hosts().get(0), programs.center().port());
         }
 
         @Override
@@ -314,8 +272,8 @@ public final class ClassDemo {
             if (settings.address().isLoopbackAddress()) {
                 return Optional.of(texts.of("class.bind"));
             }
-            return hosts.size() > 1
-                    ? Optional.of(texts.of("class.addresses", String.join(", ", hosts)))
+            return roll.hosts().size() > 1
+                    ? Optional.of(texts.of("class.addresses", String.join(", ", roll.hosts())))
                     : Optional.empty();
         }
     }
@@ -327,14 +285,14 @@ public final class ClassDemo {
                 new WindowPlace(screen.x(), screen.y(), screen.width() - column, screen.height()),
                 ProgramWindow.zoomPercent(arguments));
         String zoom = String.valueOf(layout.zoomPercent());
-        if (!settings.home().isClosed() || settings.home().numbers().contains(new Msisdn(teacher()))) {
+        if (!settings.home().isClosed() || settings.home().numbers().contains(new Msisdn(roll.teacher()))) {
             List<String> options = List.of(
                     "--end-with-input",
                     "--zoom",
                     zoom,
                     "--window",
                     layout.phone().toString());
-            programs.start("simgsm-phone.jar", teacher(), Redirect.DISCARD, options);
+            programs.start("simgsm-phone.jar", roll.teacher(), Redirect.DISCARD, options);
         }
         String recording = recording(LocalDateTime.now()).toString();
         out.print(Event.of("recording")
@@ -354,8 +312,8 @@ public final class ClassDemo {
                         "--window",
                         layout.robot().toString()),
                 new Robots());
-        for (int i = 0; i < students; i++) {
-            robots.command("@" + name(i) + " pose");
+        for (int i = 0; i < roll.students(); i++) {
+            robots.command("@" + roll.name(i) + " pose");
         }
         Acts acts = new Acts(programs, robots, recording);
         ProgramWindow window = ProgramWindow.of(
@@ -372,7 +330,7 @@ public final class ClassDemo {
                         acts,
                         this::view),
                 false,
-                numbers().collect(Collectors.toSet()));
+                roll.numbers().collect(Collectors.toSet()));
         CenterWindow.run(programs.center(), arguments, settings, programs.children(), window, watch);
         printResults();
         return ExitStatus.OK;
@@ -387,7 +345,7 @@ public final class ClassDemo {
         DemoConsole robots = new DemoConsole("robots", startRobots(programs, "--headless"), transcript, this::event);
         List<Optional<DemoFailure>> failures = new ArrayList<>();
         try {
-            for (int i = 0; i < students; i++) {
+            for (int i = 0; i < roll.students(); i++) {
                 robots.await(START_SECONDS, "registered");
             }
             failures.addAll(moveAll(programs, transcript));
@@ -407,24 +365,24 @@ public final class ClassDemo {
     private List<Optional<DemoFailure>> moveAll(DemoPrograms programs, DemoTranscript transcript)
             throws IOException, InterruptedException {
         List<DemoConsole> phones = new ArrayList<>();
-        for (int i = 0; i < students; i++) {
-            Process phone =
-                    programs.start("simgsm-phone.jar", phone(i), Redirect.PIPE, List.of("--headless", "--no-sound"));
-            phones.add(new DemoConsole(phone(i), phone, transcript, event -> {}));
+        for (int i = 0; i < roll.students(); i++) {
+            Process phone = programs.start(
+                    "simgsm-phone.jar", roll.phone(i), Redirect.PIPE, List.of("--headless", "--no-sound"));
+            phones.add(new DemoConsole(roll.phone(i), phone, transcript, event -> {}));
         }
         List<Optional<DemoFailure>> failures = new ArrayList<>();
-        CountDownLatch done = new CountDownLatch(students);
-        for (int i = 0; i < students; i++) {
+        CountDownLatch done = new CountDownLatch(roll.students());
+        for (int i = 0; i < roll.students(); i++) {
             int student = i;
             Thread thread = new Thread(
                     () -> {
-                        Optional<DemoFailure> failure = move(phones.get(student), robot(student));
+                        Optional<DemoFailure> failure = move(phones.get(student), roll.robot(student));
                         synchronized (failures) {
                             failures.add(failure);
                         }
                         done.countDown();
                     },
-                    "student " + phone(i));
+                    "student " + roll.phone(i));
             thread.setDaemon(true);
             thread.start();
         }

@@ -7,7 +7,6 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.HexFormat;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import simgsm.console.Event;
 import simgsm.lesson.LessonRun;
@@ -18,9 +17,6 @@ import simgsm.lesson.LessonStep;
  * file is as the program wrote it; it is no secret, so it shows carelessness and no fraud.
  */
 final class LessonResult {
-    /** Not a student's own numbers. */
-    private static final Set<String> PLACES = Set.of("folder", "lesson");
-
     private LessonResult() {}
 
     static String text(LessonRun run, String student, Instant at) {
@@ -33,7 +29,7 @@ final class LessonResult {
                 .append('\n');
         Event numbers = Event.of("numbers");
         for (Map.Entry<String, String> each : new TreeMap<>(run.drawn()).entrySet()) {
-            numbers = PLACES.contains(each.getKey()) ? numbers : numbers.with(each.getKey(), each.getValue());
+            numbers = numbers.with(each.getKey(), each.getValue());
         }
         text.append(numbers).append('\n');
         text.append(Event.of("prediction").with("text", run.prediction())).append('\n');

@@ -42,7 +42,7 @@ abstract class ThreePhones {
         short level;
 
         int heardFrames;
-        /** What the network has told of the other party. */
+        /** Whether the newest hold notification says that the other party holds the call. */
         boolean isOnHold;
 
         boolean heardSound;

@@ -125,10 +125,11 @@ final class LessonVariables {
         return replaced;
     }
 
-    /** The drawn values, for the result. */
+    /** The student's own numbers: the drawn values without the places. */
     Map<String, String> drawn() {
         Map<String, String> shown = new HashMap<>(values);
         shown.keySet().retainAll(drawn);
+        shown.keySet().removeAll(PLACES);
         return Collections.unmodifiableMap(shown);
     }
 }

@@ -20,12 +20,12 @@ public final class RecentLevels {
         count = 0;
     }
 
-    /** Whether there are so many, at most ten. */
+    /** Whether at least this number of measurements is kept; the list keeps ten. */
     public boolean has(int measurements) {
         return count >= measurements;
     }
 
-    /** The average of a tower's latest measurements in dBm, at most ten; of fewer if there are not so many. */
+    /** The average of a tower's latest measurements in dBm; of all that are kept if those are fewer. */
     public double averageDbm(int tower, int measurements) {
         int taken = Math.min(count, Math.min(measurements, KEPT));
         double sum = 0;

@@ -31,7 +31,7 @@ final class ServiceProcedures {
             SsOperation.DEACTIVATE_SS,
             SsOperation.INTERROGATE_SS);
 
-    /** Numbers are shown to all, and nobody hides one. */
+    /** The services for numbers that are shown: all callers and answering parties show theirs. */
     private static final Set<SsCode> SHOWN =
             Set.of(SsCode.CALLING_LINE_PRESENTATION, SsCode.CONNECTED_LINE_PRESENTATION);
 

@@ -133,7 +133,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         }
     }
 
-    /** Messages stand in so many columns of so many rows. */
+    /** Sets the number of columns in which the messages stand, and the number of rows of each. */
     void arrange(int newColumns, int newRowsPerColumn) {
         columns = newColumns;
         rowsPerColumn = newRowsPerColumn;
