@@ -51,7 +51,7 @@ class LayeringTest {
             simgsm.ui                : simgsm.console simgsm.draw
             simgsm.ui.lesson         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui
             simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui simgsm.ui.lesson
-            simgsm.ui.window         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.lesson
+            simgsm.ui.window         : simgsm.file simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
             simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context
             simgsm.station.call      : simgsm.ss simgsm.state simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility
@@ -108,7 +108,7 @@ class LayeringTest {
             simgsm.cells.app         : simgsm.console simgsm.air simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
             simrobot.behaviour       :
-            simrobot.world           :
+            simrobot.world           : simgsm.file
             simrobot.bitmap          : simgsm.file simgsm.octets simrobot.world
             simrobot.editor          : simrobot.world
             simrobot.process         : simrobot.behaviour simrobot.world

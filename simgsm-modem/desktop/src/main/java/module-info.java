@@ -3,6 +3,7 @@ module simgsm.desktop {
     requires transitive java.desktop;
     requires transitive simgsm.console;
     requires transitive simgsm.sound;
+    requires simgsm.base;
 
     exports simgsm.audio;
     exports simgsm.draw;

@@ -3,11 +3,8 @@ package simrobot.world;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
+import simgsm.file.FileReplacement;
 
 /**
  * Writes a world as ARIA's {@code .map}, millimetres and degrees. {@link MapReader} reads the same world from it, to the last
@@ -36,27 +33,7 @@ public final class MapWriter {
      * @throws IOException saying which file cannot be written, and why
      */
     public static void save(World world, Path file) throws IOException {
-        Path target = Files.isSymbolicLink(file) ? file.toRealPath() : file;
-        if (Files.isDirectory(target)) {
-            throw new IOException(file + ": expected a file, found a folder");
-        }
-        if (Files.exists(target) && !Files.isWritable(target)) {
-            throw new IOException(file + ": the file is write-protected");
-        }
-        // not Files.createTempFile, whose files only their owner may read
-        Path fresh = target.resolveSibling("." + target.getFileName() + ".new");
-        try {
-            try {
-                Files.writeString(fresh, text(world), StandardCharsets.UTF_8);
-                Files.move(fresh, target, StandardCopyOption.REPLACE_EXISTING);
-            } finally {
-                Files.deleteIfExists(fresh);
-            }
-        } catch (NoSuchFileException e) {
-            throw new IOException(file + ": the folder does not exist", e);
-        } catch (AccessDeniedException e) {
-            throw new IOException(file + ": the folder is write-protected", e);
-        }
+        FileReplacement.write(file, text(world).getBytes(StandardCharsets.UTF_8));
     }
 
     private void row(String... words) {

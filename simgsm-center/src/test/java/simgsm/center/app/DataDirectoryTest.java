@@ -47,6 +47,14 @@ class DataDirectoryTest {
     }
 
     @Test
+    void aLockFileThatCannotBeOpenedIsNamedAndTheReasonTold() throws IOException {
+        Path file = Files.createDirectory(temporary.resolve("lock"));
+        IOException failure = assertThrows(IOException.class, () -> DataDirectory.take(temporary));
+        assertEquals(
+                "cannot lock the data directory: " + file + ": expected a file, found a folder", failure.getMessage());
+    }
+
+    @Test
     void theUsualPlaceFollowsThePlatform() {
         assertEquals(
                 Path.of("/data/simgsm"), DataDirectory.defaultPath(Map.of("XDG_DATA_HOME", "/data"), system("Linux")));

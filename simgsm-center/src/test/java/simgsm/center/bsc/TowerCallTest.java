@@ -167,6 +167,22 @@ class TowerCallTest extends TowerCalls {
     }
 
     @Test
+    void theNextCallWaitsForAChannelAlthoughTheMobileHasNotReleasedTheOneThatGotNone() {
+        List<String> occupied = occupyTrafficChannels();
+        String signalling = dial(west);
+        stage.passMillis(5_000);
+        assertEquals("832502e0a2", lastLayer3());
+        west.tell(signalling, "0524 71 03331981 05f4" + caller);
+        west.tell(signalling, "1345 0406600402000581 5e0581550502f0");
+        west.received.clear();
+
+        west.up("0823 01" + occupied.get(0) + "1a0100");
+        west.up("0833 01" + occupied.get(0));
+
+        assertEquals(occupied.get(0), TestTower.channelOf(west.next(RslType.CHANNEL_ACTIVATION)));
+    }
+
+    @Test
     void aCallThatWaitsGetsTheTrafficChannelThatBecomesFree() {
         List<String> occupied = occupyTrafficChannels();
         dial(west);

@@ -1,2 +1,2 @@
-/** Files that users name: their text, and errors that name them. */
+/** Files: the text of those that users name, errors that name them, and writing in one step. */
 package simgsm.file;

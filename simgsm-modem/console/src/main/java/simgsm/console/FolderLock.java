@@ -4,12 +4,10 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import simgsm.file.FileErrors;
 
 /** A data directory, or a part of it, that one process at a time owns, by a file lock that ends with the process. */
 public final class FolderLock implements AutoCloseable {
@@ -35,42 +33,33 @@ public final class FolderLock implements AutoCloseable {
         try {
             Files.createDirectories(path);
         } catch (IOException e) {
-            throw new IOException("cannot make the data directory " + path + ": " + reason(e), e);
+            throw new IOException("cannot make the data directory " + FileErrors.describe(e), e);
         }
-        FileChannel channel = open(path, file);
-        FileLock lock = tryLock(channel);
+        Path lockFile = path.resolve(file);
+        try {
+            return FileErrors.naming(lockFile, () -> lock(path, lockFile));
+        } catch (OverlappingFileLockException e) {
+            throw new IOException(holder + " holds the data directory " + path, e);
+        } catch (IOException e) {
+            throw new IOException("cannot lock the data directory: " + FileErrors.describe(e), e);
+        }
+    }
+
+    /** @throws OverlappingFileLockException if another process, or this one, holds the lock */
+    private static FolderLock lock(Path path, Path lockFile) throws IOException {
+        FileChannel channel = FileChannel.open(lockFile, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileLock lock = null;
+        try {
+            lock = channel.tryLock();
+        } finally {
+            if (lock == null) {
+                channel.close();
+            }
+        }
         if (lock == null) {
-            channel.close();
-            throw new IOException(holder + " holds the data directory " + path);
+            throw new OverlappingFileLockException();
         }
         return new FolderLock(path, channel, lock);
-    }
-
-    private static FileChannel open(Path path, String file) throws IOException {
-        try {
-            return FileChannel.open(path.resolve(file), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        } catch (IOException e) {
-            throw new IOException("cannot write in the data directory " + path + ": " + reason(e), e);
-        }
-    }
-
-    /** A reason in words, where the exception's message is only the path. */
-    private static String reason(IOException e) {
-        if (e instanceof FileAlreadyExistsException) {
-            return "there is a file of that name";
-        }
-        if (e instanceof AccessDeniedException) {
-            return "access denied";
-        }
-        return e instanceof NoSuchFileException ? "no such folder" : e.getMessage();
-    }
-
-    private static FileLock tryLock(FileChannel channel) throws IOException {
-        try {
-            return channel.tryLock();
-        } catch (OverlappingFileLockException e) {
-            return null;
-        }
     }
 
     /** Absolute. */

@@ -113,6 +113,9 @@ final class MessageDispatcher {
     }
 
     private void arrived(Layer3Message message) {
+        if (!(message instanceof RadioResource)) {
+            registration.contacted();
+        }
         if (message instanceof CallControl callControl) {
             calls.arrived(callControl);
         } else if (message instanceof MobilityManagement mobilityManagement) {

@@ -66,7 +66,12 @@ public final class MobileStation implements StationCommands {
         this(identity, sim, options, speech, listener, RandomGenerator.getDefault());
     }
 
-    /** @param random gives the first message reference and the synchronisation source of the speech stream */
+    /**
+     * A station as above.
+     *
+     * @param random gives the first message reference, the synchronisation source of the speech stream, and the time of the
+     *     first periodic update
+     */
     public MobileStation(
             StationIdentity identity,
             Sim sim,
@@ -75,7 +80,7 @@ public final class MobileStation implements StationCommands {
             Consumer<StationEvent> listener,
             RandomGenerator random) {
         context = StationContext.of(identity, listener, this::settle);
-        registration = new MobileRegistration(context);
+        registration = new MobileRegistration(context, random);
         control = new ConnectionControl(context, registration::cellFound);
         services = new ServiceRequests(context, registration);
         mobility = new MobilityMessages(context, registration, services, sim);

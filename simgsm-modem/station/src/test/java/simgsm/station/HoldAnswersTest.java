@@ -106,6 +106,33 @@ class HoldAnswersTest {
         assertEquals(List.of("retrieved 5550200"), news());
     }
 
+    /** The user was told that the first call is not held, and has not asked again to answer the waiting one. */
+    @Test
+    void aCallThatWaitsRingsWhenTheNetworkHoldsTheActiveOneTooLate() {
+        waiting();
+        assertTrue(scene.station.hold());
+        scene.expect(new Hold(OWN));
+        untilExpiry();
+        assertEquals(List.of("hold refused"), news());
+        scene.down(new HoldAcknowledge(TO_OWN));
+        scene.expectNothing();
+        assertEquals(List.of("held 5550200", "ringing 5550999"), news());
+        assertTrue(scene.station.answer());
+        scene.expect(new Connect(THEIRS.answered()));
+    }
+
+    @Test
+    void aCallThatBeginsToWaitAfterTheRequestToHoldRings() {
+        assertTrue(scene.station.hold());
+        scene.expect(new Hold(OWN));
+        waiting();
+        scene.down(new HoldAcknowledge(TO_OWN));
+        scene.expectNothing();
+        assertEquals(List.of("held 5550200", "ringing 5550999"), news());
+        assertTrue(scene.station.hangUp());
+        scene.expect(new Disconnect(THEIRS.answered(), Cause.CALL_REJECTED));
+    }
+
     @Test
     void aCallThatTheNetworkGivesBackTooLateIsActiveOnBothSides() {
         held();

@@ -14,6 +14,7 @@ import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingReject;
 import simgsm.air.MobilityManagement.LocationUpdatingRequest;
 import simgsm.air.MobilityManagement.LocationUpdatingType;
+import simgsm.air.MobilityManagement.MmInformation;
 import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.RejectCause;
 import simgsm.rr.SystemInformation;
@@ -118,6 +119,73 @@ class LocationUpdatingTest {
         scene.expectNothing();
         scene.pass(1);
         scene.expectFirst(LocationUpdatingRequest.class);
+    }
+
+    private void expectPeriodicUpdateAfter(long nanos) {
+        scene.pass(nanos - 1);
+        scene.expectNothing();
+        scene.pass(1);
+        assertEquals(LocationUpdatingType.PERIODIC, accept(SECOND_AREA).updatingType());
+    }
+
+    @Test
+    void aShorterT3212CountsAtOnceAsTheRestModuloTheNewValue() {
+        camp(SECOND_AREA, 5);
+        accept(SECOND_AREA);
+        scene.pass(SIX_MINUTES / 2);
+
+        camp(SECOND_AREA, 1);
+
+        // 27 minutes were left: 27 modulo 6 is 3.
+        expectPeriodicUpdateAfter(SIX_MINUTES / 2);
+        expectPeriodicUpdateAfter(SIX_MINUTES);
+    }
+
+    @Test
+    void aLongerT3212LetsTheRunningTimeEnd() {
+        camp(SECOND_AREA, 1);
+        accept(SECOND_AREA);
+        scene.pass(SIX_MINUTES / 3);
+
+        camp(SECOND_AREA, 5);
+
+        expectPeriodicUpdateAfter(SIX_MINUTES - SIX_MINUTES / 3);
+        expectPeriodicUpdateAfter(5 * SIX_MINUTES);
+    }
+
+    @Test
+    void aT3212ThatIsWithdrawnEndsPeriodicUpdating() {
+        camp(SECOND_AREA, 1);
+        accept(SECOND_AREA);
+
+        camp(SECOND_AREA, 0);
+
+        scene.pass(10 * SIX_MINUTES);
+        scene.expectNothing();
+    }
+
+    @Test
+    void aT3212ThatIsIntroducedIsFollowedByAFirstUpdateWithinIt() {
+        camp(SECOND_AREA, 0);
+        accept(SECOND_AREA);
+
+        camp(SECOND_AREA, 1);
+
+        scene.pass(SIX_MINUTES);
+        assertEquals(LocationUpdatingType.PERIODIC, accept(SECOND_AREA).updatingType());
+    }
+
+    @Test
+    void aConnectionOnWhichTheNetworkAnswersBeginsThePeriodAnew() {
+        camp(SECOND_AREA, 1);
+        accept(SECOND_AREA);
+        scene.pass(SIX_MINUTES - Scene.SECOND);
+        scene.page(Scene.TMSI);
+        scene.expectFirst(PagingResponse.class);
+        scene.down(new MmInformation("Town"));
+        scene.releaseChannel();
+
+        expectPeriodicUpdateAfter(SIX_MINUTES);
     }
 
     @Test

@@ -16,6 +16,8 @@ import simgsm.station.context.StationEvent;
 /** What just happened, in words and in the order of time: the newest {@value #CAPACITY} events that concern the user. */
 public final class HandsetLog {
     static final int CAPACITY = 300;
+    /** Keys in one event, three lines in the window; further ones begin the next event. */
+    static final int MOST_KEYS = 64;
 
     /** An event. @param words for the user, in the phone's language when they are shown */
     public record Entry(Instant at, Words words) {}
@@ -49,13 +51,16 @@ public final class HandsetLog {
         isPublished = false;
     }
 
-    /** The user keys a tone in the call: keys are one event, until something else happens. */
+    /** The user keys a tone in the call: up to {@value #MOST_KEYS} keys are one event, until something else happens. */
     void keyed(DtmfKey key) {
         String keys = String.valueOf(key.symbol());
         Entry last = entries.peekLast();
-        if (last != null && last.words().key().equals("log.keys")) {
+        String before = last != null && last.words().key().equals("log.keys")
+                ? (String) last.words().arguments().get(0)
+                : "";
+        if (!before.isEmpty() && before.length() < MOST_KEYS) {
             entries.removeLast();
-            add("log.keys", last.words().arguments().get(0) + keys);
+            add("log.keys", before + keys);
         } else {
             add("log.keys", keys);
         }

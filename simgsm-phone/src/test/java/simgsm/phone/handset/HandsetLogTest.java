@@ -77,6 +77,18 @@ class HandsetLogTest {
                 List.of("log.keys **5", "log.tone 7 tone.7", "log.keys 1"), log.subList(log.size() - 3, log.size()));
     }
 
+    /** An endless row of keys, as a script or a stuck key makes it, must not become one endless line. */
+    @Test
+    void anEventHasAtMostSixtyFourKeysAndFurtherKeysBeginTheNext() {
+        Bench bench = Bench.connected();
+        int before = logged(bench).size();
+        bench.handset.press(DtmfKey.sequence("1".repeat(2 * HandsetLog.MOST_KEYS + 1)));
+        bench.speechMillis(200 * (2 * HandsetLog.MOST_KEYS + 1));
+        List<String> log = logged(bench);
+        String full = "log.keys " + "1".repeat(HandsetLog.MOST_KEYS);
+        assertEquals(List.of(full, full, "log.keys 1"), log.subList(before, log.size()));
+    }
+
     @Test
     void messagesAndCodesAreTold() {
         Bench bench = new Bench();

@@ -10,6 +10,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.msc.link.PagedTransaction;
+import simgsm.center.msc.link.RadioAccess.SpeechNeed;
 import simgsm.dtmf.ToneSet;
 import simgsm.ss.HoldNotification;
 import simgsm.state.StateMachine;
@@ -35,6 +36,7 @@ public final class CallLeg implements PagedTransaction {
     private Timer guard;
     private boolean isReleaseRepeated;
     private boolean isHeld;
+    private boolean isSpeechRefused;
     /** Why the leg is cleared, for the other leg. */
     private Cause cause = Cause.NORMAL_CALL_CLEARING;
     /** The cause in the clearing message to the mobile; empty if the mobile clears. */
@@ -105,6 +107,7 @@ public final class CallLeg implements PagedTransaction {
 
     /** Clears both legs, because this one's mobile gets no traffic channel. */
     void refuseSpeech(Cause why) {
+        isSpeechRefused = true;
         clear(why);
         call.cleared(this, why);
     }
@@ -151,6 +154,17 @@ public final class CallLeg implements PagedTransaction {
     /** Whether speech passes between the mobile and this leg. */
     boolean speaks() {
         return state().speaks() && !isHeld;
+    }
+
+    /** What the leg needs of the mobile's speech path: nothing more once that was refused. */
+    SpeechNeed speechNeed() {
+        if (isSpeechRefused) {
+            return SpeechNeed.NONE;
+        }
+        if (state().mayHear()) {
+            return SpeechNeed.HEARD;
+        }
+        return state().needsSpeechPath() ? SpeechNeed.PREPARED : SpeechNeed.NONE;
     }
 
     /** Whether the mobile holds the call (TS 24.083, 2). */

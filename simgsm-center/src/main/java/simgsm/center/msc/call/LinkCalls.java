@@ -1,6 +1,7 @@
 package simgsm.center.msc.call;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -45,10 +46,10 @@ final class LinkCalls {
     }
 
     private SpeechNeed speechNeed() {
-        if (legs.stream().anyMatch(each -> each.state().mayHear())) {
-            return SpeechNeed.HEARD;
-        }
-        return legs.stream().anyMatch(each -> each.state().needsSpeechPath()) ? SpeechNeed.PREPARED : SpeechNeed.NONE;
+        return legs.stream()
+                .map(CallLeg::speechNeed)
+                .max(Comparator.naturalOrder())
+                .orElse(SpeechNeed.NONE);
     }
 
     /** @param received the transaction as the mobile writes it */

@@ -8,7 +8,7 @@ import simgsm.octets.OctetString;
 
 /** How the exchange reaches one mobile: by the link of a terminal that carries its own cell, or by towers. */
 public interface RadioAccess {
-    /** What a mobile's calls need of speech. */
+    /** What a mobile's calls need of speech, the least first. */
     enum SpeechNeed {
         NONE,
         /** A traffic channel has to be there when the called party answers. */

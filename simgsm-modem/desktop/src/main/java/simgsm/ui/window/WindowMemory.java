@@ -1,11 +1,10 @@
 package simgsm.ui.window;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -15,6 +14,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import simgsm.console.Arguments;
 import simgsm.draw.Appearance;
+import simgsm.file.FileReplacement;
 import simgsm.ui.Theme;
 
 /**
@@ -205,11 +205,9 @@ public final class WindowMemory {
         written.putAll(values);
         try {
             Files.createDirectories(folder);
-            Path next = Files.createTempFile(folder, name, ".next");
-            try (OutputStream out = Files.newOutputStream(next)) {
-                written.store(out, null);
-            }
-            Files.move(next, file(name), StandardCopyOption.REPLACE_EXISTING);
+            ByteArrayOutputStream octets = new ByteArrayOutputStream();
+            written.store(octets, null);
+            FileReplacement.write(file(name), octets.toByteArray());
         } catch (IOException e) {
             LOG.log(System.Logger.Level.DEBUG, "cannot remember the window: {0}", e.getMessage());
         }

@@ -52,7 +52,7 @@ public final class CallHoldTable {
         SEND_RETRIEVE,
         START_TIMER,
         STOP_TIMER,
-        /** The active call becomes the held one; a waiting call is answered. */
+        /** The active call becomes the held one; a waiting call is answered if the user has asked for it, else it rings. */
         PARK,
         /** The held call becomes the active one. */
         RESUME,

@@ -56,6 +56,9 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     private boolean networkPlaysTones;
 
+    /** The waiting call, by its transaction as in the messages sent, that the user answers by holding the active one. */
+    private Optional<TransactionIdentifier> toAnswer = Optional.empty();
+
     /** Whether the held call follows the one that is being cleared. */
     private boolean retrievesNext;
 
@@ -188,13 +191,21 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
      */
     public boolean hold() {
         if (state() == MobileCallState.ACTIVE) {
-            return fireHold(second.isHeld() ? CallHoldEvent.USER_SWAPS : CallHoldEvent.USER_HOLDS);
+            return holdActive();
         }
         if (MobileCallTable.CLEARING.contains(state()) && second.isHeld()) {
             retrievesNext = true;
             return true;
         }
         return state() == MobileCallState.NULL && second.isHeld() && fireHold(CallHoldEvent.USER_RETRIEVES);
+    }
+
+    private boolean holdActive() {
+        boolean isAccepted = fireHold(second.isHeld() ? CallHoldEvent.USER_SWAPS : CallHoldEvent.USER_HOLDS);
+        if (isAccepted) {
+            toAnswer = second.isWaiting() ? Optional.of(second.transaction()) : Optional.empty();
+        }
+        return isAccepted;
     }
 
     private boolean fireHold(CallHoldEvent event) {
@@ -252,11 +263,17 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             case PARK, EXCHANGE -> park();
             case RESUME -> second.take().ifPresent(this::resume);
             case CLEAR_HELD -> second.clear();
-            case REPORT_REFUSED -> report(new StationEvent.HoldRefused());
+            case REPORT_REFUSED -> {
+                toAnswer = Optional.empty();
+                report(new StationEvent.HoldRefused());
+            }
         }
     }
 
-    /** The active call becomes the held one; the one beside it, if there is one, becomes the current call. */
+    /**
+     * The active call becomes the held one; the one beside it, if there is one, becomes the current call. A waiting call rings
+     * as such, unless the user has asked to answer it.
+     */
     private void park() {
         TransactionIdentifier held = transaction;
         Optional<Msisdn> number = peer;
@@ -268,6 +285,10 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     private void resume(SecondCall.Party party) {
         transaction = party.received().answered();
+        if (!party.isHeld() && !toAnswer.equals(Optional.of(transaction))) {
+            ring(party.received(), party.number(), MobileCallEvent.TAKE_WAITING);
+            return;
+        }
         peer = party.number();
         fire(party.isHeld() ? MobileCallEvent.CALL_RETRIEVED : MobileCallEvent.ANSWER_WAITING);
         if (heldByPeer.contains(transaction)) {

@@ -60,6 +60,11 @@ public final class StationTimers {
         return started != null && started.isRunning();
     }
 
+    /** Of a timer that runs. */
+    public long remainingNanos(StationTimer timer) {
+        return Math.max(0, running.get(timer).deadlineNanos() - nowNanos);
+    }
+
     public OptionalLong nextDeadlineNanos() {
         return timers.nextDeadlineNanos();
     }

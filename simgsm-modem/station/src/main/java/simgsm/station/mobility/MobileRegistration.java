@@ -4,6 +4,7 @@ import java.lang.System.Logger.Level;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
+import java.util.random.RandomGenerator;
 import simgsm.air.Imsi;
 import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;
@@ -40,10 +41,8 @@ public final class MobileRegistration {
     private LocationArea area = LocationArea.TEST;
     /** Of the cell on which the mobile is camped; empty if no cell has told it. */
     private Optional<LocationArea> cellArea = Optional.empty();
-    /** Steps of 6 minutes; 0 for no periodic updating. */
-    private int periodicSteps;
 
-    private boolean periodicDue;
+    private final PeriodicUpdating periodic;
     private LocationUpdatingType updatingType = LocationUpdatingType.IMSI_ATTACH;
     private Optional<MobileIdentity> offeredIdentity = Optional.empty();
     private Optional<RejectCause> rejectCause = Optional.empty();
@@ -51,9 +50,14 @@ public final class MobileRegistration {
     /** Null before the first report. */
     private StationEvent lastReport;
 
-    /** Switched on, without a cell. */
-    public MobileRegistration(StationContext context) {
+    /**
+     * Switched on, without a cell.
+     *
+     * @param random spreads the first periodic updates of many mobiles
+     */
+    public MobileRegistration(StationContext context, RandomGenerator random) {
         this.context = context;
+        periodic = new PeriodicUpdating(context.timers(), random);
         machine = new StateMachine<>(
                 MobileRegistrationTable.TABLE, context.identity().number(), this::perform);
         fire(MobileRegistrationEvent.POWER_ON);
@@ -141,7 +145,7 @@ public final class MobileRegistration {
      */
     public void camped(LocationArea newArea, int periodicUpdatingSteps) {
         cellArea = Optional.of(newArea);
-        periodicSteps = periodicUpdatingSteps;
+        periodic.told(periodicUpdatingSteps, isRegistered());
         if (state() == MobileRegistrationState.ATTEMPTING_TO_UPDATE && rejectCause.isEmpty()) {
             pause = 1;
             fire(MobileRegistrationEvent.CELL_FOUND);
@@ -153,25 +157,27 @@ public final class MobileRegistration {
      * on no radio connection.
      */
     public void keepLocation() {
-        if (isRegistered() && cellArea.isPresent() && !cellArea.get().equals(area)) {
+        if (!isRegistered()) {
+            return;
+        }
+        periodic.idle();
+        if (cellArea.isPresent() && !cellArea.get().equals(area)) {
             update(LocationUpdatingType.NORMAL, MobileRegistrationEvent.NEW_AREA);
-        } else if (isRegistered() && periodicDue) {
+        } else if (periodic.isDue()) {
             update(LocationUpdatingType.PERIODIC, MobileRegistrationEvent.T3212_EXPIRED);
+        }
+    }
+
+    /** The network has sent a message of layer 3 above radio resources: it knows where the mobile is. */
+    public void contacted() {
+        if (isRegistered()) {
+            periodic.contacted();
         }
     }
 
     private void update(LocationUpdatingType type, MobileRegistrationEvent reason) {
         updatingType = type;
         fire(reason);
-    }
-
-    private void startPeriodicUpdating() {
-        periodicDue = false;
-        context.timers().stop(StationTimer.T3212);
-        if (periodicSteps > 0) {
-            context.timers()
-                    .start(StationTimer.T3212, periodicSteps * StationTimer.T3212.nanos(), () -> periodicDue = true);
-        }
     }
 
     public void linkLost() {
@@ -277,7 +283,7 @@ public final class MobileRegistration {
     private void reportRegistered() {
         boolean isFirst = updatingType == LocationUpdatingType.IMSI_ATTACH;
         updatingType = LocationUpdatingType.IMSI_ATTACH;
-        startPeriodicUpdating();
+        periodic.stop();
         if (!isFirst) {
             context.log().trace(Level.INFO, "location updated: area {0}", Integer.toString(area.areaCode()));
             return;
@@ -289,7 +295,7 @@ public final class MobileRegistration {
 
     private void reportUnregistered() {
         updatingType = LocationUpdatingType.IMSI_ATTACH;
-        context.timers().stop(StationTimer.T3212);
+        periodic.stop();
         StationEvent report = new StationEvent.StationUnregistered(rejectCause);
         if (!report.equals(lastReport)) {
             lastReport = report;

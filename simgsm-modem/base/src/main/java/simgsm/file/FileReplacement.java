@@ -1,0 +1,47 @@
+package simgsm.file;
+
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.UUID;
+
+/**
+ * Writes a file whole or not at all: a full disk, or the end of the program at any moment, leaves the old content. Programs
+ * that write the same file at the same time do not mix their octets; the last one's content stays.
+ */
+public final class FileReplacement {
+    private FileReplacement() {}
+
+    /**
+     * Replaces the content of a file, or makes the file. Behind a symbolic link the file that it names is replaced.
+     *
+     * @throws FileSystemException naming a file that cannot be written, and why
+     */
+    public static void write(Path file, byte[] content) throws IOException {
+        Path target = Files.isSymbolicLink(file) ? file.toRealPath() : file;
+        if (Files.isDirectory(target)) {
+            throw new FileSystemException(file.toString(), null, "expected a file, found a folder");
+        }
+        if (Files.exists(target, LinkOption.NOFOLLOW_LINKS) && !Files.isWritable(target)) {
+            throw new FileSystemException(file.toString(), null, "the file is write-protected");
+        }
+        Path folder = target.toAbsolutePath().getParent();
+        if (!Files.isDirectory(folder)) {
+            throw new FileSystemException(file.toString(), null, "the folder does not exist");
+        }
+        if (!Files.isWritable(folder)) {
+            throw new FileSystemException(file.toString(), null, "the folder is write-protected");
+        }
+        // not Files.createTempFile, whose files only their owner may read
+        Path fresh = folder.resolve("." + target.getFileName() + "." + UUID.randomUUID() + ".new");
+        try {
+            FileErrors.naming(file, () -> Files.write(fresh, content));
+            Files.move(fresh, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } finally {
+            Files.deleteIfExists(fresh);
+        }
+    }
+}
