@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
@@ -142,14 +141,18 @@ public final class SimRobotMain {
             throws UsageException, IOException, InterruptedException {
         long from = arguments.integer("replay-from", 0, 0, Integer.MAX_VALUE);
         try (ReplayThread replay = opened(file)) {
-            ReplayModel model = new ReplayModel(replay, new RefusalTexts(arguments.language()));
+            RefusalTexts refusals = new RefusalTexts(arguments.language());
+            ReplayModel model = new ReplayModel(replay, refusals);
             replay.seek(replay.recording().firstNanos() + TimeUnit.SECONDS.toNanos(from));
             replay.onFailure(fault -> FatalError.end(NAME, fault));
             replay.setSpeed(speed);
             replay.setPaused(false);
             replay.start();
             String title = "SimRobot - " + file.getFileName();
-            window.show(chosen -> SimRobotWindow.content(title, chosen, model::snapshot, model));
+            window.show(chosen -> {
+                refusals.speak(chosen);
+                return SimRobotWindow.content(title, chosen, model::snapshot, model);
+            });
         }
         return ExitStatus.OK;
     }
@@ -164,7 +167,6 @@ public final class SimRobotMain {
             Path worldFile,
             RecentWorlds recent)
             throws UsageException, IOException, InterruptedException {
-        Locale language = arguments.language();
         try (SessionRecording record = new SessionRecording(built.simRobot().simulation());
                 SimRobot simRobot = built.simRobot();
                 ListeningPorts ports = opened) {
@@ -178,8 +180,8 @@ public final class SimRobotMain {
                 out.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
                 window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
             });
-            WindowModel model =
-                    new WindowModel(simRobot, built.fleet(), ports, worldFile, recent, new RefusalTexts(language));
+            RefusalTexts refusals = new RefusalTexts(arguments.language());
+            WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, recent, refusals);
             model.setResolution(WorldFile.resolution(arguments));
             simRobot.start();
             ports.start();
@@ -192,7 +194,10 @@ public final class SimRobotMain {
                 window.withConsole(() -> Program.runConsole(console.get(), arguments, commands));
             }
             String title = "SimRobot " + model.firstNumber();
-            window.show(chosen -> SimRobotWindow.content(title, chosen, model::snapshot, model));
+            window.show(chosen -> {
+                refusals.speak(chosen);
+                return SimRobotWindow.content(title, chosen, model::snapshot, model);
+            });
             console.ifPresent(Console::close);
         }
         return ExitStatus.OK;

@@ -3,29 +3,27 @@ package vericommand;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
-import java.util.Locale;
+import java.util.function.Function;
 
 /** Collects what a window shows of the orders: the last 320 keys at most, and the last 8 replies. */
 final class OrderDisplay {
     private static final int MAX_KEYS = 320;
     private static final int MAX_REPLIES = 8;
 
-    private final Locale locale;
     private final ReplyTexts texts;
     private final Deque<String> replies = new ArrayDeque<>();
     private String from = "";
     private String keys = "";
     private boolean message;
-    private String words = "";
+    private LocalizedText words = LocalizedText.EMPTY;
     private String verdictWord = "";
-    private String verdictText = "";
+    private LocalizedText verdictText = LocalizedText.EMPTY;
     private int failingPosition;
     private OrderCourse course = OrderCourse.NONE;
     /** The accepted order that is shown; null if none is. */
     private Order accepted;
 
-    OrderDisplay(Locale locale, ReplyTexts texts) {
-        this.locale = locale;
+    OrderDisplay(ReplyTexts texts) {
         this.texts = texts;
     }
 
@@ -38,9 +36,9 @@ final class OrderDisplay {
 
     void keys(String all) {
         keys = all;
-        words = "";
+        words = LocalizedText.EMPTY;
         verdictWord = "";
-        verdictText = "";
+        verdictText = LocalizedText.EMPTY;
         failingPosition = 0;
         course = OrderCourse.NONE;
         accepted = null;
@@ -70,19 +68,19 @@ final class OrderDisplay {
         verdictWord = verdict.word();
         if (verdict instanceof Verdict.Invalid invalid) {
             failingPosition = invalid.fault().position();
-            verdictText = texts.invalid(invalid.fault()).text();
+            verdictText = said(in -> in.invalid(invalid.fault()).text());
         } else if (verdict instanceof Verdict.NoProcess none) {
             failingPosition = none.position();
-            words = none.order().words(locale);
-            verdictText = texts.noProcess(none).text();
+            words = LocalizedText.of(none.order()::words);
+            verdictText = said(in -> in.noProcess(none).text());
         } else if (verdict instanceof Verdict.Refused refused) {
-            words = refused.order().words(locale);
-            verdictText = texts.refused(refused.tone(), refused.status()).text();
+            words = LocalizedText.of(refused.order()::words);
+            verdictText = said(in -> in.refused(refused.tone(), refused.status()).text());
         } else {
             accepted = ((Verdict.Accepted) verdict).order();
             course = OrderCourse.UNDER_WAY;
-            words = accepted.words(locale);
-            verdictText = texts.text("verdict.accepted");
+            words = LocalizedText.of(accepted::words);
+            verdictText = said(in -> in.text("verdict.accepted"));
         }
     }
 
@@ -99,14 +97,25 @@ final class OrderDisplay {
         if (stops) {
             course(order, OrderCourse.CALL_ENDED);
         } else if (order == accepted) {
-            verdictText = texts.text("verdict.finishing");
+            verdictText = said(in -> in.text("verdict.finishing"));
         }
     }
 
     /** The call has ended before its order was whole. */
     void callEndedWithinOrder() {
         verdictWord = VeriCommandSnapshot.UNFINISHED;
-        verdictText = texts.text("verdict.unfinished");
+        verdictText = said(in -> in.text("verdict.unfinished"));
+    }
+
+    /** The call has ended for want of a key; the words of its last order give way to the reason. */
+    void callIdle(int seconds) {
+        keys(keys);
+        verdictWord = VeriCommandSnapshot.IDLE;
+        verdictText = said(in -> in.text("verdict.idle", "" + seconds));
+    }
+
+    private LocalizedText said(Function<ReplyTexts, String> text) {
+        return LocalizedText.of(language -> text.apply(texts.in(language)));
     }
 
     void reply(Reply reply) {

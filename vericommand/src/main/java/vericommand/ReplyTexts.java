@@ -20,6 +20,11 @@ final class ReplyTexts {
         this.unknownType = unknownType;
     }
 
+    /** The same texts in another language. */
+    ReplyTexts in(Locale language) {
+        return new ReplyTexts(language, unknownType);
+    }
+
     /** All instructions are executed. */
     Reply done(Order order, RobotStatus status, Pose pose) {
         String where = where(status, pose);

@@ -39,7 +39,7 @@ public final class VeriCommand {
         this.settings = settings;
         this.listener = listener;
         texts = new ReplyTexts(settings.language(), robot::unknownType);
-        display = new OrderDisplay(settings.language(), texts);
+        display = new OrderDisplay(texts);
     }
 
     /** An accepted call is up; a previous one ends. @param caller empty when the network does not say */
@@ -68,6 +68,15 @@ public final class VeriCommand {
         listener.changed();
         if (brakes) {
             robot.brake();
+        }
+    }
+
+    /** The modem clears the call, in which no key has come for so long; no order of the call is under way. */
+    public void callIdle(int seconds) {
+        if (call != null) {
+            callEnded();
+            display.callIdle(seconds);
+            listener.changed();
         }
     }
 

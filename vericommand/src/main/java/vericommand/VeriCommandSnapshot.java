@@ -3,7 +3,7 @@ package vericommand;
 import java.util.List;
 
 /**
- * What a window shows of a {@link VeriCommand}, in the language of its settings.
+ * What a window shows of a {@link VeriCommand}; the replies as they were sent, in the language of its settings.
  *
  * @param from the number of the current or last call or message, empty if unknown
  * @param message whether {@code from} sent a short message
@@ -11,8 +11,8 @@ import java.util.List;
  * @param underWay whether an order is being executed
  * @param keys of the current or last order as received, without blanks; in a call also those skipped after a fault
  * @param words the order in words, empty unless it is complete
- * @param verdictWord {@code accepted}, {@code refused}, {@code invalid}, {@link #UNFINISHED}, or empty while the
- *     order is being keyed
+ * @param verdictWord {@code accepted}, {@code refused}, {@code invalid}, {@link #UNFINISHED}, {@link #IDLE}, or
+ *     empty while the order is being keyed
  * @param verdictText the verdict in words
  * @param course what has become of an accepted order
  * @param failingPosition the offending key, counted from 1 in {@code keys}; 0 if none. One more than the number of keys: a
@@ -25,12 +25,15 @@ public record VeriCommandSnapshot(
         boolean inCall,
         boolean underWay,
         String keys,
-        String words,
+        LocalizedText words,
         String verdictWord,
-        String verdictText,
+        LocalizedText verdictText,
         OrderCourse course,
         int failingPosition,
         List<String> replies) {
     /** The verdict's word once the call has ended within the order. */
     public static final String UNFINISHED = "unfinished";
+
+    /** The verdict's word once the modem has ended the call, for no key had come for too long. */
+    public static final String IDLE = "idle";
 }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
 /** What a window is given to show. */
@@ -29,7 +30,7 @@ class VeriCommandSnapshotTest {
     void aCompleteOrderIsShownInWordsWithItsVerdictAndReplies() {
         bench.press("** #**20 **");
         assertEquals("**#**20**", shown().keys());
-        assertEquals("forward 20 cm", shown().words());
+        assertEquals("forward 20 cm", shown().words().in(Locale.ENGLISH));
         assertEquals("accepted", shown().verdictWord());
         assertTrue(shown().underWay());
         bench.robot.collide(3);
@@ -107,7 +108,7 @@ class VeriCommandSnapshotTest {
         VeriCommandSnapshot broken = shown();
         assertEquals("invalid", broken.verdictWord());
         assertEquals(7, broken.failingPosition());
-        assertEquals("Not a valid command: number expected at key 7. Range 1..9999 cm.", broken.verdictText());
+        assertEquals("Not a valid command: number expected at key 7. Range 1..9999 cm.", broken.verdictText().in(Locale.ENGLISH));
         assertEquals('*', "**#**0**".charAt(broken.failingPosition() - 1));
         bench.press("#");
         assertEquals(0, shown().failingPosition());
@@ -119,7 +120,7 @@ class VeriCommandSnapshotTest {
         bench.press("** #**20 **");
         bench.press("**");
         assertEquals("**", shown().keys());
-        assertEquals("", shown().words());
+        assertEquals("", shown().words().in(Locale.ENGLISH));
         assertEquals("", shown().verdictWord());
     }
 
@@ -135,7 +136,7 @@ class VeriCommandSnapshotTest {
         bench.press("** #**0 **");
         bench.veri.callBegan("5550102");
         assertEquals(
-                new VeriCommandSnapshot("5550102", false, true, false, "", "", "", "", OrderCourse.NONE, 0, List.of()),
+                new VeriCommandSnapshot("5550102", false, true, false, "", LocalizedText.EMPTY, "", LocalizedText.EMPTY, OrderCourse.NONE, 0, List.of()),
                 shown());
         bench.press("** #**0 **");
         bench.sms("** #*0 **");
@@ -161,15 +162,47 @@ class VeriCommandSnapshotTest {
         bench.press("** #*");
         bench.veri.callEnded();
 
-        assertEquals("The call ended before the order was whole.", shown().verdictText());
+        assertEquals("The call ended before the order was whole.", shown().verdictText().in(Locale.ENGLISH));
         assertEquals(VeriCommandSnapshot.UNFINISHED, shown().verdictWord());
         assertEquals(OrderCourse.NONE, shown().course());
     }
 
     @Test
+    void aCallThatIsClearedForWantOfAKeySaysSoInPlaceOfItsLastOrder() {
+        bench.press("** #*0 **");
+        bench.veri.callIdle(60);
+        bench.veri.callEnded();
+
+        assertEquals(VeriCommandSnapshot.IDLE, shown().verdictWord());
+        assertEquals(
+                "The call was ended: no key for 60 s.", shown().verdictText().in(Locale.ENGLISH));
+        assertEquals(LocalizedText.EMPTY, shown().words());
+        assertEquals(OrderCourse.NONE, shown().course());
+        assertEquals(Bench.CALLER, shown().from());
+        assertFalse(shown().inCall());
+        bench.veri.callBegan(Bench.CALLER);
+        assertEquals("", shown().verdictWord());
+    }
+
+    @Test
+    void withoutACallNothingIsIdle() {
+        bench.veri.callEnded();
+        bench.veri.callIdle(60);
+        assertEquals("", shown().verdictWord());
+    }
+
+    @Test
+    void theWordsAreThereInBothLanguages() {
+        bench.press("** #**20 **");
+        assertEquals("forward 20 cm", shown().words().in(Locale.ENGLISH));
+        assertEquals("avanzar 20 cm", shown().words().in(new Locale("es")));
+        assertEquals("aceptada", shown().verdictText().in(new Locale("es")));
+    }
+
+    @Test
     void aCallThatEndsAfterItsOrderLeavesTheVerdict() {
         bench.press("** #*0 **");
-        String verdict = shown().verdictText();
+        LocalizedText verdict = shown().verdictText();
         bench.veri.callEnded();
 
         assertEquals(verdict, shown().verdictText());
@@ -216,7 +249,7 @@ class VeriCommandSnapshotTest {
         bench.sms("** #*#90 **");
         assertTrue(shown().message());
         assertEquals("5550101", shown().from());
-        assertEquals("turn right 90 degrees", shown().words());
+        assertEquals("turn right 90 degrees", shown().words().in(Locale.ENGLISH));
         bench.press("*");
         assertFalse(shown().message());
         assertEquals("**#**", shown().keys());

@@ -29,7 +29,6 @@ public final class ReplayModel implements OperatorActions {
     private final RefusalTexts refusals;
     private final Timeline timeline;
     private final List<LoggedEvent> events = new ArrayList<>();
-    private final String damage;
     private final FileExports exports;
     private volatile String notice = "";
     private volatile long noticeNanos;
@@ -44,7 +43,10 @@ public final class ReplayModel implements OperatorActions {
             ReplayedEvents.of(event).ifPresent(events::add);
         }
         exports = new FileExports(robot -> RecordedTrack.csv(recording.path(), robot), new WorldPictures());
-        damage = recording.damage().map(refusals::damaged).orElse("");
+    }
+
+    private String damage() {
+        return replay.recording().damage().map(refusals::damaged).orElse("");
     }
 
     /** The newest snapshot; the same object as long as nothing has changed. For the event thread only. */
@@ -56,7 +58,7 @@ public final class ReplayModel implements OperatorActions {
                 replay.speed(),
                 replay.isPaused(),
                 replay.recording().path(),
-                System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : damage,
+                System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : damage(),
                 List.of(),
                 until(scene.timeNanos()),
                 Optional.of(timeline),

@@ -129,6 +129,8 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
             }
             long began = clockNanos.getAsLong() - Math.round(samplesSinceStart(digit) * NANOS_PER_SAMPLE);
             simulation.execute(() -> control.key(key, began));
+        } else if (event instanceof ModemEvent.CallIdle idle) {
+            simulation.execute(() -> control.callIdle(idle.seconds()));
         } else if (event instanceof ModemEvent.KeyUnreadable) {
             long now = clockNanos.getAsLong();
             simulation.execute(() -> control.key(UNREADABLE_KEY, now));

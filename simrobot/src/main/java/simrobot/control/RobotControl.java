@@ -96,6 +96,13 @@ final class RobotControl {
         veriCommand.speech(samples);
     }
 
+    /** The modem clears the call, in which no key has come for so long; {@link #callEnded} follows. */
+    void callIdle(int seconds) {
+        LOG.log(Level.INFO, robot.name() + ": the call is ended, no key has come for " + seconds + " s");
+        tell(new RobotEvent.CallIdle(seconds));
+        veriCommand.callIdle(seconds);
+    }
+
     void callEnded(int cause) {
         tell(new RobotEvent.CallReleased(cause));
         veriCommand.callEnded();

@@ -117,6 +117,14 @@ public sealed interface RobotEvent {
         }
     }
 
+    /** No key has come in the call for so long, so the modem clears it; {@link CallReleased} follows. */
+    record CallIdle(int seconds) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "call-idle").with("seconds", seconds);
+        }
+    }
+
     /** A call was cleared. @param cause of TS 24.008, 10.5.4.11 */
     record CallReleased(int cause) implements RobotEvent {
         @Override
@@ -216,6 +224,7 @@ public sealed interface RobotEvent {
                         case "reply" -> new ReplySent(field(fields, "to"), field(fields, "text"));
                         case "sms" -> new MessageReceived(field(fields, "from"), field(fields, "text"));
                         case "ussd" -> new UssdAnswered(field(fields, "text"), field(fields, "reply"));
+                        case "call-idle" -> new CallIdle(Integer.parseInt(field(fields, "seconds")));
                         case "released" -> new CallReleased(Integer.parseInt(field(fields, "cause")));
                         case "status" -> new StatusChanged(RobotStatus.ofText(field(fields, "value")));
                         case "client-message" -> new ClientMessage(field(fields, "text"));

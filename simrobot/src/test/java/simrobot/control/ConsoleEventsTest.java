@@ -38,6 +38,7 @@ class ConsoleEventsTest {
         tell(new RobotEvent.ReplySent("5550100", "6 Executing a command."));
         tell(new RobotEvent.MessageReceived("5550100", ""));
         tell(new RobotEvent.UssdAnswered("** #*0 **", "Stopped at 0.000 0.000 m, heading 0.0."));
+        tell(new RobotEvent.CallIdle(60));
         tell(new RobotEvent.CallReleased(16));
         tell(new RobotEvent.StatusChanged(RobotStatus.NO_MOTORS));
         assertEquals(
@@ -56,6 +57,7 @@ class ConsoleEventsTest {
                         "reply robot=r1 to=5550100 text=\"6 Executing a command.\"",
                         "sms robot=r1 from=5550100 text=\"\"",
                         "ussd robot=r1 text=\"** #*0 **\" reply=\"Stopped at 0.000 0.000 m, heading 0.0.\"",
+                        "call-idle robot=r1 seconds=60",
                         "released robot=r1 cause=16",
                         "status robot=r1 value=\"No motors\""),
                 lines);

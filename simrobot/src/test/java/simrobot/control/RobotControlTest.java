@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import simrobot.world.World;
 import vericommand.ReplyTone;
 import vericommand.VeriCommandSettings;
+import vericommand.VeriCommandSnapshot;
 
 /** Verifier, simulated robot and console lines together, simulated time moved by hand. */
 class RobotControlTest {
@@ -41,6 +42,20 @@ class RobotControlTest {
                         "modem: tone 3",
                         "modem: under way false"),
                 bench.log);
+    }
+
+    @Test
+    void aCallThatTheModemEndsForWantOfAKeyTellsTheReasonBeforeItsRelease() {
+        bench.control.callBegan(1, "5550100");
+        bench.press("**#**20**");
+        bench.seconds(5);
+        bench.log.clear();
+        bench.control.callIdle(60);
+        bench.control.callEnded(16);
+        assertEquals(
+                List.of("call-idle robot=robot seconds=60", "released robot=robot cause=16"),
+                bench.lines("call-idle", "released"));
+        assertEquals(VeriCommandSnapshot.IDLE, bench.control.snapshot().verdictWord());
     }
 
     @Test

@@ -26,8 +26,11 @@ import simgsm.station.mobility.Sim;
 public final class Modem implements AnsweringModem {
     static final int TONE_MILLIS = 150;
     static final int PAUSE_MILLIS = 70;
-    /** 60 s of speech. */
-    static final int IDLE_SAMPLES = 60 * 8000;
+    /** The longest time without a key. */
+    public static final int IDLE_SECONDS = 60;
+
+    /** The same in speech. */
+    static final int IDLE_SAMPLES = IDLE_SECONDS * 8000;
     /** 2 s, in frames sent. */
     static final int SILENT_FRAMES = 100;
 
@@ -235,6 +238,8 @@ public final class Modem implements AnsweringModem {
         listener.accept(new ModemEvent.SpeechProcessed(count));
         idleSamples += orderActive ? 0 : count;
         if (idleSamples >= IDLE_SAMPLES) {
+            idleSamples = 0;
+            listener.accept(new ModemEvent.CallIdle(IDLE_SECONDS));
             station.clear(Cause.NORMAL_CALL_CLEARING);
         }
     }

@@ -261,6 +261,8 @@ final class CalledModem implements Uplink {
             told.add("sms sent " + sent.id());
         } else if (event instanceof StationEvent.MessageFailed failed) {
             told.add("sms failed " + failed.id() + " " + failed.cause().code());
+        } else if (event instanceof ModemEvent.CallIdle idle) {
+            told.add("idle " + idle.seconds());
         } else if (event instanceof ModemEvent.KeyDecided decided) {
             told.add("key " + decided.digit().key().symbol());
         } else if (event instanceof ModemEvent.SpeechProcessed speech) {

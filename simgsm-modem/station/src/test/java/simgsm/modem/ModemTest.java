@@ -132,12 +132,17 @@ class ModemTest {
     }
 
     @Test
-    void aMinuteWithoutAKeyEndsTheCall() {
+    void aMinuteWithoutAKeyEndsTheCallAndTheReasonIsTold() {
         scene.pass(160);
         scene.pass(59_980);
         assertFalse(scene.told.contains("ended 16"));
+        assertFalse(scene.told.contains("idle 60"));
         scene.pass(60);
-        assertEquals("ended 16", scene.told.get(scene.told.size() - 1));
+        assertEquals(
+                List.of("idle 60", "ended 16"),
+                scene.told.subList(scene.told.size() - 2, scene.told.size()));
+        Disconnect end = (Disconnect) scene.sent.get(scene.sent.size() - 2);
+        assertEquals(Cause.NORMAL_CALL_CLEARING, end.cause());
     }
 
     @Test
@@ -189,6 +194,7 @@ class ModemTest {
         scene.modem.sendTone(DtmfKey.FOUR);
         scene.callerHangsUp();
         assertEquals("ended 16", scene.told.get(scene.told.size() - 1));
+        assertFalse(scene.told.contains("idle 60"));
         scene.modem.sendTone(DtmfKey.THREE);
         scene.call();
         scene.pass(1000);

@@ -37,6 +37,8 @@ final class EventTexts {
             return texts.of("log.message", message.from(), message.text());
         } else if (event instanceof RobotEvent.UssdAnswered ussd) {
             return texts.of("log.ussd", ussd.text(), ussd.reply());
+        } else if (event instanceof RobotEvent.CallIdle idle) {
+            return texts.of("log.idle", String.valueOf(idle.seconds()));
         } else if (event instanceof RobotEvent.CallReleased released) {
             return texts.of("log.released", String.valueOf(released.cause()));
         } else if (event instanceof RobotEvent.BehaviourChanged behaviour) {

@@ -17,9 +17,14 @@ import vericommand.RobotStatus;
 
 /** Reasons for refusals and errors, in the window's language; logs and consoles have them in English. */
 public final class RefusalTexts {
-    private final TextBundle texts;
+    private volatile TextBundle texts;
 
     public RefusalTexts(Locale language) {
+        speak(language);
+    }
+
+    /** The window has changed its language; any thread. */
+    public void speak(Locale language) {
         texts = SimRobotTexts.in(language);
     }
 

@@ -68,8 +68,9 @@ public final class PresentationView extends PaintedComponent {
 
     /** The order and what has become of it, as {@code forward 20 cm - 3 executed}. */
     private String course(VeriCommandSnapshot order) {
-        String ordered = order.words().isEmpty() ? order.keys() : order.words();
-        String outcome = order.course() == OrderCourse.NONE ? order.verdictText() : outcome(order.course());
+        String words = order.words().in(language);
+        String ordered = words.isEmpty() ? order.keys() : words;
+        String outcome = order.course() == OrderCourse.NONE ? order.verdictText().in(language) : outcome(order.course());
         return Stream.of(ordered, outcome).filter(text -> !text.isEmpty()).collect(Collectors.joining("  \u2013  "));
     }
 

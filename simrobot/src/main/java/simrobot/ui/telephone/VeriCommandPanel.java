@@ -82,7 +82,7 @@ public final class VeriCommandPanel extends JPanel {
             course.setVisible(false);
         } else {
             keys.show(order.keys(), order.failingPosition());
-            words.show(order.words());
+            words.show(order.words().in(language));
             showVerdict(order);
             showCourse(order.course());
         }
@@ -105,14 +105,16 @@ public final class VeriCommandPanel extends JPanel {
     }
 
     private void showVerdict(VeriCommandSnapshot order) {
+        String told = order.verdictText().in(language);
         switch (order.verdictWord()) {
             case "accepted" -> {
-                String said = isCompact && !order.words().isEmpty() ? order.words() : order.verdictText();
+                String said = order.words().in(language);
+                said = isCompact && !said.isEmpty() ? said : told;
                 verdict.show(StatusMark.TICK, Ink.TEXT, said);
             }
-            case VeriCommandSnapshot.UNFINISHED -> verdict.show(StatusMark.SQUARE, Ink.WARNING, order.verdictText());
-            case "refused" -> verdict.show(StatusMark.CROSS, Ink.WARNING, order.verdictText());
-            case "invalid" -> verdict.show(StatusMark.CROSS, Ink.DANGER, order.verdictText());
+            case VeriCommandSnapshot.UNFINISHED, VeriCommandSnapshot.IDLE -> verdict.show(StatusMark.SQUARE, Ink.WARNING, told);
+            case "refused" -> verdict.show(StatusMark.CROSS, Ink.WARNING, told);
+            case "invalid" -> verdict.show(StatusMark.CROSS, Ink.DANGER, told);
             default -> {
                 String waiting = order.keys().isEmpty() ? "order.waiting" : "order.reading";
                 verdict.show(

@@ -352,6 +352,7 @@ class RobotsInTheWindowTest {
                 new RobotEvent.MessageReceived("16", "refused"),
                 new RobotEvent.TypeUnknown("16"),
                 new RobotEvent.ClientMessage("16"),
+                new RobotEvent.CallIdle(60),
                 new RobotEvent.CallReleased(16),
                 new RobotEvent.StatusChanged(RobotStatus.MOVING),
                 new RobotEvent.BehaviourChanged(BehaviourKind.WANDER),

@@ -143,9 +143,9 @@ class RunningPageTest {
                 true,
                 true,
                 "**#**20**",
-                "forward 20 cm",
+                WindowBench.said("forward 20 cm"),
                 "accepted",
-                "",
+                WindowBench.said(""),
                 OrderCourse.UNDER_WAY,
                 0,
                 List.of());

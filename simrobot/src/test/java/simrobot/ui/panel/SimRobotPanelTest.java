@@ -365,9 +365,9 @@ class SimRobotPanelTest {
                 false,
                 false,
                 "**#**20**",
-                "forward 20 cm",
+                WindowBench.said("forward 20 cm"),
                 "accepted",
-                "accepted",
+                WindowBench.said("accepted"),
                 OrderCourse.EXECUTED,
                 0,
                 List.of("3 Done: #**20."));

@@ -37,6 +37,7 @@ import simrobot.ui.floor.WorldView;
 import simrobot.world.MapWriter;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
+import vericommand.LocalizedText;
 import vericommand.OrderCourse;
 import vericommand.Pose;
 import vericommand.VeriCommandSnapshot;
@@ -195,11 +196,16 @@ public final class WindowBench implements OperatorActions {
 
     static VeriCommandSnapshot orders(String keys, String words, String verdict, String text, int fault) {
         return new VeriCommandSnapshot(
-                "5550100", false, true, false, keys, words, verdict, text, OrderCourse.NONE, fault, List.of());
+                "5550100", false, true, false, keys, said(words), verdict, said(text), OrderCourse.NONE, fault, List.of());
+    }
+
+    /** A text that is the same in both languages. */
+    static LocalizedText said(String text) {
+        return new LocalizedText(text, text);
     }
 
     static VeriCommandSnapshot noOrders() {
-        return new VeriCommandSnapshot("", false, false, false, "", "", "", "", OrderCourse.NONE, 0, List.of());
+        return new VeriCommandSnapshot("", false, false, false, "", said(""), "", said(""), OrderCourse.NONE, 0, List.of());
     }
 
     // ---- what the operator did

@@ -16,6 +16,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.CallDecision;
+import simgsm.modem.Modem;
 import simgsm.modem.ModemEvent;
 import simgsm.modem.client.AttachedCallTable.AttachedCallPhase;
 import simgsm.modem.client.AttachedCallTable.CallAction;
@@ -36,7 +37,7 @@ final class AttachedCall {
     /** RING is repeated every 3 to 6 s. */
     static final long RING_GUARD_NANOS = TimeUnit.SECONDS.toNanos(7);
     /** As M2. */
-    static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(60);
+    static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(Modem.IDLE_SECONDS);
     /** A tone of 200 ms, and 70 ms of pause. */
     static final long TONE_NANOS = TimeUnit.MILLISECONDS.toNanos(270);
 
@@ -310,8 +311,15 @@ final class AttachedCall {
     private void restartIdle() {
         timers.cancel(idleTimer);
         if (phase() == AttachedCallPhase.ACTIVE && !orderActive) {
-            idleTimer = timers.start(IDLE_NANOS, this::hangUp);
+            idleTimer = timers.start(IDLE_NANOS, this::idle);
         }
+    }
+
+    private void idle() {
+        if (accepted) {
+            listener.accept(new ModemEvent.CallIdle(Modem.IDLE_SECONDS));
+        }
+        hangUp();
     }
 
     // ---- whether the call stands -----------------------------------------------------------------------------------

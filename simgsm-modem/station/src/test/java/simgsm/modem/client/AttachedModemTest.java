@@ -255,7 +255,7 @@ class AttachedModemTest {
         bench.millis(59_000);
         assertEquals(List.of(), bench.news());
         bench.millis(1500);
-        assertEquals(List.of("released 16"), bench.news());
+        assertEquals(List.of("CallIdle", "released 16"), bench.news());
     }
 
     @Test
