@@ -75,7 +75,8 @@ final class OrderDisplay {
             verdictText = said(in -> in.noProcess(none).text());
         } else if (verdict instanceof Verdict.Refused refused) {
             words = LocalizedText.of(refused.order()::words);
-            verdictText = said(in -> in.refused(refused.tone(), refused.status()).text());
+            verdictText =
+                    said(in -> in.refused(refused.tone(), refused.status()).text());
         } else {
             accepted = ((Verdict.Accepted) verdict).order();
             course = OrderCourse.UNDER_WAY;

@@ -108,7 +108,9 @@ class VeriCommandSnapshotTest {
         VeriCommandSnapshot broken = shown();
         assertEquals("invalid", broken.verdictWord());
         assertEquals(7, broken.failingPosition());
-        assertEquals("Not a valid command: number expected at key 7. Range 1..9999 cm.", broken.verdictText().in(Locale.ENGLISH));
+        assertEquals(
+                "Not a valid command: number expected at key 7. Range 1..9999 cm.",
+                broken.verdictText().in(Locale.ENGLISH));
         assertEquals('*', "**#**0**".charAt(broken.failingPosition() - 1));
         bench.press("#");
         assertEquals(0, shown().failingPosition());
@@ -136,7 +138,18 @@ class VeriCommandSnapshotTest {
         bench.press("** #**0 **");
         bench.veri.callBegan("5550102");
         assertEquals(
-                new VeriCommandSnapshot("5550102", false, true, false, "", LocalizedText.EMPTY, "", LocalizedText.EMPTY, OrderCourse.NONE, 0, List.of()),
+                new VeriCommandSnapshot(
+                        "5550102",
+                        false,
+                        true,
+                        false,
+                        "",
+                        LocalizedText.EMPTY,
+                        "",
+                        LocalizedText.EMPTY,
+                        OrderCourse.NONE,
+                        0,
+                        List.of()),
                 shown());
         bench.press("** #**0 **");
         bench.sms("** #*0 **");
@@ -162,7 +175,9 @@ class VeriCommandSnapshotTest {
         bench.press("** #*");
         bench.veri.callEnded();
 
-        assertEquals("The call ended before the order was whole.", shown().verdictText().in(Locale.ENGLISH));
+        assertEquals(
+                "The call ended before the order was whole.",
+                shown().verdictText().in(Locale.ENGLISH));
         assertEquals(VeriCommandSnapshot.UNFINISHED, shown().verdictWord());
         assertEquals(OrderCourse.NONE, shown().course());
     }

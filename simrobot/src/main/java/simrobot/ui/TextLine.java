@@ -3,6 +3,7 @@ package simrobot.ui;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.util.List;
 import java.util.function.Supplier;
 import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
@@ -68,7 +69,16 @@ public final class TextLine extends PaintedComponent {
     public Dimension getPreferredSize() {
         Font face = font.get();
         int width = shrinking ? Theme.px(24) : Drawing.width(face, text) + 1;
-        return new Dimension(width, rows * getFontMetrics(face).getHeight());
+        return new Dimension(width, rows * rowHeight());
+    }
+
+    private int rowHeight() {
+        return getFontMetrics(font.get()).getHeight();
+    }
+
+    /** The height of the rows that the text takes at a width in pixels. */
+    public int heightFor(int width) {
+        return Math.max(1, Drawing.wrapped(font.get(), text, width, rows).size()) * rowHeight();
     }
 
     @Override
@@ -81,29 +91,16 @@ public final class TextLine extends PaintedComponent {
         Font face = font.get();
         g.setFont(face);
         g.setColor(Theme.color(ink));
-        int end = rows == 1 ? text.length() : firstRow(face, text, width);
-        String rest = text.substring(end).strip();
-        double row = height / rows;
+        int fit = Math.max(1, Math.min(rows, (int) (height / rowHeight())));
+        double row = height / fit;
         double base = row / 2 + Drawing.capHeight(g, face) / 2;
-        if (rest.isEmpty()) {
+        List<String> lines = Drawing.wrapped(face, text, width, fit);
+        if (lines.size() <= 1) {
             String fitted = isNumber ? Drawing.fittedEnd(face, text, width) : Drawing.fitted(face, text, width);
             g.drawString(fitted, 0, (float) (height - row + base));
-        } else {
-            g.drawString(Drawing.fitted(face, text.substring(0, end), width), 0, (float) base);
-            g.drawString(Drawing.fitted(face, rest, width), 0, (float) (row + base));
         }
-    }
-
-    /** The length of the part that stands in the first row: all, or the whole words that fit, at least one. */
-    static int firstRow(Font face, String text, double width) {
-        int end = text.length();
-        while (Drawing.width(face, text.substring(0, end)) > width) {
-            int blank = text.lastIndexOf(' ', end - 1);
-            if (blank <= 0) {
-                return end;
-            }
-            end = blank;
+        for (int i = 0; i < lines.size() && lines.size() > 1; i++) {
+            g.drawString(lines.get(i), 0, (float) (i * row + base));
         }
-        return end;
     }
 }

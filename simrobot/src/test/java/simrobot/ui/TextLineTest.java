@@ -14,20 +14,14 @@ class TextLineTest {
     private final Font face = Theme.small();
 
     @Test
-    void aTextThatFitsStaysInOneRow() {
-        assertEquals(REPLY.length(), TextLine.firstRow(face, REPLY, Drawing.width(face, REPLY)));
-    }
+    void theHeightIsThatOfTheRowsThatTheTextTakes() {
+        TextLine line = new TextLine("line", Theme::small, Ink.TEXT).overTwoRows();
+        line.show(REPLY);
+        int row = line.getPreferredSize().height / 2;
 
-    @Test
-    void aLongerTextBreaksBehindTheLastWordThatFits() {
-        int end = TextLine.firstRow(face, REPLY, Drawing.width(face, REPLY) - 1.0);
-
-        assertEquals("3 Done: #**20. Stopped at 0.200 -1.450 m, heading", REPLY.substring(0, end));
-    }
-
-    @Test
-    void aWordThatIsTooLongIsNotBroken() {
-        assertEquals("Disconnected".length(), TextLine.firstRow(face, "Disconnected now", 5));
+        assertEquals(row, line.heightFor(Drawing.width(face, REPLY)));
+        assertEquals(2 * row, line.heightFor(Drawing.width(face, REPLY) - 1));
+        assertEquals(2 * row, line.heightFor(20));
     }
 
     @Test

@@ -9,6 +9,8 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.ArrayList;
+import java.util.List;
 
 /** Rendering hints, pixel-aligned rectangles and texts for painters. */
 public final class Drawing {
@@ -118,6 +120,31 @@ public final class Drawing {
             end--;
         }
         return end == 0 ? "" : text.substring(0, end) + "\u2026";
+    }
+
+    /** The text in rows of whole words, at most so many; the last is cut with an ellipsis to fit. */
+    public static List<String> wrapped(Font font, String text, double width, int mostRows) {
+        List<String> rows = new ArrayList<>();
+        String rest = text.strip();
+        while (!rest.isEmpty()) {
+            int end = rows.size() + 1 < mostRows ? firstRow(font, rest, width) : rest.length();
+            rows.add(fitted(font, rest.substring(0, end), width));
+            rest = rest.substring(end).strip();
+        }
+        return rows;
+    }
+
+    /** The length of the part that stands in the first row: all, or the whole words that fit, at least one. */
+    static int firstRow(Font font, String text, double width) {
+        int end = text.length();
+        while (width(font, text.substring(0, end)) > width) {
+            int blank = text.lastIndexOf(' ', end - 1);
+            if (blank <= 0) {
+                return end;
+            }
+            end = blank;
+        }
+        return end;
     }
 
     /** The text, cut in front with an ellipsis where it does not fit: of numbers the last digits differ. */

@@ -1,8 +1,8 @@
 package simgsm.ui;
 
 import java.awt.Dimension;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.util.List;
 import java.util.Locale;
 import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
@@ -12,6 +12,8 @@ import simgsm.draw.StatusMark;
 public final class Lamp extends PaintedComponent {
     private static final int GAP_UNITS = 6;
     private static final double RADIUS_UNITS = 6;
+    /** Where the word begins. */
+    private static final double TEXT_UNITS = 2 * RADIUS_UNITS + 2 + GAP_UNITS;
 
     private final String subject;
     private StatusMark mark = StatusMark.RING;
@@ -19,6 +21,7 @@ public final class Lamp extends PaintedComponent {
     private String word = "";
     private boolean lit = true;
     private String unlitWord = "";
+    private boolean isWrapping;
 
     /** @param subject for assistive technology: "Link to the centre" */
     public Lamp(String subject) {
@@ -36,6 +39,7 @@ public final class Lamp extends PaintedComponent {
             boolean resized = !newWord.equals(word);
             change(() -> word = newWord);
             if (resized) {
+                setToolTipText(isWrapping && !word.isEmpty() ? word : subject);
                 revalidate();
             }
             repaint();
@@ -69,6 +73,23 @@ public final class Lamp extends PaintedComponent {
         return this;
     }
 
+    /** A word that is too wide breaks into as many rows as the lamp is high; the tool tip has it whole. */
+    public Lamp wrapping() {
+        isWrapping = true;
+        return this;
+    }
+
+    /** The height in which a wrapping lamp shows its whole word at a width in pixels. */
+    public int heightFor(int width) {
+        double room = width - Theme.exact(TEXT_UNITS);
+        int rows = Drawing.wrapped(getFont(), word, room, Integer.MAX_VALUE).size();
+        return Math.max(1, rows) * rowHeight();
+    }
+
+    private int rowHeight() {
+        return Math.max(getFontMetrics(getFont()).getHeight(), Theme.px(2 * RADIUS_UNITS + 4));
+    }
+
     public boolean isLit() {
         return lit;
     }
@@ -91,11 +112,8 @@ public final class Lamp extends PaintedComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        FontMetrics metrics = getFontMetrics(getFont());
         int textWidth = word.isEmpty() ? 0 : Drawing.width(getFont(), word) + Theme.px(GAP_UNITS) + 1;
-        return new Dimension(
-                Theme.px(2 * RADIUS_UNITS + 2) + 1 + textWidth,
-                Math.max(metrics.getHeight(), Theme.px(2 * RADIUS_UNITS + 4)));
+        return new Dimension(Theme.px(2 * RADIUS_UNITS + 2) + 1 + textWidth, rowHeight());
     }
 
     @Override
@@ -106,12 +124,17 @@ public final class Lamp extends PaintedComponent {
     @Override
     protected void paint(Graphics2D g, double width, double height) {
         double r = Theme.exact(RADIUS_UNITS);
-        double middle = height / 2;
+        double x = Theme.exact(TEXT_UNITS);
+        int most = isWrapping ? Math.max(1, (int) (height / rowHeight())) : 1;
+        List<String> rows = Drawing.wrapped(getFont(), word, width - x, most);
+        double rowHeight = rows.size() > 1 ? rowHeight() : height;
+        double middle = rowHeight / 2;
         mark.draw(new GraphicsCanvas(g), r + Theme.exact(1), middle, r, lit ? ink : Ink.DISABLED);
         g.setFont(getFont());
         g.setColor(Theme.color(lit ? Ink.TEXT : Ink.QUIET));
-        double x = Theme.exact(2 * RADIUS_UNITS + 2 + GAP_UNITS);
-        String fitted = Drawing.fitted(getFont(), word, width - x);
-        g.drawString(fitted, (float) x, (float) (middle + Drawing.capHeight(g, getFont()) / 2));
+        for (String row : rows) {
+            g.drawString(row, (float) x, (float) (middle + Drawing.capHeight(g, getFont()) / 2));
+            middle += rowHeight;
+        }
     }
 }

@@ -138,9 +138,7 @@ class ModemTest {
         assertFalse(scene.told.contains("ended 16"));
         assertFalse(scene.told.contains("idle 60"));
         scene.pass(60);
-        assertEquals(
-                List.of("idle 60", "ended 16"),
-                scene.told.subList(scene.told.size() - 2, scene.told.size()));
+        assertEquals(List.of("idle 60", "ended 16"), scene.told.subList(scene.told.size() - 2, scene.told.size()));
         Disconnect end = (Disconnect) scene.sent.get(scene.sent.size() - 2);
         assertEquals(Cause.NORMAL_CALL_CLEARING, end.cause());
     }

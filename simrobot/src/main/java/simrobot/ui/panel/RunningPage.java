@@ -243,11 +243,12 @@ final class RunningPage extends JPanel {
             divider.place(x, y, width, height);
         }
 
-        /** The tone scope gets the height that VeriCommand does not need. */
+        /** The tone scope keeps its least height, and gets what VeriCommand does not need. */
         private void stackAtRight(Rectangle rest) {
             Rectangle column = cutRight(rest, columnDivider, Theme.px(COLUMN_UNITS));
-            int ordersHeight = lowerOrdersDivider.sized(
-                    Math.min(column.height / 2, orders.getPreferredSize().height), column.height / 2);
+            int spare = column.height - gap() - modem.getPreferredSize().height;
+            int own = Math.min(orders.getPreferredSize().height, Math.max(spare, orders.getMinimumSize().height));
+            int ordersHeight = lowerOrdersDivider.sized(Math.min(column.height / 2, own), column.height / 2);
             place(lowerOrdersDivider, column.x, column.y + column.height - ordersHeight - gap(), column.width, gap());
             int modemHeight = column.height - gap() - ordersHeight;
             modem.setBounds(column.x, column.y, column.width, Math.max(0, modemHeight));

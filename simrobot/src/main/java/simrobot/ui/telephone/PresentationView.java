@@ -70,7 +70,8 @@ public final class PresentationView extends PaintedComponent {
     private String course(VeriCommandSnapshot order) {
         String words = order.words().in(language);
         String ordered = words.isEmpty() ? order.keys() : words;
-        String outcome = order.course() == OrderCourse.NONE ? order.verdictText().in(language) : outcome(order.course());
+        String outcome =
+                order.course() == OrderCourse.NONE ? order.verdictText().in(language) : outcome(order.course());
         return Stream.of(ordered, outcome).filter(text -> !text.isEmpty()).collect(Collectors.joining("  \u2013  "));
     }
 

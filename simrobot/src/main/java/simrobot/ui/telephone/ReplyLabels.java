@@ -31,6 +31,11 @@ final class ReplyLabels extends JPanel {
         }
     }
 
+    /** Empty if there is none. */
+    String newest() {
+        return shown.isEmpty() ? "" : shown.get(shown.size() - 1);
+    }
+
     /** Adds labels from the newest on while they fit; repeated when the panel's width changes. */
     private void build() {
         removeAll();

@@ -1,13 +1,16 @@
 package simrobot.ui.telephone;
 
 import java.awt.BorderLayout;
+import java.awt.Container;
+import java.awt.Dimension;
 import java.util.List;
 import java.util.Locale;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
-import simgsm.ui.Arrange;
+import simgsm.ui.Arrange.FixedLayout;
 import simgsm.ui.Card;
 import simgsm.ui.Keycaps;
 import simgsm.ui.Lamp;
@@ -22,11 +25,12 @@ public final class VeriCommandPanel extends JPanel {
     private final Card card;
     private boolean isCompact;
     private boolean areKeysHidden;
+    private OrderCourse courseNow = OrderCourse.NONE;
 
     private final TextBundle texts;
     private final TextLine from = new TextLine("order.from", Theme::base, Ink.QUIET);
     private final Keycaps keys;
-    private final TextLine words = new TextLine("order.words", Theme::strong, Ink.TEXT);
+    private final TextLine words = new TextLine("order.words", Theme::strong, Ink.TEXT).overTwoRows();
     private final Lamp verdict;
     private final Lamp course;
     private final Locale language;
@@ -40,20 +44,16 @@ public final class VeriCommandPanel extends JPanel {
         setOpaque(false);
         keys = new Keycaps(texts.of("order.keys"));
         keys.setName("order.keys");
-        verdict = new Lamp(texts.of("order.verdict"));
+        verdict = new Lamp(texts.of("order.verdict")).wrapping();
         verdict.setName("order.verdict");
         course = new Lamp(texts.of("order.course"));
         course.setName("order.course");
         replies = new ReplyLabels(language);
-        JPanel content = Arrange.column(
-                6,
-                from,
-                keys,
-                words,
-                Arrange.row(Theme.GRID, Arrange.growing(verdict), course),
-                Arrange.spring(),
-                replies,
-                reply);
+        JPanel content = new JPanel(new Parts());
+        content.setOpaque(false);
+        for (JComponent part : new JComponent[] {from, keys, words, verdict, course, replies, reply}) {
+            content.add(part);
+        }
         card = new Card(texts.of("order.title"), content);
         add(card, BorderLayout.CENTER);
     }
@@ -112,7 +112,8 @@ public final class VeriCommandPanel extends JPanel {
                 said = isCompact && !said.isEmpty() ? said : told;
                 verdict.show(StatusMark.TICK, Ink.TEXT, said);
             }
-            case VeriCommandSnapshot.UNFINISHED, VeriCommandSnapshot.IDLE -> verdict.show(StatusMark.SQUARE, Ink.WARNING, told);
+            case VeriCommandSnapshot.UNFINISHED, VeriCommandSnapshot.IDLE ->
+                verdict.show(StatusMark.SQUARE, Ink.WARNING, told);
             case "refused" -> verdict.show(StatusMark.CROSS, Ink.WARNING, told);
             case "invalid" -> verdict.show(StatusMark.CROSS, Ink.DANGER, told);
             default -> {
@@ -125,6 +126,7 @@ public final class VeriCommandPanel extends JPanel {
 
     /** Beside the verdict, which tells only whether the order was accepted: what has become of it. */
     private void showCourse(OrderCourse now) {
+        courseNow = now;
         course.setVisible(now != OrderCourse.NONE);
         String said = now.words(language);
         switch (now) {
@@ -137,6 +139,99 @@ public final class VeriCommandPanel extends JPanel {
             case STOPPED, BROKEN_OFF -> course.show(StatusMark.SQUARE, Ink.WARNING, said);
             case CALL_ENDED -> course.show(StatusMark.SLASHED_RING, Ink.WARNING, said);
         }
+    }
+
+    /**
+     * All in one column, the replies at its bottom. The course stands beside the verdict where both fit, else below it. Where
+     * the height does not suffice the keys become smaller, then one of course and replies gives way: they mostly say the same.
+     */
+    private final class Parts implements FixedLayout {
+        private static final int GAP_UNITS = 6;
+        /** Rows of the verdict for which room is kept. */
+        private static final int ROWS = 2;
+        /** In one row, as small as they get. */
+        private static final int LEAST_KEYS_UNITS = 21;
+
+        /** Keys, a verdict in one row, and the replies. */
+        @Override
+        public Dimension minimumLayoutSize(Container parent) {
+            int height = keys.getMinimumSize().height + course.getPreferredSize().height + gap();
+            return new Dimension(Theme.px(120), height + others());
+        }
+
+        /** The same for short and long orders, so that the tone scope beside it keeps its size. */
+        @Override
+        public Dimension preferredLayoutSize(Container parent) {
+            int keysHeight = (isCompact ? keys.getMinimumSize() : keys.getPreferredSize()).height;
+            int height = keysHeight + (ROWS + 1) * course.getPreferredSize().height + 2 * gap();
+            return new Dimension(Theme.px(120), height + others());
+        }
+
+        private int others() {
+            int height = 0;
+            for (JComponent part : new JComponent[] {from, words, replies, reply}) {
+                height += part.isVisible() ? part.getPreferredSize().height + gap() : 0;
+            }
+            return height;
+        }
+
+        @Override
+        public void layoutContainer(Container parent) {
+            int width = parent.getWidth();
+            int courseWidth = course.getPreferredSize().width;
+            int courseHeight = course.getPreferredSize().height;
+            int besideWidth = verdict.getPreferredSize().width + Theme.px(Theme.GRID) + courseWidth;
+            boolean isBeside = course.isVisible() && besideWidth <= width;
+            boolean isBelow = course.isVisible() && !isBeside;
+            int verdictHeight = isBeside ? courseHeight : verdict.heightFor(width);
+            int wordsHeight = words.heightFor(width);
+            int repliesHeight = replies.getPreferredSize().height;
+
+            int bottom = above(parent.getHeight(), width, reply, reply.getPreferredSize().height);
+            int top = below(0, width, from, from.getPreferredSize().height);
+            int rest = bottom - top - verdictHeight - gap() - repliesHeight - gap();
+            rest -= words.isVisible() ? wordsHeight + gap() : 0;
+            if (isBelow && rest - courseHeight - gap() < Theme.px(LEAST_KEYS_UNITS)) {
+                isBelow = !isSaidByReplies();
+                repliesHeight = isBelow ? 0 : repliesHeight;
+                rest += isBelow ? replies.getPreferredSize().height + gap() : 0;
+            }
+            rest -= isBelow ? courseHeight + gap() : 0;
+            bottom = above(bottom, width, replies, repliesHeight);
+            int keysHeight = Math.min(keys.getPreferredSize().height, Math.max(Theme.px(LEAST_KEYS_UNITS), rest));
+            top = below(top, width, keys, keysHeight);
+            top = below(top, width, words, wordsHeight);
+            int room = bottom - top - (isBelow ? courseHeight + gap() : 0);
+            verdictHeight = Math.max(courseHeight, Math.min(verdictHeight, room));
+            verdict.setBounds(0, top, isBeside ? width - courseWidth - gap() : width, verdictHeight);
+            if (isBeside) {
+                course.setBounds(width - courseWidth, top, courseWidth, courseHeight);
+            } else {
+                course.setBounds(0, top + verdictHeight + gap(), width, isBelow ? courseHeight : 0);
+            }
+        }
+
+        /** @return where the next part begins */
+        private static int below(int top, int width, JComponent part, int height) {
+            part.setBounds(0, top, width, height);
+            return part.isVisible() ? top + height + gap() : top;
+        }
+
+        /** @return where the part above ends */
+        private static int above(int bottom, int width, JComponent part, int height) {
+            part.setBounds(0, bottom - height, width, height);
+            return part.isVisible() && height > 0 ? bottom - height - gap() : bottom;
+        }
+
+        private static int gap() {
+            return Theme.px(GAP_UNITS);
+        }
+    }
+
+    /** Whether the newest reply is that of the order's course. */
+    private boolean isSaidByReplies() {
+        String tone = courseNow.tone().map(each -> String.valueOf(each.key())).orElse("none");
+        return replies.newest().startsWith(tone);
     }
 
     /** In a call each reply tone is one label. */

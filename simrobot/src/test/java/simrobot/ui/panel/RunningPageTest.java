@@ -24,7 +24,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.draw.Appearance;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Divider;
+import simgsm.ui.Lamp;
 import simgsm.ui.Theme;
+import simrobot.ui.TextLine;
+import vericommand.LocalizedText;
 import vericommand.OrderCourse;
 import vericommand.VeriCommandSnapshot;
 
@@ -74,6 +77,49 @@ class RunningPageTest {
             assertWhole(bench, "scope.picture", 280, 132);
             assertWhole(bench, "order.keys", 100, 34);
             assertWhole(bench, "replies", 120, 26);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"100, 692, 584", "100, 744, 375", "100, 1030, 560", "120, 1516, 692", "150, 1416, 636", "100, 1100, 800"
+    })
+    void anOrderOfThreeLegsAndItsOutcomeAreBothReadable(int percent, int width, int height) throws Exception {
+        Theme.zoomTo(percent / 100.0);
+        for (Locale language : List.of(Locale.ENGLISH, new Locale("es"))) {
+            for (OrderCourse course : List.of(OrderCourse.EXECUTED, OrderCourse.CALL_ENDED)) {
+                WindowBench bench = new WindowBench("demo.map", language, "robot");
+                VeriCommandSnapshot order = new VeriCommandSnapshot(
+                        "5550100",
+                        false,
+                        true,
+                        true,
+                        "**#**100#*#90#**100**",
+                        new LocalizedText(
+                                "forward 100 cm, turn right 90 degrees, forward 100 cm",
+                                "avanzar 100 cm, girar 90 grados a la derecha, avanzar 100 cm"),
+                        "accepted",
+                        WindowBench.said("accepted"),
+                        course,
+                        0,
+                        List.of());
+                bench.lines = List.of(WindowBench.line("robot", true, true, order, "163"));
+                bench.show().resize(width, height).resize(width, height);
+                Lamp verdict = (Lamp) bench.component("order.verdict");
+                TextLine words = (TextLine) bench.component("order.words");
+                Component outcome = bench.component("order.course");
+                Component replies = bench.component("replies");
+                assertTrue(verdict.getHeight() >= verdict.heightFor(verdict.getWidth()), "verdict in " + language);
+                assertTrue(!words.isVisible() || words.getHeight() >= words.heightFor(words.getWidth()), "words");
+                assertFalse(verdict.getBounds().intersects(outcome.getBounds()));
+                assertFalse(outcome.getBounds().intersects(replies.getBounds()));
+                assertFalse(bench.component("order.keys").getBounds().intersects(verdict.getBounds()));
+                if (course == OrderCourse.EXECUTED && outcome.getHeight() == 0) {
+                    assertWhole(bench, "reply.3", 40, 16);
+                } else {
+                    assertTrue(outcome.getWidth() >= outcome.getPreferredSize().width, course + " in " + language);
+                    assertWhole(bench, "order.course", 40, 16);
+                }
+            }
         }
     }
 

@@ -196,7 +196,17 @@ public final class WindowBench implements OperatorActions {
 
     static VeriCommandSnapshot orders(String keys, String words, String verdict, String text, int fault) {
         return new VeriCommandSnapshot(
-                "5550100", false, true, false, keys, said(words), verdict, said(text), OrderCourse.NONE, fault, List.of());
+                "5550100",
+                false,
+                true,
+                false,
+                keys,
+                said(words),
+                verdict,
+                said(text),
+                OrderCourse.NONE,
+                fault,
+                List.of());
     }
 
     /** A text that is the same in both languages. */
@@ -205,7 +215,8 @@ public final class WindowBench implements OperatorActions {
     }
 
     static VeriCommandSnapshot noOrders() {
-        return new VeriCommandSnapshot("", false, false, false, "", said(""), "", said(""), OrderCourse.NONE, 0, List.of());
+        return new VeriCommandSnapshot(
+                "", false, false, false, "", said(""), "", said(""), OrderCourse.NONE, 0, List.of());
     }
 
     // ---- what the operator did
