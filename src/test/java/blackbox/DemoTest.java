@@ -7,7 +7,12 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The main job: {@code simgsm-center.jar --demo}. */
 class DemoTest {
@@ -39,8 +44,23 @@ class DemoTest {
     }
 
     @Test
-    void theDemosProcessesEndWithTheCentreEvenWhenItIsKilled() throws Exception {
-        RunningProgramTree demo = RunningProgramTree.start("simgsm-center", "--demo");
+    void aDemoWithoutAPortLeavesNoFolderBehind(@TempDir Path temporary) throws Exception {
+        try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            String port = Integer.toString(taken.getLocalPort());
+            List<String> command =
+                    Dist.command(temporary, "simgsm-center", List.of("--demo", "--headless", "--port", port));
+            FinishedProgram demo = FinishedProgram.of(new ProcessBuilder(command), new byte[0]);
+            assertEquals(74, demo.status(), demo.output() + demo.error());
+            assertTrue(demo.error().contains("port " + port), demo.error());
+        }
+        try (Stream<Path> left = Files.list(temporary)) {
+            assertEquals(List.of(), left.toList());
+        }
+    }
+
+    @Test
+    void theDemosProcessesEndWithTheCentreEvenWhenItIsKilled(@TempDir Path temporary) throws Exception {
+        RunningProgramTree demo = RunningProgramTree.start(temporary, "simgsm-center", "--demo");
         demo.awaitDescendants(2);
         demo.kill();
         demo.awaitEndOfDescendants();

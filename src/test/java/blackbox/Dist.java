@@ -28,4 +28,11 @@ public final class Dist {
         command.addAll(arguments);
         return command;
     }
+
+    /** As {@link #command}, with a folder of its own for temporary files, for a program that is killed or checked for leftovers. */
+    static List<String> command(Path temporary, String program, List<String> arguments) {
+        List<String> command = command(program, arguments);
+        command.add(1, "-Djava.io.tmpdir=" + temporary);
+        return command;
+    }
 }

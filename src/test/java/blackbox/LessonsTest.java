@@ -7,7 +7,6 @@ import java.io.BufferedReader;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -115,10 +114,10 @@ class LessonsTest {
     void aSignalLeavesNoFolderBehind(@TempDir Path folder) throws Exception {
         Path temporary = Files.createDirectory(folder.resolve("temporary"));
         Path solution = Files.write(folder.resolve("mine.txt"), List.of("robot wait never 60"));
-        List<String> command = new ArrayList<>(Dist.command(
+        List<String> command = Dist.command(
+                temporary,
                 "simgsm-center",
-                List.of("--lesson", "twelve-keys", "--check", solution.toString(), "--log-level", "debug")));
-        command.add(1, "-Djava.io.tmpdir=" + temporary);
+                List.of("--lesson", "twelve-keys", "--check", solution.toString(), "--log-level", "debug"));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         try (BufferedReader lines = process.inputReader()) {
             String line = lines.readLine();

@@ -1,6 +1,7 @@
 package blackbox;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
@@ -13,8 +14,9 @@ final class RunningProgramTree {
         this.process = process;
     }
 
-    static RunningProgramTree start(String program, String... arguments) throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(Dist.command(program, List.of(arguments)))
+    /** @param temporary where the program puts temporary files: once killed it cannot remove them */
+    static RunningProgramTree start(Path temporary, String program, String... arguments) throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(Dist.command(temporary, program, List.of(arguments)))
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .redirectError(ProcessBuilder.Redirect.DISCARD);
         builder.directory(Dist.root().toFile());
@@ -30,7 +32,7 @@ final class RunningProgramTree {
             if (System.nanoTime() > end || !process.isAlive()) {
                 throw new AssertionError("started only " + descendants.size() + " of " + count + " processes");
             }
-            // The operating system tells nobody of a new grandchild: ask again after a moment.
+            // The operating system does not report new grandchildren: poll every 20 ms.
             process.waitFor(20, TimeUnit.MILLISECONDS);
         } while (descendants.size() < count);
     }

@@ -32,14 +32,12 @@ public final class DemoPrograms implements AutoCloseable {
     private final ChildPrograms children;
     private final Thread atExit;
 
-    private DemoPrograms(Arguments arguments, Path temporary, Center center, ChildPrograms children) {
+    private DemoPrograms(Arguments arguments, Center center, ChildPrograms children) {
         this.arguments = arguments;
-        if (temporary != null) {
-            this.temporary.add(temporary);
-        }
         this.center = center;
         this.children = children;
         this.atExit = new Thread(this::end, "end of the demo");
+        Runtime.getRuntime().addShutdownHook(atExit);
     }
 
     /** A closed network must list the SIMs of the phone and the robot. */
@@ -55,11 +53,18 @@ public final class DemoPrograms implements AutoCloseable {
     public static DemoPrograms open(Arguments arguments, CenterSettings settings) throws IOException, UsageException {
         requireCards(settings.home());
         ChildPrograms children = ChildPrograms.besideOwn();
-        Path temporary = settings.data().isPresent() ? null : Files.createTempDirectory("simgsm-demo");
-        Center center = open(settings, settings.data().orElse(temporary));
-        DemoPrograms programs = new DemoPrograms(arguments, temporary, center, children);
-        Runtime.getRuntime().addShutdownHook(programs.atExit);
-        return programs;
+        if (settings.data().isPresent()) {
+            return new DemoPrograms(arguments, open(settings, settings.data().get()), children);
+        }
+        Path temporary = Files.createTempDirectory("simgsm-demo");
+        try {
+            DemoPrograms programs = new DemoPrograms(arguments, open(settings, temporary), children);
+            programs.removeAtEnd(temporary);
+            return programs;
+        } catch (IOException e) {
+            remove(temporary);
+            throw e;
+        }
     }
 
     private static Center open(CenterSettings settings, Path data) throws IOException {
