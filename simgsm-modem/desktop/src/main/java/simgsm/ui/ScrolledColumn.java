@@ -1,21 +1,16 @@
 package simgsm.ui;
 
-import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
-import java.awt.Rectangle;
 import java.beans.PropertyChangeListener;
 import javax.swing.JComponent;
-import javax.swing.JPanel;
-import javax.swing.Scrollable;
 import javax.swing.SwingUtilities;
 
 /**
  * The content of a scroll pane, as high as the view; below its minimum height it scrolls, also to the component that gets the
  * focus.
  */
-public final class ScrolledColumn extends JPanel implements Scrollable {
+public final class ScrolledColumn extends ScrollContent {
     private static final String FOCUS = "permanentFocusOwner";
 
     private final transient PropertyChangeListener focus = change -> {
@@ -26,9 +21,7 @@ public final class ScrolledColumn extends JPanel implements Scrollable {
 
     /** @param content with a minimum size, as {@link Arrange#column} has one */
     public ScrolledColumn(JComponent content) {
-        super(new BorderLayout());
-        setOpaque(false);
-        add(content, BorderLayout.CENTER);
+        super(content);
     }
 
     /** Scrolls as far as needed to show a component, if it is one of the column's. */
@@ -48,26 +41,6 @@ public final class ScrolledColumn extends JPanel implements Scrollable {
     public void removeNotify() {
         KeyboardFocusManager.getCurrentKeyboardFocusManager().removePropertyChangeListener(FOCUS, focus);
         super.removeNotify();
-    }
-
-    @Override
-    public Dimension getPreferredScrollableViewportSize() {
-        return getPreferredSize();
-    }
-
-    @Override
-    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-        return Theme.px(20);
-    }
-
-    @Override
-    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-        return visible.height;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportWidth() {
-        return true;
     }
 
     @Override

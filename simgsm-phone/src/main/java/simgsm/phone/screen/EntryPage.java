@@ -6,7 +6,7 @@ import java.util.function.Supplier;
 import simgsm.phone.screen.KeyIntent.Simple;
 
 /** A line to key in: a number, a code or a name. */
-final class EntryPage extends ScreenPage {
+final class EntryPage extends TextEntryPage {
     /** What may be keyed. */
     enum Kind {
         /** A telephone number; the star key writes its plus sign. */
@@ -30,7 +30,6 @@ final class EntryPage extends ScreenPage {
     private final Words title;
     private final Kind kind;
     private final String softLeft;
-    private final TextEntry entry;
     private final Function<String, KeyIntent> done;
     private Optional<Supplier<KeyIntent>> names = Optional.empty();
 
@@ -41,12 +40,11 @@ final class EntryPage extends ScreenPage {
      * @param done called with what was keyed, unless it is empty
      */
     EntryPage(PageStack stack, Words title, Kind kind, int most, String softLeft, Function<String, KeyIntent> done) {
-        super(stack);
+        super(stack, new TextEntry(most));
         this.title = title;
         this.kind = kind;
         this.softLeft = softLeft;
         this.done = done;
-        entry = new TextEntry(most);
         entry.setMode(kind == Kind.NAME ? TextEntry.Mode.CAPITAL : TextEntry.Mode.NUMBERS);
     }
 
@@ -131,27 +129,5 @@ final class EntryPage extends ScreenPage {
             entry.type(character);
         }
         return true;
-    }
-
-    @Override
-    boolean erase() {
-        boolean hasText = !entry.text().isEmpty();
-        entry.erase();
-        return hasText;
-    }
-
-    @Override
-    void leave() {
-        entry.commit();
-    }
-
-    @Override
-    boolean wantsTime() {
-        return entry.isPending();
-    }
-
-    @Override
-    boolean timePassed(long nowNanos) {
-        return entry.settle(nowNanos);
     }
 }

@@ -9,7 +9,7 @@ import simgsm.phone.store.MessageFolder;
 
 /** The keys on the home screen: the number being typed, calls, and keys that are held for a second function. */
 public final class HomeKeys {
-    /** What the home screen tells, on which its keys depend. */
+    /** What the keys of the home screen depend on. */
     public record Situation(
             CallPhase phase, boolean ringIsSilent, boolean waits, boolean holds, int unread, int missed) {
         boolean isActive() {

@@ -15,7 +15,7 @@ final class ListPage extends ScreenPage {
     /**
      * A row and what is done with it.
      *
-     * @param key tells the row from the others, while the list changes
+     * @param key identifies the row while the list changes
      * @param called by the green key; empty if the row is no party
      * @param options by the left key; empty if there are none
      */

@@ -83,7 +83,7 @@ final class MessagePages {
         return new ListItem(
                 message.serial(),
                 new Screen.Row(
-                        mark(message),
+                        Screen.Mark.of(message),
                         message.party().isEmpty()
                                 ? Words.of("lcd.no_receiver")
                                 : Words.plain(contacts.nameOf(message.party())),
@@ -93,17 +93,6 @@ final class MessagePages {
                 () -> folder == MessageFolder.DRAFTS ? edit(message) : view(folder, message),
                 Optional.of(() -> call(folder, message)),
                 Optional.of(() -> options(folder, message, null)));
-    }
-
-    private static Screen.Mark mark(StoredMessage message) {
-        return switch (message.delivery()) {
-            case RECEIVED -> message.read() ? Screen.Mark.READ : Screen.Mark.UNREAD;
-            case DRAFT -> Screen.Mark.DRAFT;
-            case SENDING -> Screen.Mark.SENDING;
-            case SENT -> Screen.Mark.SENT;
-            case DELIVERED -> Screen.Mark.DELIVERED;
-            case FAILED -> Screen.Mark.FAILED;
-        };
     }
 
     private KeyIntent view(MessageFolder folder, StoredMessage message) {

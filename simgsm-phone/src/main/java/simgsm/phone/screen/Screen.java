@@ -26,7 +26,19 @@ public sealed interface Screen {
         SENDING,
         SENT,
         DELIVERED,
-        FAILED
+        FAILED;
+
+        /** The mark of a message by its delivery, and of a received one by whether it has been read. */
+        public static Mark of(StoredMessage message) {
+            return switch (message.delivery()) {
+                case RECEIVED -> message.read() ? READ : UNREAD;
+                case DRAFT -> DRAFT;
+                case SENDING -> SENDING;
+                case SENT -> SENT;
+                case DELIVERED -> DELIVERED;
+                case FAILED -> FAILED;
+            };
+        }
     }
 
     /**

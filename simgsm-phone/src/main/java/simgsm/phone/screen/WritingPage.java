@@ -5,13 +5,11 @@ import java.util.List;
 import simgsm.phone.screen.KeyIntent.Simple;
 
 /** A message being written. */
-final class WritingPage extends ScreenPage {
-    private final TextEntry entry;
+final class WritingPage extends TextEntryPage {
     private final MessagePages messages;
 
     WritingPage(PageStack stack, TextEntry entry, MessagePages messages) {
-        super(stack);
-        this.entry = entry;
+        super(stack, entry);
         this.messages = messages;
     }
 
@@ -64,27 +62,5 @@ final class WritingPage extends ScreenPage {
     boolean type(char character) {
         entry.type(character);
         return true;
-    }
-
-    @Override
-    boolean erase() {
-        boolean hasText = !entry.text().isEmpty();
-        entry.erase();
-        return hasText;
-    }
-
-    @Override
-    void leave() {
-        entry.commit();
-    }
-
-    @Override
-    boolean wantsTime() {
-        return entry.isPending();
-    }
-
-    @Override
-    boolean timePassed(long nowNanos) {
-        return entry.settle(nowNanos);
     }
 }

@@ -110,20 +110,9 @@ final class LcdLists {
         }
     }
 
-    private static Screen.Mark markOf(StoredMessage message) {
-        return switch (message.delivery()) {
-            case RECEIVED -> message.read() ? Screen.Mark.READ : Screen.Mark.UNREAD;
-            case DRAFT -> Screen.Mark.DRAFT;
-            case SENDING -> Screen.Mark.SENDING;
-            case SENT -> Screen.Mark.SENT;
-            case DELIVERED -> Screen.Mark.DELIVERED;
-            case FAILED -> Screen.Mark.FAILED;
-        };
-    }
-
     void message(LcdPen pen, HandsetSnapshot phone, Screen.MessageView view) {
         StoredMessage message = view.message();
-        mark(pen, markOf(message), LcdPen.MARGIN + 8, 43);
+        mark(pen, Screen.Mark.of(message), LcdPen.MARGIN + 8, 43);
         pen.left(phone.nameOf(message.party()), pen.sans(13, true), 32, TITLE_BASELINE, 180);
         pen.right(words.time(message.at()), pen.mono(12, false), RIGHT_EDGE, TITLE_BASELINE);
         boolean hasStatus = view.folder() == MessageFolder.OUTBOX;

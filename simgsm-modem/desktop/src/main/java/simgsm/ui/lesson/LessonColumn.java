@@ -1,26 +1,19 @@
 package simgsm.ui.lesson;
 
-import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.Dimension;
-import java.awt.Rectangle;
 import javax.swing.JComponent;
-import javax.swing.JPanel;
-import javax.swing.Scrollable;
 import javax.swing.SwingUtilities;
-import simgsm.ui.Theme;
+import simgsm.ui.ScrollContent;
 
 /** A column of wrapping texts in a scroll pane: as wide as the view, as high as its texts. */
-final class LessonColumn extends JPanel implements Scrollable {
+final class LessonColumn extends ScrollContent {
     private int measuredWidth;
     private int measuredHeight;
     private int neededHeight;
 
     LessonColumn(JComponent content) {
-        super(new BorderLayout());
-        setOpaque(false);
-        add(content, BorderLayout.CENTER);
+        super(content);
     }
 
     /**
@@ -52,26 +45,6 @@ final class LessonColumn extends JPanel implements Scrollable {
             }
             child.invalidate();
         }
-    }
-
-    @Override
-    public Dimension getPreferredScrollableViewportSize() {
-        return getPreferredSize();
-    }
-
-    @Override
-    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-        return Theme.px(20);
-    }
-
-    @Override
-    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-        return visible.height;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportWidth() {
-        return true;
     }
 
     @Override

@@ -1,0 +1,33 @@
+package simgsm.phone.screen;
+
+/** A page with a text that is keyed in; a pending letter becomes final when the page is covered or its second is over. */
+abstract class TextEntryPage extends ScreenPage {
+    final TextEntry entry;
+
+    TextEntryPage(PageStack stack, TextEntry entry) {
+        super(stack);
+        this.entry = entry;
+    }
+
+    @Override
+    boolean erase() {
+        boolean hasText = !entry.text().isEmpty();
+        entry.erase();
+        return hasText;
+    }
+
+    @Override
+    void leave() {
+        entry.commit();
+    }
+
+    @Override
+    boolean wantsTime() {
+        return entry.isPending();
+    }
+
+    @Override
+    boolean timePassed(long nowNanos) {
+        return entry.settle(nowNanos);
+    }
+}
