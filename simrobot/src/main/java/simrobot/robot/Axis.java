@@ -50,10 +50,6 @@ final class Axis {
         return toGoal ? remaining : 0;
     }
 
-    boolean isToGoal() {
-        return toGoal;
-    }
-
     /** The direction of the target: -1, 0 or 1. */
     double direction() {
         return Math.signum(toGoal ? remaining : wanted);

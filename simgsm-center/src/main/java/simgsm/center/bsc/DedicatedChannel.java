@@ -2,7 +2,6 @@ package simgsm.center.bsc;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.Optional;
 import simgsm.abis.rsl.RslElement;
 import simgsm.abis.rsl.RslPdu;
 import simgsm.abis.rsl.RslType;
@@ -88,10 +87,6 @@ final class DedicatedChannel {
 
     boolean isFree() {
         return machine.state() == ChannelState.FREE;
-    }
-
-    ChannelState state() {
-        return machine.state();
     }
 
     ChannelSpeech speech() {
@@ -330,10 +325,6 @@ final class DedicatedChannel {
         if (!isFree() && user != null) {
             user.channelLost(this);
         }
-    }
-
-    Optional<RadioConnection> user() {
-        return isFree() ? Optional.empty() : Optional.of(user);
     }
 
     @Override

@@ -8,11 +8,10 @@ public final class MessageSplitter {
     /**
      * The size of a text, for the counter of a text field.
      *
-     * @param units septets or two-octet characters of the text
      * @param parts 1 to 255, or more if the text is too long to be sent
      * @param unitsLeft units that still fit into the last part
      */
-    public record Measure(Alphabet alphabet, int units, int parts, int unitsLeft) {}
+    public record Measure(Alphabet alphabet, int parts, int unitsLeft) {}
 
     private MessageSplitter() {}
 
@@ -21,11 +20,11 @@ public final class MessageSplitter {
         Alphabet alphabet = Alphabet.of(text);
         int units = units(text, alphabet);
         if (units <= alphabet.unitsInOnePart()) {
-            return new Measure(alphabet, units, 1, alphabet.unitsInOnePart() - units);
+            return new Measure(alphabet, 1, alphabet.unitsInOnePart() - units);
         }
         List<String> pieces = pieces(text, alphabet, alphabet.unitsInEachOfMany());
         int last = units(pieces.get(pieces.size() - 1), alphabet);
-        return new Measure(alphabet, units, pieces.size(), alphabet.unitsInEachOfMany() - last);
+        return new Measure(alphabet, pieces.size(), alphabet.unitsInEachOfMany() - last);
     }
 
     /**

@@ -12,7 +12,7 @@ import java.nio.file.Path;
 
 /**
  * Text that users write with any editor: UTF-8, with or without a byte order mark at its beginning. Nothing is replaced: an
- * octet that is not UTF-8 is an error that tells which it is and where.
+ * octet that is not UTF-8 is an error that names the octet and its place.
  */
 public final class Utf8Text {
     private static final char BYTE_ORDER_MARK = '\uFEFF';

@@ -96,12 +96,6 @@ public class OctetReader<X extends Exception> {
         throw error.apply("a number has over 10 octets");
     }
 
-    /** A signed number in LEB128: 0, -1, 1, -2, 2 ... are written as 0, 1, 2, 3, 4 ... (zigzag). */
-    public final long compactSigned() throws X {
-        long value = compact();
-        return value >>> 1 ^ -(value & 1);
-    }
-
     /** A number of items in LEB128, of which each has one octet or more. */
     public final int count() throws X {
         long count = compact();

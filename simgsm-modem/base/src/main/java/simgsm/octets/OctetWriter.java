@@ -69,11 +69,6 @@ public final class OctetWriter {
         return octet((int) rest);
     }
 
-    /** Appends a signed number in LEB128; see {@link OctetReader#compactSigned}. */
-    public OctetWriter compactSigned(long value) {
-        return compact(value << 1 ^ value >> 63);
-    }
-
     /** Appends a text in UTF-8, led by its number of octets in LEB128. */
     public OctetWriter text(String text) {
         byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);

@@ -43,7 +43,7 @@ class SelectorLoopTest {
         assertEquals(event, events.poll(20, TimeUnit.SECONDS));
     }
 
-    /** Sends back what it receives, at most so many octets per iteration; 'x' makes it fail by an exception. */
+    /** Sends back what it receives, a bounded number of octets per iteration; 'x' makes it fail by an exception. */
     private final class Echo extends Connection {
         private final int limit;
         private ByteBuffer output = ByteBuffer.allocate(0);

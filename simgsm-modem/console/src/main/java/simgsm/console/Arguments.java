@@ -31,13 +31,6 @@ public final class Arguments {
         return new Arguments(more, rest);
     }
 
-    /** The same without an option. */
-    public Arguments without(String name) {
-        Map<String, List<String>> fewer = new LinkedHashMap<>(given);
-        fewer.remove(name);
-        return new Arguments(fewer, rest);
-    }
-
     /** Whether the option was given. */
     public boolean has(String name) {
         return given.containsKey(name);

@@ -37,8 +37,4 @@ public final class TextBundle {
         }
         return arguments.length == 0 ? pattern : new MessageFormat(pattern, locale).format(arguments);
     }
-
-    public Locale locale() {
-        return locale;
-    }
 }

@@ -121,11 +121,6 @@ public final class LessonLibrary {
         return Stream.concat(suite.stream(), own.stream()).toList();
     }
 
-    /** The folder of {@code --lessons}, for the programs that this one starts. */
-    public Optional<Path> folder() {
-        return folder;
-    }
-
     /** Where a teacher's own lesson lies; nothing for a lesson of the suite. */
     public Optional<Path> folder(String name) {
         return own.contains(name) ? folder.map(each -> each.resolve(name)) : Optional.empty();

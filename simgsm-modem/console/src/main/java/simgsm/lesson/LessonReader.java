@@ -55,7 +55,6 @@ final class LessonReader {
             "at-least",
             "at-most");
 
-    private final String name;
     private final Map<Integer, String> lines = new LinkedHashMap<>();
     private final Map<Integer, EventPattern> patterns = new LinkedHashMap<>();
     private int number;
@@ -73,9 +72,7 @@ final class LessonReader {
     private Optional<String> answer = Optional.empty();
     private final List<LessonCondition> conditions = new ArrayList<>();
 
-    private LessonReader(String name) {
-        this.name = name;
-    }
+    private LessonReader() {}
 
     /**
      * Reads a lesson.
@@ -84,7 +81,7 @@ final class LessonReader {
      * @throws LessonException naming file, line and what was expected
      */
     static Lesson read(String name, String file, String text) throws LessonException {
-        LessonReader reader = new LessonReader(name);
+        LessonReader reader = new LessonReader();
         try {
             for (String line : text.lines().toList()) {
                 reader.number++;

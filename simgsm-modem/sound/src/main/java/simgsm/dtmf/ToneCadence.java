@@ -53,11 +53,6 @@ public record ToneCadence(List<Step> steps) {
         return new Step(millis, 0, List.of());
     }
 
-    /** From the first burst to its next. */
-    public int periodMillis() {
-        return steps.stream().mapToInt(Step::millis).sum();
-    }
-
     boolean isContinuous() {
         return steps.size() == 1;
     }

@@ -112,13 +112,6 @@ public final class Mailbox {
         }
     }
 
-    /** A message of the outbox. */
-    public Optional<StoredMessage> submitted(int id) {
-        return in(MessageFolder.OUTBOX).stream()
-                .filter(message -> message.id() == id)
-                .findFirst();
-    }
-
     /** The messages of a folder, newest first. */
     public List<StoredMessage> newest(MessageFolder folder) {
         List<StoredMessage> messages = new ArrayList<>(in(folder));

@@ -8,7 +8,6 @@ package simgsm.cells.radio;
  * @param levelDbm its level
  * @param leadDecibels by which it exceeds the second; infinite where there is no second
  */
-public record Coverage(
-        int columns, int rows, double squareMetres, short[] best, float[] levelDbm, float[] leadDecibels) {
+public record Coverage(int columns, int rows, short[] best, float[] levelDbm, float[] leadDecibels) {
     public static final short NONE = -1;
 }

@@ -11,14 +11,12 @@ import simgsm.cells.town.Town;
 public final class LossRaster {
     private final int columns;
     private final int rows;
-    private final double squareMetres;
     /** By tower, then row by row from the north. */
     private final float[][] losses;
 
-    private LossRaster(int columns, int rows, double squareMetres, float[][] losses) {
+    private LossRaster(int columns, int rows, float[][] losses) {
         this.columns = columns;
         this.rows = rows;
-        this.squareMetres = squareMetres;
         this.losses = losses;
     }
 
@@ -39,7 +37,7 @@ public final class LossRaster {
                 }
             }
         }
-        return new LossRaster(columns, rows, squareMetres, losses);
+        return new LossRaster(columns, rows, losses);
     }
 
     /** The coverage. @param towers as they are now, in the order of the town */
@@ -69,6 +67,6 @@ public final class LossRaster {
         for (int k = 0; k < squares; k++) {
             second[k] = level[k] - second[k];
         }
-        return new Coverage(columns, rows, squareMetres, best, level, second);
+        return new Coverage(columns, rows, best, level, second);
     }
 }

@@ -19,11 +19,6 @@ public final class RadioScale {
         return (int) Math.max(0, Math.min(RXLEV_MAX, Math.ceil(dbm - RXLEV_ZERO_DBM)));
     }
 
-    /** The upper end of the 1 dB that an RXLEV stands for, as controllers reckon: RXLEV - 110. */
-    public static int dbm(int rxlev) {
-        return rxlev + RXLEV_ZERO_DBM;
-    }
-
     /** RXQUAL 0 (below 0.2 %) to 7 (12.8 % and above). @param bitErrorRate before decoding, 0 to 0.5 */
     public static int rxqual(double bitErrorRate) {
         int quality = 0;

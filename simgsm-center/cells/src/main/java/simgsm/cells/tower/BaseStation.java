@@ -1,7 +1,6 @@
 package simgsm.cells.tower;
 
 import java.lang.System.Logger.Level;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -40,7 +39,6 @@ public final class BaseStation {
     private static final int MOST_ACCESSES = 1_000;
 
     private static final int VIOLATIONS_LOGGED = 3;
-    private static final int STANDARD_RADIO_LINK_TIMEOUT = 32;
 
     private final Tower tower;
     private final int radioLinkTimeout;
@@ -57,12 +55,11 @@ public final class BaseStation {
 
     private int violations;
 
-    /** A tower that is on, without a controller. */
-    public BaseStation(Tower tower, Timers timers, TowerListener listener) {
-        this(tower, STANDARD_RADIO_LINK_TIMEOUT, timers, listener);
-    }
-
-    /** @param radioLinkTimeout SACCH blocks, told to a centre of this suite; osmo-bsc has its own */
+    /**
+     * A tower that is on, without a controller.
+     *
+     * @param radioLinkTimeout SACCH blocks, sent to a centre of this suite; osmo-bsc has its own
+     */
     public BaseStation(Tower tower, int radioLinkTimeout, Timers timers, TowerListener listener) {
         this.tower = tower;
         this.radioLinkTimeout = radioLinkTimeout;
@@ -105,11 +102,6 @@ public final class BaseStation {
     /** Location area code: the controller's, else the town's. */
     public int area() {
         return cell.map(known -> known.area().areaCode()).orElse(tower.area());
-    }
-
-    /** The channels in use. */
-    public Collection<TowerChannel> channels() {
-        return List.copyOf(channels.values());
     }
 
     /** Traffic channels that are not in use, as the town counts them. */

@@ -12,7 +12,7 @@ import simgsm.octets.Bounds;
  * @param bsic base station identity code, 0 to 63: network colour code times 8, plus base station colour code
  * @param area location area code, 0 to 65535; the controller's system information has the last word
  * @param cellIdentity 0 to 65535, unique in the location area; likewise
- * @param site first part of the unit id that the tower tells the controller, as 6969 in 6969/0/0
+ * @param site first part of the unit id that the tower sends to the controller, as 6969 in 6969/0/0
  * @param trafficChannels time slots for speech, 1 to 7
  */
 public record Tower(

@@ -22,7 +22,6 @@ public final class TownReader {
     /** LAC 0 and 0xFFFE are reserved (TS 23.003, 4.1). */
     private static final int LAC_MAX = 0xFFFD;
 
-    private final String source;
     private String name;
     private Optional<Extent> edges = Optional.empty();
     private Clutter surroundings = Clutter.URBAN;
@@ -36,7 +35,6 @@ public final class TownReader {
     private final Map<String, TownPlace> starts = new LinkedHashMap<>();
 
     private TownReader(String source) {
-        this.source = source;
         name = source.replaceFirst("\\.town$", "");
     }
 

@@ -43,7 +43,6 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private static final Logger LOG = System.getLogger(AttachedModem.class.getName());
 
     private final Msisdn number;
-    private final Consumer<String> output;
     private final Consumer<StationEvent> listener;
     private final Timers timers = new Timers();
     private final CommandDialogue dialogue;
@@ -93,7 +92,6 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
             Function<Optional<Msisdn>, CallDecision> admission,
             Consumer<StationEvent> listener) {
         this.number = number;
-        this.output = output;
         this.listener = listener;
         dialogue = new CommandDialogue(timers, output, new Codes());
         setup = new ModemSetup(dialogue, timers, Integer.MAX_VALUE, this::logged);
