@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Robots that go their own ways, whoever calls them back, and runs as fast as the machine can. */
+/** Robots with processes, orders that end them, and runs at the machine's speed. */
 class BehaviourTest {
     @Test
     void aWandererIsMovingUntilAnOrderComesWhichIsExecuted() throws Exception {

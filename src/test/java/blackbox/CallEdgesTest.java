@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import vericommand.RobotStatus;
 import vericommand.VeriCommandSettings;
 
-/** How calls end when nobody ends them, and what becomes of the robot; with a clock moved by hand. */
+/** Calls that end by a lost link or a time-out, and what the robot does then; with a clock moved by hand. */
 class CallEdgesTest {
     private VirtualSuite suite = new VirtualSuite();
 

@@ -10,7 +10,7 @@ import javax.sound.sampled.AudioSystem;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A centre that lets callers hear its own tones: they are heard and recorded, are no keys, and stand in nobody's way. */
+/** A centre that lets callers hear its own tones: they are heard and recorded, are no keys, and delay no call. */
 class CallTonesTest {
     @Test
     void aNetworksToneIsHeardAndEndsWhenTheCallerDialsAgain(@TempDir Path folder) throws Exception {
@@ -20,7 +20,7 @@ class CallTonesTest {
             RunningProgram robot = scenario.robot("empty.map", "--speed", "10");
             RunningProgram phone = scenario.phone(Scenario.PHONE, "--record-audio", recorded.toString());
 
-            scenario.tell("a number that nobody has");
+            scenario.tell("an unassigned number");
             phone.say("dial 5550999");
             phone.expectBefore(Set.of("tone", "connected"), "released", "cause", "1");
             phone.say("wait nothing 2");

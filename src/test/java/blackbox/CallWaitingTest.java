@@ -61,7 +61,7 @@ class CallWaitingTest {
 
     @Test
     void aRobotStaysBusy() throws Exception {
-        try (Scenario scenario = new Scenario("a robot that lets nobody wait")) {
+        try (Scenario scenario = new Scenario("a robot without call waiting")) {
             scenario.center("--call-waiting", "on");
             RunningProgram robot = scenario.robot("empty.map");
             RunningProgram phone = scenario.phone(Scenario.PHONE);

@@ -125,7 +125,7 @@ public final class CaptureFile {
         return segments;
     }
 
-    /** Every side's octets follow on one another, nobody acknowledges what was not said, and time does not go back. */
+    /** Each side's sequence numbers follow on one another, only sent octets are acknowledged, and time does not go back. */
     public void requireOrder() {
         Map<String, Integer> next = new HashMap<>();
         long latest = 0;

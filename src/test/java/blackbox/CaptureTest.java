@@ -66,7 +66,7 @@ public class CaptureTest {
         center.say("broadcast 50 " + "The weather stays fine. ".repeat(6).strip());
         phone.expect("broadcast", "channel", "50", "pages", "2");
         other.expect("broadcast", "channel", "50", "pages", "2");
-        scenario.tell("everybody leaves");
+        scenario.tell("all programs end");
         assertEquals(0, phone.quit());
         assertEquals(0, other.quit());
         center.expect("detached", "number", Scenario.PHONE);

@@ -34,7 +34,7 @@ class ClosedNetworkTest {
         return cards.resolve(number + ".sim").toString();
     }
 
-    /** A phone, a robot, somebody absent, somebody barred, and a barred telephone. */
+    /** A phone, a robot, an absent subscriber, a barred subscriber, and a barred telephone. */
     private void makeCards() throws Exception {
         FinishedProgram made = FinishedProgram.run(
                 "simgsm-center", "--hlr", list().toString(), "--new-sim", "5550100-5550102," + Scenario.ROBOT);
@@ -61,7 +61,7 @@ class ClosedNetworkTest {
             phone.say("sms " + Scenario.ROBOT + " ** #*#90 **");
             robot.expect("order", "verdict", "accepted");
             phone.expect("sms", "from", Scenario.ROBOT);
-            scenario.tell("nobody's numbers and barred ones are as good as none; an absent subscriber is one");
+            scenario.tell("unassigned and barred numbers get cause 1, the number of an absent subscriber does not");
             for (String number : new String[] {NOBODY, BARRED}) {
                 phone.say("sms " + number + " hello");
                 phone.expect("sms-failed", "to", number, "cause", "1");

@@ -67,7 +67,7 @@ public final class EmulatedModem {
 
     boolean textModeOnly;
     boolean eraseRefused;
-    /** So many notices of messages are not sent. */
+    /** This number of message notices is not sent. */
     int noticesLost;
 
     boolean registered = true;

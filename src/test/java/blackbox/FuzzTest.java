@@ -17,7 +17,7 @@ class FuzzTest {
             ConsoleEvent line = ConsoleEvent.parse(fuzz.output().strip());
             assertEquals("fuzz", line.name());
             assertTrue(Long.parseLong(line.field("frames")) >= 10_000, fuzz.output());
-            scenario.tell("and now somebody of good manners");
+            scenario.tell("a well-behaved phone afterwards");
             RunningProgram phone = scenario.phone(Scenario.PHONE);
             phone.say("sms " + Scenario.PHONE + " still there?");
             phone.expect("sms", "text", "still there?");

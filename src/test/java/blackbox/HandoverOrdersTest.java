@@ -23,7 +23,7 @@ class HandoverOrdersTest {
 
     private static final String ORDER = "**#*#90**";
     private static final int DEGREES = 90;
-    /** Two keys that belong to no order end the turn: what the order was worth is told before the second. */
+    /** Two keys that belong to no order end the turn: the order's verdict is reported before the second. */
     private static final String END = "5";
 
     private static final int FRAME_MILLIS = 20;

@@ -50,7 +50,7 @@ import simgsm.station.context.StationIdentity;
 import simgsm.station.context.Uplink;
 import simgsm.station.mobility.Sim;
 
-/** Phones that nobody uses for three hours stay attached: the cores of phone, towers and exchange with one clock moved by hand. */
+/** Phones that are idle for three hours stay attached: the cores of phone, towers and exchange with one clock moved by hand. */
 class LongAttachmentTest {
     private static final long HOURS_NANOS = TimeUnit.HOURS.toNanos(3);
     private static final Msisdn NUMBER = new Msisdn("5550100");

@@ -24,7 +24,7 @@ class NamesAndSizesTest {
     /** Packages that are too large and are to be split. */
     private static final Set<String> TOO_LARGE = Set.of("simgsm.dtmf");
 
-    /** Nested classes of one name are told apart by the class around them, such as the states of two tables. */
+    /** Nested classes of one name differ by the class around them, such as the states of two tables. */
     @Test
     void noTopLevelClassNameStandsTwiceNorAsAVisibleNestedClass() {
         Map<String, Set<String>> classes = MainCode.CLASSES.stream()

@@ -12,7 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A session that was recorded is told again as it was. */
+/** A recorded session is replayed with the same events. */
 class ReplayTest {
     @TempDir
     Path folder;

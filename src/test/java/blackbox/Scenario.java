@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * A story with a centre, phones and robots, each a process of its own. It is told on standard output; closing it ends
+ * A session with a centre, phones and robots, each a process of its own. Its steps are printed; closing it ends
  * all processes and clears its folder.
  */
 public class Scenario implements AutoCloseable {

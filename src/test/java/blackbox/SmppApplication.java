@@ -30,7 +30,7 @@ final class SmppApplication implements AutoCloseable {
     private final Queue<Delivery> deliveries = new ArrayDeque<>();
     private int sequence;
 
-    /** Connects and binds as the one who serves this number. */
+    /** Connects and binds as the application that serves this number. */
     SmppApplication(int port, String systemId, String password, String number) throws IOException {
         this.number = number;
         socket = new Socket(InetAddress.getLoopbackAddress(), port);

@@ -22,7 +22,7 @@ import simgsm.station.StationOptions;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
 
-/** A modem of a {@link VirtualSuite} and a client of its AT commands, who has switched the echo off. */
+/** A modem of a {@link VirtualSuite} and a client of its AT commands, which has switched the echo off. */
 final class VirtualModem {
     private static final Pattern RESULT = Pattern.compile(
             "\r\n(OK|ERROR|NO CARRIER|BUSY|NO ANSWER|\\+CM[ES] ERROR: [^\r\n]*)\r\n|\r\n> $|(?:^|[\r\n])([03478]|\\+CM[ES] ERROR: [^\r\n]*)\r");

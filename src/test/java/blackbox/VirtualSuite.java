@@ -162,7 +162,7 @@ public final class VirtualSuite {
         return phone;
     }
 
-    /** A modem with its AT commands that has registered. It rings until it is told to answer. */
+    /** A modem with its AT commands that has registered. It rings until ATA. */
     VirtualModem modem(String number) {
         VirtualModem modem = new VirtualModem(this, identity(number, "SimGSM modem"));
         modems.add(modem);

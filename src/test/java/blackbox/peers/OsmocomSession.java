@@ -245,7 +245,7 @@ final class OsmocomSession extends Scenario {
         assertEquals(0, load.awaitExit());
         int frames = Integer.parseInt(result.field("frames"));
         int lost = Integer.parseInt(result.field("lost"));
-        // How many frames come in time depends on the machine's other work, so the count is told only.
+        // How many frames come in time depends on the machine's other work, so the count is only printed.
         assertTrue(lost < frames, lost + " of " + frames + " frames lost");
         tell("20 calls were held, " + lost + " of " + frames + " speech frames lost, " + result.field("p50ms")
                 + " ms from mouth to ear");

@@ -40,7 +40,7 @@ final class AnimatedPicture {
         this.height = height;
     }
 
-    /** Adds a picture that is shown for so long. The same picture again is shown for longer. */
+    /** Adds a picture and the time that it is shown. The same picture again adds to that time. */
     void add(BufferedImage image, double seconds) {
         int[] pixels = image.getRGB(0, 0, width, height, null, 0, width);
         for (int i = 0; i < pixels.length; i++) {

@@ -246,7 +246,7 @@ final class SuitePicture {
         }
     }
 
-    /** The centre as its window sees it; nobody presses its buttons here. */
+    /** The centre as its window sees it; its buttons are not pressed here. */
     private final class Watched implements CenterActions {
         @Override
         public int port() {

@@ -23,7 +23,7 @@ public enum OrderCourse {
     /** Of its words; empty if they are those of the tone. */
     private final String key;
 
-    /** Null if no tone tells it. */
+    /** Null if no tone reports it. */
     private final ReplyTone tone;
 
     OrderCourse(String key) {
@@ -36,7 +36,7 @@ public enum OrderCourse {
         this.tone = tone;
     }
 
-    /** The tone that tells it to the operator, if there is one. */
+    /** The tone that reports it to the operator, if there is one. */
     public Optional<ReplyTone> tone() {
         return Optional.ofNullable(tone);
     }

@@ -45,7 +45,7 @@ public interface Robot {
     }
 
     /**
-     * Starts a process in status Stopped. However it ends, the owner tells the verifier by
+     * Starts a process in status Stopped. However it ends, the owner reports it to the verifier by
      * {@link VeriCommand#processEnded}, after this has returned.
      *
      * @param number a key of {@link #processes}

@@ -43,7 +43,7 @@ public final class RealPioneer implements SteeredRobot {
     /** An information packet that has not come by then is not waited for. */
     private static final long LATE_NANOS = 150_000_000;
 
-    /** Without an information packet for this time a driven robot is told to stop. */
+    /** Without an information packet for this time a driven robot gets STOP. */
     private static final long BLIND_NANOS = 500_000_000;
 
     /** After switching the motors here, contradicting information packets are ignored for this time. */

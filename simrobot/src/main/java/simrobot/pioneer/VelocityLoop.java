@@ -26,7 +26,7 @@ final class VelocityLoop {
 
     private enum Phase {
         APPROACH,
-        /** Told to stand; waits until it does. */
+        /** Commanded to stop; waits until it stands. */
         RESTING,
         PULSE
     }
@@ -233,7 +233,7 @@ final class VelocityLoop {
         }
     }
 
-    /** No information packet came for 0.5 s and the robot was told to stop; the drive goes on from rest with the next one. */
+    /** No information packet came for 0.5 s and the robot got STOP; the drive goes on from rest with the next one. */
     void interrupt() {
         commanded = 0;
     }

@@ -11,7 +11,7 @@ import simrobot.simulation.SimulationSnapshot;
 import simrobot.simulation.SimulationThread;
 
 /**
- * Plays a recording at a pace: the one thread that owns its cursor. It is asked and told like a {@link SimulationThread},
+ * Plays a recording at a pace: the one thread that owns its cursor. It is asked and driven like a {@link SimulationThread},
  * and jumps besides. It begins paused at the recording's beginning, and pauses at its end.
  */
 public final class ReplayThread implements AutoCloseable {
@@ -66,7 +66,7 @@ public final class ReplayThread implements AutoCloseable {
         return newest;
     }
 
-    /** Told each event as it is played, on this thread; those that are jumped over are not told. */
+    /** Takes each event as it is played, on this thread; events that are jumped over are left out. */
     public void onEvent(Consumer<RecordedEvent> told) {
         listener = told;
     }

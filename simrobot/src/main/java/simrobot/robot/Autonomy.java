@@ -19,7 +19,7 @@ import vericommand.RobotStatus;
  * a process runs, a robot that stands without touching anything is Moving.
  */
 public final class Autonomy {
-    /** A process that leaves its robot in Collision for so long does not handle it. */
+    /** A process that leaves its robot in Collision for this time does not handle it. */
     static final long COLLISION_NANOS = 3_000_000_000L;
 
     /** Learns how a process ended. */

@@ -32,7 +32,7 @@ public interface Pioneer extends Robot {
     /** Switches the motors; without power, does nothing. Off ends a motion at once. */
     void setMotors(boolean on);
 
-    /** Moves the robot there by hand; of a real robot, tells that it has been moved there. */
+    /** Moves the robot there by hand; of a real robot, records that it has been moved there. */
     Placement place(double xMeters, double yMeters, double headingRadians);
 
     /** Its autonomous process. */

@@ -83,7 +83,7 @@ final class Sonars {
         headings[moment] = robot.headingRadians();
     }
 
-    /** The robot has come to rest. At the end of the step all sonars measure, whoever reads them. */
+    /** The robot has come to rest. At the end of the step all sonars measure, read or not. */
     void rest() {
         if (!rests) {
             rests = true;

@@ -10,7 +10,7 @@ final class NearbyRobots {
     private long step = Long.MIN_VALUE / 2;
     private long epoch = -1;
 
-    /** Whether a list of that epoch is at most so many steps old. */
+    /** Whether the list is of this epoch and at most this number of steps old. */
     boolean isValid(long now, long mostSteps, long presentEpoch) {
         return epoch == presentEpoch && now - step <= mostSteps;
     }

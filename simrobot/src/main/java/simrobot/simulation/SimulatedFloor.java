@@ -286,7 +286,7 @@ final class SimulatedFloor implements Floor {
         NearbyRobots nearby = spaces[robot.number()].robots();
         long most = sonarClock.rememberedSteps();
         if (!nearby.isValid(steps, most, epoch)) {
-            // both may have moved for so long, before the look or after it
+            // both robots may move for the remembered time before the look and for as long after it
             double moved = 2 * (most + 1) * mostPerStep;
             lookUp(nearby, robot, Pioneer2Dx.SONAR_RANGE_METERS + moved);
         }

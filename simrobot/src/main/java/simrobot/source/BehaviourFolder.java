@@ -88,7 +88,7 @@ public final class BehaviourFolder implements AutoCloseable {
         thread.setDaemon(true);
     }
 
-    /** Looks every 500 ms from now on. @param told from now on */
+    /** Looks every 500 ms from now on. @param told receives the changes */
     public void start(Listener told) {
         listener = told;
         thread.start();

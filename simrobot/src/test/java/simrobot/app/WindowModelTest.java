@@ -67,7 +67,7 @@ class WindowModelTest {
         robot = simulation.addRobot("robot");
         VeriCommandSettings settings =
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP);
-        // nobody listens on port 1: the modem goes on looking
+        // no program listens on port 1: the modem goes on searching
         simRobot = new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT);
         simRobot.add(robot, new Msisdn("5550200"), Imei.random(new Random(1)), ModemOptions.STANDARD);
         simRobot.simulation().setPaused(true);

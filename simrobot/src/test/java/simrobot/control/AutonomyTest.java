@@ -16,7 +16,7 @@ import simrobot.process.Wander;
 import simrobot.world.Position;
 import vericommand.RobotStatus;
 
-/** A robot with a process of its own, and those who end it. */
+/** A robot with a process of its own, and the orders that end it. */
 class AutonomyTest {
     private final ControlBench bench = new ControlBench();
 

@@ -131,7 +131,7 @@ final class TelephoneScene implements Uplink {
         DtmfKey.sequence(keys).forEach(key -> fingers.enqueue(key, 100, 100));
     }
 
-    /** Presses keys of which the first has sounded already for a part of a frame that nobody hears. */
+    /** Presses keys of which the first has sounded already for a part of a frame, which is not sent. */
     void pressSince(int samples, String keys) {
         press(keys);
         fingers.read(new short[samples]);

@@ -3,7 +3,7 @@ package simrobot.p2os;
 import java.util.Random;
 import simgsm.octets.OctetWriter;
 
-/** What nobody should send, and what one should be ready for. */
+/** Input that breaks the protocol. */
 final class HostileInput {
     private HostileInput() {}
 

@@ -10,7 +10,7 @@ import vericommand.Instruction;
 import vericommand.MotionOutcome;
 import vericommand.RobotStatus;
 
-/** A simulation with one robot, moved by hand, that notes what it is told. */
+/** A simulation with one robot, moved by hand, that records the reported events. */
 final class Bench {
     final Simulation simulation;
     final SimulatedRobot robot;

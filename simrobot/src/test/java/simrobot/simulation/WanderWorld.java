@@ -11,7 +11,7 @@ public final class WanderWorld {
 
     private WanderWorld() {}
 
-    /** How wide the square for so many robots is. */
+    /** The side of the square for this number of robots. */
     public static int sideMeters(int robots) {
         return robots <= 10 ? 16 : robots <= 100 ? 40 : robots <= 1000 ? 128 : 400;
     }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import simrobot.ui.editor.EditorTool;
 import vericommand.RobotStatus;
 
-/** Both languages say the same things, and nothing that nobody asks for. */
+/** Both bundles have the same keys, and every key is used. */
 class SimRobotTextsTest {
     private static final Path FOLDER = Path.of("src", "main", "resources", "simrobot", "ui");
     private static final Path SOURCES = Path.of("src", "main", "java", "simrobot", "ui");

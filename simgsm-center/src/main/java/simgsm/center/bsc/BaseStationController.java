@@ -109,7 +109,7 @@ public final class BaseStationController implements BroadcastChannel {
         return tower;
     }
 
-    /** What the tower tells; the rest from the first position whose cell no other tower has. */
+    /** The parameters that the tower has sent; the rest from the first position whose cell no other tower has. */
     private static TowerPlan planOf(CcmMessage.IdentityResponse identity, List<TowerControl> others) {
         TowerPlan plan = TowerPlan.of(identity, 0);
         for (int position = 1; position <= others.size() && isUsed(plan.cell(), others); position++) {
@@ -135,7 +135,7 @@ public final class BaseStationController implements BroadcastChannel {
         }
     }
 
-    /** Each cell lists all others. @param newcomer is not told yet */
+    /** Each cell lists all others. @param newcomer has not received its list yet */
     private void listNeighbours(TowerControl newcomer) {
         for (TowerControl tower : List.copyOf(towers.values())) {
             List<Integer> others = towers.values().stream()

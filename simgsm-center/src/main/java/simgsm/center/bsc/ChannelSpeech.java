@@ -12,7 +12,7 @@ import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 
 /**
- * The speech of one traffic channel as RTP over UDP between exchange and tower: ip.access CRCX asks the tower for its port, MDCX tells it
+ * The speech of one traffic channel as RTP over UDP between exchange and tower: ip.access CRCX asks the tower for its port, MDCX gives it
  * ours. Packets of either payload type pass unchanged in both directions.
  */
 final class ChannelSpeech {

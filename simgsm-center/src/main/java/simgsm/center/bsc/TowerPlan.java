@@ -9,7 +9,7 @@ import simgsm.air.LocationArea;
 import simgsm.air.RadioResource.CellDescription;
 
 /**
- * A tower's place in the network. A tower that tells nothing but its unit id gets the first of ARFCN 100 with BSIC 10, 110 with
+ * A tower's place in the network. A tower that sends only its unit id gets the first of ARFCN 100 with BSIC 10, 110 with
  * 11 ... that no connected tower has, and location area 1.
  *
  * @param cell ARFCN of its one carrier, and BSIC

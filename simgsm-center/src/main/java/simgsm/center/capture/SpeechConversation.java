@@ -62,7 +62,7 @@ final class SpeechConversation {
     /**
      * A datagram with these ports, as it was on the wire.
      *
-     * @param isAnnounced whether MGCP was on the wire, too; a tower's ports are told by RSL, which Wireshark does not follow
+     * @param isAnnounced whether MGCP was on the wire, too; a tower's ports are in RSL, which Wireshark does not follow
      */
     void datagram(boolean isFromPeer, int toPeer, int toCenter, byte[] rtp, boolean isAnnounced) {
         if (!isAnnounced && announced.add(toPeer << 16 | toCenter)) {

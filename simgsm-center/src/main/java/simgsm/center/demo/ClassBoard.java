@@ -12,7 +12,7 @@ import simgsm.console.Event;
 import simgsm.ui.lesson.ClassView;
 
 /**
- * The results of a class: what each student's robot has been told, and when it stood at the goal. Events and their times
+ * The results of a class: each student's orders, and when the robot stood at the goal. Events and their times
  * come in; one thread at a time.
  */
 final class ClassBoard {
@@ -179,7 +179,7 @@ final class ClassBoard {
         return rows;
     }
 
-    /** The best first: those at the goal by their time; then those who have played, with fewer collisions, then fewer keys. */
+    /** The best first: results at the goal by their time; then by whether keys were pressed, by collisions and by keys. */
     List<Result> ranked() {
         List<Result> ranked = new ArrayList<>(results.values());
         ranked.sort(Comparator.<Result>comparingDouble(

@@ -88,7 +88,7 @@ public final class QuickDemo {
         return second.waitFor();
     }
 
-    /** Whether there may be a display, told without loading a desktop's libraries. */
+    /** Whether there may be a display, found without loading the desktop's libraries. */
     private static boolean mayHaveDisplay() {
         String system = System.getProperty("os.name");
         return system.startsWith("Windows") || system.startsWith("Mac") || System.getenv("DISPLAY") != null;

@@ -29,7 +29,7 @@ final class RecoveryReport {
         }
     }
 
-    /** A number of records that nothing tells is lost. */
+    /** An unknown number of records is lost. */
     void lostUnknown(String remark) {
         isLossUnknown = true;
         remarks.add(remark);

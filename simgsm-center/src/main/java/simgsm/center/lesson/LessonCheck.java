@@ -26,7 +26,7 @@ import simgsm.lesson.LessonTexts;
 /** {@code --lessons}, and {@code --lesson NAME --check SOLUTION}: a lesson without windows, and its marks. */
 public final class LessonCheck {
     private static final System.Logger LOG = System.getLogger(LessonCheck.class.getName());
-    /** The numbers of a student who has none of his own. */
+    /** The seed of a student's numbers without {@code --seed}. */
     static final long FIRST_SEED = 1;
     /** The trace is read ten times a second. */
     private static final long SETTLE_MILLIS = 250;

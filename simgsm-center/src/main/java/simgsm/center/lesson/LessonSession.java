@@ -242,7 +242,7 @@ final class LessonSession implements AutoCloseable {
         events.add("tool", event);
     }
 
-    /** What tools have told since the last call, a line each. */
+    /** What tools have printed since the last call, a line each. */
     String told() {
         List<String> lines = new ArrayList<>();
         for (String line = told.poll(); line != null; line = told.poll()) {

@@ -19,7 +19,7 @@ final class LessonTools {
     /** Octets of a tool's output that are kept. */
     static final int MOST_OUTPUT = 1 << 20;
 
-    /** Field of a tool's event: what the tool was told. */
+    /** Field of a tool's event: the tool's arguments. */
     static final String OPTIONS = "options";
 
     private final ChildPrograms programs;

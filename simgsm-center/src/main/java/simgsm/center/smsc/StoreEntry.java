@@ -22,7 +22,7 @@ public sealed interface StoreEntry {
     record Reported(long id) implements StoreEntry {}
 
     /**
-     * A subscriber who has registered for the first time, or whose services have changed.
+     * A subscriber's first registration, or a change of services.
      *
      * @param services call forwarding and call waiting, as the subscriber's register writes them
      */

@@ -44,7 +44,7 @@ public final class SubscriberRegister {
     }
 
     /**
-     * Enters a subscriber who has attached before the centre started, if the number is still assigned to the IMSI.
+     * Enters a subscriber that was attached before the centre started, if the number is still assigned to the IMSI.
      *
      * @param services as {@link CallServices#text} has written them
      */
@@ -61,7 +61,7 @@ public final class SubscriberRegister {
         return home.isOpen() || isAssigned(number);
     }
 
-    /** Whether the number belongs to a subscriber who is not barred. */
+    /** Whether the number belongs to a subscriber that is not barred. */
     public boolean isAssigned(Msisdn number) {
         Subscriber owner = byNumber.get(number);
         return owner != null && !home.isBarred(owner.imsi());

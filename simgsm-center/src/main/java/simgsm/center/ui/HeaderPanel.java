@@ -40,7 +40,7 @@ final class HeaderPanel extends JPanel {
     private boolean areWordsShown = true;
     private final Rates rates = new Rates();
 
-    /** @param folding told whether the fields below the header are shown */
+    /** @param folding takes whether the fields below the header are shown */
     HeaderPanel(TextBundle texts, CenterActions operator, Consumer<Boolean> folding) {
         super(new BorderLayout());
         this.texts = texts;

@@ -16,7 +16,7 @@ import simgsm.center.smsc.ShortMessage;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.web.JsonText;
 
-/** What the exchange tells, as metrics and as JSON. On the exchange's thread; no list has more than 1000 elements. */
+/** The state of the exchange, as metrics and as JSON. On the exchange's thread; no list has more than 1000 elements. */
 final class ExchangeReports {
     static final int MOST_ELEMENTS = 1_000;
 

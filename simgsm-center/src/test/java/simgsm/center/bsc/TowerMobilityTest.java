@@ -54,7 +54,7 @@ class TowerMobilityTest {
 
         assertEquals(RslType.PAGING_COMMAND, west.next(RslType.PAGING_COMMAND).type());
         while (!east.received.isEmpty()) {
-            assertTrue(!east.received.remove().toString().startsWith("0c15"), "nobody is paged in area 2");
+            assertTrue(!east.received.remove().toString().startsWith("0c15"), "no mobile is paged in area 2");
         }
     }
 

@@ -7,7 +7,7 @@ import java.util.Set;
 
 /** What was written, acknowledged, given up and shown, and whether that can be. */
 final class Account {
-    /** Messages that nobody can tell apart but by when they were written. */
+    /** Messages that differ only in the time at which they were written. */
     record Key(String from, String to, String text) {}
 
     private static final class Counts {

@@ -117,7 +117,7 @@ final class SimulatedCenter {
             } catch (SimulatedDisk.MachineDied death) {
                 disk.comeBack();
             } catch (IOException failure) {
-                // Nobody can begin on a disk that fails; somebody mends it and starts the centre again.
+                // A centre does not start on a disk that fails; the disk is repaired and the centre starts again.
                 disk.failureRate = 0;
             }
         }
@@ -306,7 +306,7 @@ final class SimulatedCenter {
         return exchange.shortMessages().waitingCount() == 0 && exchange.calls().isEmpty();
     }
 
-    /** Nobody is connected any more, and nothing is left to be done. */
+    /** No terminal is connected, and no work is pending. */
     void checkEmpty() throws IOException {
         Invariant.holds(exchange.linkCount() == 0, () -> exchange.linkCount() + " links are left");
         Invariant.holds(smpp.boundSessions() == 0, () -> "an application is left");

@@ -14,7 +14,7 @@ import java.util.random.RandomGenerator;
 
 /**
  * A disk with a cache that dies with the machine: what was not synchronised survives a crash in part, torn anywhere, or
- * not at all; the same for names. It may be told to fail, and to end its machine or its process between any two operations or
+ * not at all; the same for names. It can be set to fail, and to end its machine or its process between any two operations or
  * within a write.
  */
 public final class SimulatedDisk implements Disk {

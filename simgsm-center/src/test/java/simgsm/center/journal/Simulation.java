@@ -39,7 +39,7 @@ final class Simulation {
 
     /** Longer than any of the network's short timers, in total. */
     private static final int MOST_ROUNDS_TO_REST = 600;
-    /** Shorter than T3113, so that whoever is paged can answer in time. */
+    /** Shorter than T3113, so that a paged mobile can answer in time. */
     private static final long LONGEST_STEP_MILLIS = 2_000;
 
     private final SplittableRandom random;
@@ -270,7 +270,7 @@ final class Simulation {
         }
     }
 
-    /** Everything that can travel travels, and the disk does all it is asked; in so many rounds at most. */
+    /** Everything that can travel travels, and the disk does all it is asked; in a bounded number of rounds. */
     private void serveAll(int rounds) {
         boolean isBusy = true;
         for (int i = 0; i < rounds && isBusy; i++) {
@@ -295,7 +295,7 @@ final class Simulation {
             noticeOne();
         }
         center.exchange().broadcasts().forEach(each -> center.exchange().stopBroadcast(each.id()));
-        // Whoever has refused for long is not asked again for hours; but when it comes anew.
+        // A receiver that has refused for long is tried again after hours, or when it registers anew.
         application.leave(center.exchange(), center.ownNanos());
         long stepMillis = 100;
         for (int i = 0; i < MOST_ROUNDS_TO_REST; i++) {

@@ -18,14 +18,14 @@ import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
 import simgsm.sms.CellBroadcastPage;
 
-/** Cell broadcast from the exchange to all who are attached. */
+/** Cell broadcast from the exchange to all attached subscribers. */
 class BroadcastTest extends MessageStage {
     @Test
     void aBroadcastReachesAllWhoAreAttachedAndNobodyElse() throws ProtocolViolation {
         assertEquals(
                 1,
                 network.exchange
-                        .broadcast(0, BroadcastOrder.once(50, "nobody is here yet"))
+                        .broadcast(0, BroadcastOrder.once(50, "no subscriber is attached yet"))
                         .pages());
         TestMobile one = network.attach("5550100");
         TestMobile other = network.attach("5550200");

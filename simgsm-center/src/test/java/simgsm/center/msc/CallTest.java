@@ -123,7 +123,7 @@ class CallTest {
         called.ring();
         caller.speak(speech(0));
         called.speak(speech(0));
-        assertTrue(called.heard.isEmpty() && caller.heard.isEmpty(), "nobody hears a ringing call");
+        assertTrue(called.heard.isEmpty() && caller.heard.isEmpty(), "a ringing call passes no speech");
         called.tell(new CallControl.Connect(CALLED_TRANSACTION));
         called.speak(speech(1));
         assertArrayEquals(speech(1), caller.heard.get(0));

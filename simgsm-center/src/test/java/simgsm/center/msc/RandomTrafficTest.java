@@ -40,7 +40,7 @@ import simgsm.sms.UserData;
 
 /**
  * Mobiles that say anything at any time, sound and damaged, vanish and come back, while the store fails now and then.
- * Whatever they do, the exchange throws nothing, holds no number twice, and keeps nothing of those who have gone. A seed
+ * Whatever they do, the exchange throws nothing, holds no number twice, and keeps nothing of links that have gone. A seed
  * that fails fails again.
  */
 class RandomTrafficTest {

@@ -119,7 +119,7 @@ final class TestNetwork {
         }
     }
 
-    /** Time passes at one go; nobody answers anything meanwhile. */
+    /** Time passes in one step; no mobile answers meanwhile. */
     void leap(Duration time) {
         nowNanos += time.toNanos();
         exchange.advance(nowNanos);

@@ -40,7 +40,7 @@ class ToneSenderTest {
         return new RtpPacket(RtpPacket.A_LAW, sequence & 0xffff, 160L * sequence, SOURCE, octets).encode();
     }
 
-    /** The caller speaks for so many frames, and time passes with them. */
+    /** The caller speaks for this number of frames, and time passes with them. */
     private void speak(int frames) {
         for (int i = 0; i < frames; i++) {
             network.pass(Duration.ofMillis(20));

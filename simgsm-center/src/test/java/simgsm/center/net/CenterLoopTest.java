@@ -69,7 +69,7 @@ class CenterLoopTest {
         return answer.join();
     }
 
-    /** The centre still serves whoever comes. */
+    /** The centre still serves new connections. */
     private void assertServes() throws Exception {
         try (TestClient client = new TestClient(loop.port())) {
             client.register("5559999");
@@ -236,7 +236,7 @@ class CenterLoopTest {
         assertFalse(failure.isDone());
     }
 
-    /** It is read no faster than it may send, in portions; and everybody else has his turn in between. */
+    /** It is read no faster than it may send, in portions; the other connections are served in between. */
     @Test
     void aFloodDelaysNobodyElseAndIsAnsweredInFull() throws Exception {
         try (TestClient flooder = new TestClient(loop.port());

@@ -25,7 +25,7 @@ import simgsm.octets.OctetString;
 
 /** A terminal on a real socket, whose octets go out as the test wants them. */
 final class TestClient implements AutoCloseable {
-    /** Longer than anything takes; a test that waits so long has failed. */
+    /** Longer than any answer takes; a test that waits this time has failed. */
     private static final int PATIENCE_MILLIS = 20_000;
 
     private final Socket socket;
@@ -123,7 +123,7 @@ final class TestClient implements AutoCloseable {
                 Imsi.ofOpenNumber(new Msisdn(number))));
     }
 
-    /** Refused, since nobody has registered. */
+    /** Refused, since no terminal has registered. */
     static IpaFrame serviceRequest() {
         MobilityManagement.CmServiceRequest request = new MobilityManagement.CmServiceRequest(
                 MobilityManagement.ServiceType.SHORT_MESSAGE,

@@ -20,7 +20,7 @@ import simgsm.octets.OctetString;
 
 /** An application on a real socket, one PDU after the other; also sends what no application should. */
 public final class SmppClient implements AutoCloseable {
-    /** Longer than anything takes; a test that waits so long has failed. */
+    /** Longer than any answer takes; a test that waits this time has failed. */
     private static final int PATIENCE_MILLIS = 20_000;
 
     private final Socket socket;

@@ -73,7 +73,7 @@ class SmppOverSocketsTest {
         return HexFormat.of().parseHex(octets.replace(" ", ""));
     }
 
-    /** The centre still serves whoever comes. */
+    /** The centre still serves new connections. */
     private void assertServes() throws IOException {
         try (SmppClient client = transceiver()) {
             client.submitted(text("1", SERVICE, "still there"));

@@ -30,7 +30,7 @@ import simgsm.station.mobility.Sim;
 
 /**
  * Measures a centre from outside: an application hands messages in by SMPP, real stations over TCP take them with all of
- * the CP and RP dialogue, and only what a station has shown counts. So many are under way at a time. Prints one line.
+ * the CP and RP dialogue, and only what a station has shown counts. A window of messages is under way at a time. Prints one line.
  *
  * <pre>
  *   java -jar target/dist/simgsm-center.jar --headless --port 3003 --smpp 2775

@@ -456,7 +456,7 @@ class MonitorPanelTest {
                 new NotingOperator() {
                     @Override
                     public void broadcast(BroadcastOrder order) {
-                        throw new IllegalArgumentException("nobody is there");
+                        throw new IllegalArgumentException("no subscriber is attached");
                     }
                 },
                 Background.NONE);
@@ -464,7 +464,9 @@ class MonitorPanelTest {
         press("broadcast.send");
 
         assertEquals("Hello", find("broadcast.text", JTextArea.class).getText());
-        assertEquals("nobody is there", find("broadcast.result", JLabel.class).getText());
+        assertEquals(
+                "no subscriber is attached",
+                find("broadcast.result", JLabel.class).getText());
     }
 
     @ParameterizedTest

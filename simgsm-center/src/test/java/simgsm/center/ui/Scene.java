@@ -120,7 +120,7 @@ public final class Scene {
                 List.of());
     }
 
-    /** Nothing but so many messages between phone, centre and robot. */
+    /** This number of messages between phone, centre and robot, and nothing else. */
     public static ExchangeSnapshot passing(int count) {
         List<LadderEntry> entries = new ArrayList<>();
         for (int i = 0; i < count; i++) {
@@ -142,7 +142,7 @@ public final class Scene {
                 List.of());
     }
 
-    /** Nothing but so many broadcasts that are repeated. */
+    /** This number of repeated broadcasts, and nothing else. */
     public static ExchangeSnapshot broadcasting(int count) {
         List<BroadcastView> broadcasts = new ArrayList<>();
         for (int id = 1; id <= count; id++) {

@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 import simgsm.octets.Bounds;
 
 /**
- * What a tower tells the centre of itself in its identity: the unit id, and in the unit name the cell's parameters, as {@code
+ * The identity that a tower sends to the centre: the unit id, and in the unit name the cell's parameters, as {@code
  * "west arfcn=100 bsic=10 lac=1 cell=6969 tch=6 timeout=32 access=0 hysteresis=4"}. osmo-bsc reads only the unit id and has the rest in its configuration.
  *
  * @param frequency ARFCN of the one carrier, 0 to 1023

@@ -14,7 +14,7 @@ public final class FrequencyList {
     private static final int MOST_OF_MAP_0 = 124;
     private static final int FORMAT_MASK = 0xce;
     private static final int VARIABLE = 0x8e;
-    /** Frequencies that a variable bit map tells, after the first. */
+    /** Frequencies that a variable bit map encodes, after the first. */
     private static final int VARIABLE_SPAN = 111;
 
     private static final int ARFCNS = 1024;

@@ -8,7 +8,7 @@ import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
-/** SYSTEM INFORMATION (TS 44.018, 9.1.31 to 9.1.40): what a cell tells all mobiles, and those on a dedicated channel. */
+/** SYSTEM INFORMATION (TS 44.018, 9.1.31 to 9.1.40): what a cell broadcasts to all mobiles, and sends on dedicated channels. */
 public sealed interface SystemInformation {
     /** TYPE 2 on the BCCH: the neighbours of mobiles in idle mode. */
     record Type2(List<Integer> neighbours, RandomAccess access) implements SystemInformation {}

@@ -4,7 +4,7 @@ package simgsm.sms;
  * The serial number of a broadcast message; a phone shows each code and update once (TS 23.041, 9.4.1.2.1).
  *
  * @param scope area in which the code is unique: 0 cell, displayed immediately, 1 network, 2 location area, 3 cell
- * @param code tells messages with the same identifier apart, 0 to 1023
+ * @param code distinguishes messages with the same identifier, 0 to 1023
  * @param update counts changes of the same message, 0 to 15
  */
 public record BroadcastSerial(int scope, int code, int update) {

@@ -8,8 +8,7 @@ import simgsm.octets.OctetWriter;
 import simgsm.ss.Component.Invoke;
 
 /**
- * What a mobile is told whose call the other party holds or has taken back: the operation notifySS in a FACILITY of the call
- * (TS 24.083, 2.2.1; TS 24.080, 3.6.1: NotifySS-Arg).
+ * The other party has held the call or taken it back: the operation notifySS in a FACILITY of the call (TS 24.083, 2.2.1; TS 24.080, 3.6.1: NotifySS-Arg).
  */
 public final class HoldNotification {
     /** SS-Code of call hold (TS 29.002, 17.7.5). */

@@ -14,11 +14,11 @@ public enum SsCode implements Coded {
     FORWARDING_ON_NOT_REACHABLE(0x2b, "62"),
     /** CLIP: the caller's number is shown. */
     CALLING_LINE_PRESENTATION(0x11, "30"),
-    /** CLIR: one's own number is hidden from those who are called. */
+    /** CLIR: one's own number is hidden from the called party. */
     CALLING_LINE_RESTRICTION(0x12, "31"),
     /** COLP: the number that answers is shown to the caller. */
     CONNECTED_LINE_PRESENTATION(0x13, "76"),
-    /** COLR: one's own number is hidden from callers. */
+    /** COLR: the number that answers is hidden from the caller. */
     CONNECTED_LINE_RESTRICTION(0x14, "77"),
     CALL_WAITING(0x41, "43");
 

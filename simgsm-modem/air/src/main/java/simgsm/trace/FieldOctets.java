@@ -31,7 +31,7 @@ public final class FieldOctets {
      * Finds the octets.
      *
      * @param message as the reader returns it for its octets
-     * @param reader reads octets of the same length; it tells unreadable ones by a field named {@link #WRONG}
+     * @param reader reads octets of the same length; it marks unreadable ones by a field named {@link #WRONG}
      */
     public FieldOctets(MessageText message, Function<OctetString, MessageText> reader) {
         message.fields().forEach(field -> byField.add(new BitSet()));

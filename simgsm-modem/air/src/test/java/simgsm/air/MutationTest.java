@@ -63,7 +63,7 @@ class MutationTest {
         }
     }
 
-    /** A call to a number that could not be read: it is understood, but nobody of ours would write it. */
+    /** A call to a number that could not be read: it is understood, but the suite never writes it. */
     private static boolean namesNobody(Layer3Message message, Direction direction) {
         return direction == Direction.UPLINK
                 && message instanceof CallControl.Setup setup

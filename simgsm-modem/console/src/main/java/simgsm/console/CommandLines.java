@@ -15,7 +15,7 @@ final class CommandLines implements Console.Lines {
     /** Most octets of a line; the longest command is a message of 255 parts, under 120 000 octets. */
     static final int MAX_OCTETS = 1 << 20;
 
-    /** So many lines of binary data in a row end the input. */
+    /** 10 lines of binary data in a row end the input. */
     static final int MAX_BINARY = 10;
 
     private final InputStream in;

@@ -52,7 +52,7 @@ public final class CommandTable<T> {
         row.action.perform(target, command);
     }
 
-    /** As {@link #perform}, where the core is asked by another thread: that it does not answer is told like any other error. */
+    /** As {@link #perform}, where the core runs on another thread: no answer in time is an error like any other. */
     public void performAsking(T target, ConsoleCommand command) throws CommandException {
         try {
             perform(target, command);

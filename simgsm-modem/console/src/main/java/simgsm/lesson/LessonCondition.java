@@ -9,7 +9,7 @@ import java.util.Optional;
  * @param patterns events that have to come in this order
  * @param least how often the first must come; only with a single pattern
  * @param most how often it may come at most; without a limit for a condition that must come true
- * @param different the field by whose values events are told apart: each value counts once; empty where all events count
+ * @param different the field whose different values count, each once; empty where all events count
  */
 public record LessonCondition(List<EventPattern> patterns, int least, int most, Optional<String> different) {
     static final int NO_LIMIT = Integer.MAX_VALUE;

@@ -179,7 +179,7 @@ class ConsoleTest {
         for (int i = 0; i < 100_000; i++) {
             queue.print(Event.of("row").with("n", i));
         }
-        assertEquals(0, printed.size(), "the loop has ended although nobody reads");
+        assertEquals(0, printed.size(), "the loop has ended although its output is not read");
     }
 
     @Test

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Timeout;
 /** Ends processes, so each is one of its own. */
 @Timeout(60)
 class FatalErrorTest {
-    /** A program that would live for ever, and whose parting hangs if it is told to. */
+    /** A program that does not end by itself, and whose shutdown hook hangs on request. */
     public static final class Doomed {
         public static void main(String[] args) throws InterruptedException {
             if (args.length > 0) {

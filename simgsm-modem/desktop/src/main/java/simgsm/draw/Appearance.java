@@ -2,7 +2,7 @@ package simgsm.draw;
 
 import java.util.Locale;
 
-/** Light, dark, or high contrast: black and strong colours on white, for projectors and for those who see less. */
+/** Light, dark, or high contrast: black and strong colours on white, for projectors and impaired sight. */
 public enum Appearance {
     LIGHT,
     DARK,

@@ -31,7 +31,7 @@ final class Talkers {
         }
     }
 
-    /** Somebody talks: phrases, pauses, breath, consonants. */
+    /** Speech: phrases, pauses, breath, consonants. */
     static double[] talk(Random random, int length) {
         double[] sound = new double[length];
         Resonator[] tract = {new Resonator(), new Resonator(), new Resonator(), new Resonator()};
@@ -126,7 +126,7 @@ final class Talkers {
         return sound;
     }
 
-    /** Somebody whistles: one sine that glides, some breath. */
+    /** Whistling: one sine that glides, some breath. */
     static double[] whistle(Random random, int length) {
         double[] sound = new double[length];
         double hertz = 700 + 1200 * random.nextDouble();

@@ -130,7 +130,7 @@ final class Tape {
         return this;
     }
 
-    /** White noise so many decibels below the power of both tones together. */
+    /** White noise this number of decibels below the power of both tones together. */
     Tape noiseBelowTones(double decibels) {
         return noise(10 * Math.log10(Math.pow(10, rowDbm0 / 10) + Math.pow(10, columnDbm0 / 10)) - decibels);
     }
@@ -270,7 +270,7 @@ final class Tape {
         return this;
     }
 
-    /** The level sways by so many decibels to either side. */
+    /** The level varies by this number of decibels to either side. */
     Tape flutter(double hertz, double decibels) {
         double phase = uniform(0, 2 * Math.PI);
         for (int i = 0; i < length; i++) {
@@ -295,7 +295,7 @@ final class Tape {
         return this;
     }
 
-    /** Now and then so many samples are lost or come twice. */
+    /** At random places this number of samples is lost or repeated. */
     Tape jumps(double everyMillis, int samples) {
         slipped = true;
         double[] out = new double[2 * sound.length];
@@ -327,7 +327,7 @@ final class Tape {
         return this;
     }
 
-    /** Rounds to so many bits of sixteen. */
+    /** Rounds to this number of bits, at most 16. */
     Tape coarse(int bits) {
         double step = 1 << 16 - bits;
         for (int i = 0; i < length; i++) {

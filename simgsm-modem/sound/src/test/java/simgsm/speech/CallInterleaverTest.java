@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Two directions side by side; frames are told apart by the value of their samples. */
+/** Two directions side by side; frames differ by the value of their samples. */
 class CallInterleaverTest {
     private final List<Integer> left = new ArrayList<>();
     private final List<Integer> right = new ArrayList<>();
@@ -100,7 +100,7 @@ class CallInterleaverTest {
         received(2, 2);
         sent(32, 32);
         tracks.end();
-        assertEquals(102, right.get(21), "the 20 frames that nobody waited for are silence");
+        assertEquals(102, right.get(21), "the 20 frames beyond the wait are silence");
         assertEquals(32, left.size());
     }
 

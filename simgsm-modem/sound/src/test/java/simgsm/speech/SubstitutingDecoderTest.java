@@ -129,7 +129,7 @@ class SubstitutingDecoderTest {
 
     private static final String KEYS = "**#**20**1234567890";
 
-    /** What the receiver hears of {@link #KEYS} when so many frames of a hundred are lost. */
+    /** What the receiver hears of {@link #KEYS} when this percentage of frames is lost. */
     private static String heard(SpeechCodec.Kind kind, double lostPercent, boolean substitute, long seed) {
         DtmfGenerator generator = new DtmfGenerator();
         KEYS.chars().forEach(key -> generator.enqueue(DtmfKey.of((char) key), 100, 100));

@@ -14,7 +14,7 @@ import simgsm.station.context.StationEvent;
  * {@link #snapshot}.
  */
 public interface AnsweringModem {
-    /** Makes a modem for those who decide about its calls and listen to it. */
+    /** Makes a modem with a rule for its calls and a listener. */
     interface Maker<M extends AnsweringModem> {
         /**
          * Called once.

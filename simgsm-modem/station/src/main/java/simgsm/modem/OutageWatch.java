@@ -51,7 +51,7 @@ final class OutageWatch {
         wasOutage = false;
     }
 
-    /** So many frames in a row did not arrive; what stands for them is heard next. */
+    /** This number of frames in a row did not arrive; their substitutes are heard next. */
     void lost(int frames) {
         isOutage |= frames >= LEAST_FRAMES;
         if (frames >= LEAST_DOUBLING_FRAMES) {
@@ -59,7 +59,7 @@ final class OutageWatch {
         }
     }
 
-    /** So many samples have been heard, those that stand for lost frames included. */
+    /** Counts samples that were heard, substitutes of lost frames included. */
     void heard(int count) {
         samples += count;
     }

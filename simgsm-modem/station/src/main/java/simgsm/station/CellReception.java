@@ -11,7 +11,7 @@ import simgsm.air.RadioResource.MeasurementReport;
 import simgsm.rr.SystemInformation;
 import simgsm.station.context.StationContext;
 
-/** What a cells program tells of the cell and its level; a centre of its own tells nothing. */
+/** The cell and its level, as a cells program sends them; a centre alone sends neither. */
 final class CellReception {
     private final StationContext context;
     private Optional<SystemInformation.Type3> information = Optional.empty();
@@ -26,7 +26,7 @@ final class CellReception {
                 cell -> new ServingCell(cell.cellIdentity(), cell.area().areaCode(), rxlev));
     }
 
-    /** What the cell has told; empty before. */
+    /** What the cell has sent; empty before. */
     Optional<SystemInformation.Type3> information() {
         return information;
     }

@@ -8,7 +8,7 @@ import simgsm.net.RetryPause;
  * number and IMEI takes its place, and the two would take turns for ever. A core: ends of links and times in, pauses out.
  */
 final class DisplacementWatch {
-    /** A registration that has lasted so long was not displaced; above the longest pause of the other terminal. */
+    /** A registration that has lasted 120 s was not displaced; above the longest pause of the other terminal. */
     private static final long SOON_NANOS = TimeUnit.SECONDS.toNanos(120);
 
     private static final long FIRST_PAUSE_NANOS = TimeUnit.SECONDS.toNanos(2);
@@ -39,7 +39,7 @@ final class DisplacementWatch {
         pause.reset();
     }
 
-    /** Whether the last end of a link is the first that tells of another terminal. */
+    /** Whether the last end of a link is the first that shows another terminal. */
     boolean isNews() {
         return displacements == CERTAIN;
     }

@@ -1,7 +1,7 @@
 package simgsm.station;
 
 /**
- * The cell of a town on which a station is, as a cells program tells it.
+ * The cell of a town on which a station is, as a cells program reports it.
  *
  * @param identity CI, 0 to 65535
  * @param areaCode LAC

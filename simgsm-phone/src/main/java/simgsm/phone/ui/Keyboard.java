@@ -20,8 +20,8 @@ import simgsm.ui.UserAction;
 
 /**
  * Maps the computer's keyboard to the handset: typed characters are passed on in any keyboard layout; Enter, Escape and the
- * arrows are keys. A character stays pressed until a key is released or the focus leaves the panel, after which no release
- * would be told. The keyboard's repetition of a phone key's symbol is ignored.
+ * arrows are keys. A character stays pressed until a key is released or the focus leaves the panel, after which releases
+ * do not arrive. The keyboard's repetition of a phone key's symbol is ignored.
  */
 final class Keyboard {
     private static final String FOCUS_OWNER = "focusOwner";

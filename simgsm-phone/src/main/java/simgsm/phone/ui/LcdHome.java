@@ -15,7 +15,7 @@ import simgsm.station.StationSnapshot;
 /** The home screen: standby, a number being typed, or what {@link LcdCall} shows of a call. */
 final class LcdHome {
     private static final double HINT_BASELINE = 151;
-    /** So many lines of news leave no room for the cell's. */
+    /** 3 lines of news leave no room for the cell's. */
     private static final int CROWDED = 3;
 
     private final TextBundle texts;

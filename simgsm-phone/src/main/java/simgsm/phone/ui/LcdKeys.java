@@ -86,7 +86,7 @@ final class LcdKeys {
     }
 
     /**
-     * The newest key heard as a keycap, with its meaning; a line below tells those before it.
+     * The newest key heard as a keycap, with its meaning; a line below shows those before it.
      *
      * @param showsEarlier whether there is room for that line
      */

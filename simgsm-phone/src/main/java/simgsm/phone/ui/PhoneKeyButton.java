@@ -97,7 +97,7 @@ final class PhoneKeyButton extends JButton {
         }
     }
 
-    /** Tells what a key under the display does now. */
+    /** Sets what a key under the display does, for screen readers. */
     void setMeaning(String words) {
         getAccessibleContext().setAccessibleDescription(words);
     }

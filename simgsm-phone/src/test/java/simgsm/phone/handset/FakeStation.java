@@ -39,7 +39,7 @@ public final class FakeStation implements StationCommands {
         listener = newListener;
     }
 
-    /** Somebody calls. */
+    /** A call comes in. */
     public void ring(String from) {
         ringing = true;
         inCall = true;

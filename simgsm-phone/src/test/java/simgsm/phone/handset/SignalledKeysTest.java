@@ -60,7 +60,7 @@ class SignalledKeysTest {
     void theKeyIsSeenAndHeardHereWhileTheNetworkLetsItSound() {
         bench.down(PhoneKey.FIVE);
         bench.speechMillis(40);
-        assertEquals(Optional.empty(), bench.snapshot().sounding(), "nobody has acknowledged it yet");
+        assertEquals(Optional.empty(), bench.snapshot().sounding(), "the network has not acknowledged it yet");
         bench.handset.accept(new StationEvent.KeyStarted(DtmfKey.FIVE));
         bench.speechMillis(40);
         assertEquals(Optional.of(DtmfKey.FIVE), bench.snapshot().sounding());

@@ -121,7 +121,7 @@ public final class ModemPanel extends JPanel {
         scope.show(line.heard());
     }
 
-    /** Is told when keys are to be hidden in the window, because a student reads them off the scope. */
+    /** @param listener called with true when keys are to be hidden in the window, with false when shown again */
     public void whenHidingKeys(Consumer<Boolean> listener) {
         scope.whenHiding(listener);
     }

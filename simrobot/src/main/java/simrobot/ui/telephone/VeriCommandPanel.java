@@ -124,7 +124,7 @@ public final class VeriCommandPanel extends JPanel {
         }
     }
 
-    /** Beside the verdict, which tells only whether the order was accepted: what has become of it. */
+    /** Beside the verdict, which says only whether the order was accepted: its outcome. */
     private void showCourse(OrderCourse now) {
         courseNow = now;
         course.setVisible(now != OrderCourse.NONE);

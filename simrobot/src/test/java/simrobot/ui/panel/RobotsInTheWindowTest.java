@@ -29,7 +29,7 @@ import simrobot.ui.OpenPort;
 import simrobot.ui.SimRobotTexts;
 import vericommand.RobotStatus;
 
-/** Robots come, go, and are put somewhere by hand; whoever is called is shown. */
+/** Robots come, go, and are put somewhere by hand; the called robot is shown. */
 class RobotsInTheWindowTest {
     private WindowBench bench;
 
@@ -242,7 +242,7 @@ class RobotsInTheWindowTest {
         assertEquals("none", process.getSelectedItem());
     }
 
-    // ---- who is called
+    // ---- the called robot
     // ---------------------------------------------------------------------------------------------
 
     @Test

@@ -13,7 +13,7 @@ import simgsm.octets.OctetWriter;
 import simgsm.rr.SystemInformation;
 
 /**
- * Tells a terminal on which cell it is and how well it receives it, for its display: the terminal has no receiver, the mobile
+ * Sends a terminal its cell and the reception, for its display: the terminal has no receiver, the mobile
  * measures in its place. SYSTEM INFORMATION TYPE 3 is sent when the cell changes, a MEASUREMENT REPORT when the level does.
  */
 final class CellNotice {

@@ -20,7 +20,7 @@ import simgsm.timer.Timers;
 
 /** The mobile's way from one channel to another: assignment (TS 44.018, 3.4.3) and handover (3.4.4). */
 final class ChannelChange {
-    /** Tuning to the new channel and setting up its link layer takes so long. */
+    /** Tuning to the new channel and setting up its link layer takes 40 ms. */
     private static final long TUNING_NANOS = 40_000_000;
     /** HANDOVER ACCESS is sent again each 20 ms here; the standard asks for every burst. */
     private static final long ACCESS_NANOS = 20_000_000;

@@ -16,9 +16,9 @@ public final class IdleSelection {
     private static final int STRONGEST = 6;
 
     private static final double SECOND_NANOS = 1e9;
-    /** For so long another cell must be better, or the serving one too weak. */
+    /** Another cell must be better, or the serving one too weak, for 5 s. */
     private static final long DECISION_NANOS = 5_000_000_000L;
-    /** After a change of cell a further one needs 5 dB more for so long. */
+    /** For 15 s after a change of cell a further one needs 5 dB more. */
     private static final long SETTLING_NANOS = 15_000_000_000L;
 
     private static final double SETTLING_DECIBELS = 5;
@@ -56,11 +56,6 @@ public final class IdleSelection {
     /** C2 of a cell at the last measurement. */
     public double c2(int cell) {
         return c2[cell];
-    }
-
-    /** The average level of a cell in dBm. */
-    public double averageDbm(int cell) {
-        return averages[cell];
     }
 
     /** Takes the cell of a connection that has ended; measurements and times from before it no longer count. */

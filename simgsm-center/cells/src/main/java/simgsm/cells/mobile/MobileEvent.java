@@ -28,7 +28,7 @@ public sealed interface MobileEvent {
     /** A handover has ended. @param cause RR cause of HANDOVER FAILURE; empty for a success */
     record HandedOver(Mobile mobile, String from, String to, OptionalInt cause) implements MobileEvent {}
 
-    /** The terminal heard nothing for so long across a handover. */
+    /** The terminal received no speech for this time across a handover. */
     record SpeechGap(Mobile mobile, int millis) implements MobileEvent {}
 
     record RadioLinkFailed(Mobile mobile) implements MobileEvent {}

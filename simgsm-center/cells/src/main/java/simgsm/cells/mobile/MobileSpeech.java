@@ -90,7 +90,7 @@ final class MobileSpeech {
                 return missed * FRAME_MILLIS;
             }
         } catch (ProtocolViolation broken) {
-            // The terminal drops it; the time tells the gap as well.
+            // The terminal drops it; the gap is measured by the time as well.
         }
         return Math.max(0, (int) ((nowNanos - deliveredNanos) / NANOS_PER_MILLI) - FRAME_MILLIS);
     }

@@ -51,8 +51,8 @@ final class MobileCard extends JPanel {
     private boolean isShowing;
 
     /**
-     * @param chosen is told the number that the list has chosen
-     * @param speedChosen is told the speed of walks in m/s
+     * @param chosen takes the number chosen in the list
+     * @param speedChosen takes the chosen speed of walks in m/s
      */
     MobileCard(TextBundle texts, TownActions town, Consumer<String> chosen, DoubleConsumer speedChosen) {
         super(new BorderLayout());

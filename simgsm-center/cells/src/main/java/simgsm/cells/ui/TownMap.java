@@ -57,7 +57,7 @@ final class TownMap extends PaintedComponent {
 
     /**
      * @param first the snapshot to begin with
-     * @param selected is told the number of a mobile that the mouse has chosen
+     * @param selected takes the number of a mobile chosen with the mouse
      */
     TownMap(
             TextBundle texts,

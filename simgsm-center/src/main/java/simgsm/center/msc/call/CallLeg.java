@@ -195,7 +195,7 @@ public final class CallLeg implements PagedTransaction {
         }
     }
 
-    /** Tells this mobile that the other one holds the call, or has taken it back. */
+    /** Notifies this mobile that the other one holds the call, or has taken it back. */
     void notifyHold(boolean onHold) {
         if (state().speaks()) {
             link.send(new CallControl.Facility(transaction, HoldNotification.encode(onHold)));
@@ -273,7 +273,7 @@ public final class CallLeg implements PagedTransaction {
         legs.changed(this);
     }
 
-    /** Tones are played to a caller who is not connected. */
+    /** Tones are played to a caller before the call is connected. */
     private boolean announcesTone(NetworkCallState before) {
         return switch (state()) {
             case CALL_DELIVERED -> networkTones.hasRingBack();

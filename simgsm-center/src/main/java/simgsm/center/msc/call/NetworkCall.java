@@ -138,7 +138,7 @@ public final class NetworkCall {
         return other != null && other.speaks() && leg.speaks() ? other : null;
     }
 
-    /** A mobile holds the call or has taken it back; a party who is not holding hears a tone meanwhile. */
+    /** A mobile holds the call or has taken it back; the held party hears a tone meanwhile. */
     void holdChanged(CallLeg leg) {
         CallLeg other = other(leg);
         if (other != null) {

@@ -129,7 +129,7 @@ public final class Link implements Lifeline {
         access.send(sapi, layer3);
     }
 
-    /** Tells the operator of a message; see {@link Trace}. */
+    /** Reports a message to the operator; see {@link Trace}. */
     public void trace(Direction direction, String name, OctetString octets) {
         context.trace().passed(this, direction, name, octets);
     }

@@ -38,9 +38,9 @@ public final class MobilityProcedures implements LinkUser {
     private long silenceNanos;
 
     /**
-     * @param attached is called for each subscriber who was not attached before
-     * @param detached is called for each subscriber who is no longer attached
-     * @param reachable is called for each attached subscriber who is heard again after a paging without an answer
+     * @param attached is called when a subscriber attaches
+     * @param detached is called when a subscriber is detached
+     * @param reachable is called when an attached subscriber is heard again after a paging without an answer
      */
     public MobilityProcedures(
             SubscriberRegister register,
@@ -211,7 +211,7 @@ public final class MobilityProcedures implements LinkUser {
         }
     }
 
-    /** Subscribers over towers who are not heard for so long are detached (TS 24.008, 4.4.2); 0 for never. */
+    /** Time without a message after which a subscriber over towers is detached (TS 24.008, 4.4.2); 0 for never. */
     public void detachSilentAfter(long nanos) {
         silenceNanos = nanos;
     }

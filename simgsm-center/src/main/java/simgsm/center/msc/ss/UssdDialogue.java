@@ -92,7 +92,7 @@ final class UssdDialogue implements PagedTransaction, UssdSession {
         return begun;
     }
 
-    /** Tells the outcome of the question to another one who has it too. @return false for another question */
+    /** Gives the outcome of the question to a further receiver. @return false if this dialogue has another question */
     boolean join(String sameQuestion, Consumer<UssdOutcome> alsoTold) {
         boolean isSame = question.text().equals(sameQuestion);
         if (isSame) {

@@ -10,7 +10,7 @@ import simgsm.scope.ScopeCursors.CursorPlace;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
-/** Paints the cursors A and B over a picture, and tells what lies between them. */
+/** Paints the cursors A and B over a picture, and the difference between them. */
 final class CursorPainter {
     private static final double FLAG_UNITS = 13;
 

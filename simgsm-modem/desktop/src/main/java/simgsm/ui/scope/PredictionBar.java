@@ -19,7 +19,7 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** Asks for the key that a student reads off the picture, and tells whether it is right. */
+/** Asks for the key that a student reads off the picture, and shows whether it is right. */
 final class PredictionBar extends JPanel {
     private final TextBundle texts;
     private final KeyPrediction prediction;

@@ -53,7 +53,7 @@ public final class ToneScopePanel extends JPanel {
     private final JPanel below;
     private final TermPanel terms;
     private Consumer<Boolean> whenHiding = hiding -> {};
-    /** Is told when a question of this scope, not of its large one, hides keys. */
+    /** Called with true when a question of this scope, not of its enlarged one, hides keys; with false at its end. */
     private Consumer<Boolean> whenAsking = asking -> {};
 
     private boolean wasHiding;
@@ -181,7 +181,7 @@ public final class ToneScopePanel extends JPanel {
         }
     }
 
-    /** Is told when keys are to be hidden everywhere, because a student reads them off the picture, and when no longer. */
+    /** @param listener called with true when keys are to be hidden in the whole window, with false when shown again */
     public void whenHiding(Consumer<Boolean> listener) {
         whenHiding = listener;
     }

@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Theme and language, which all windows of a user share: tells the others a change made in this window, and takes over one
+ * Theme and language, which all windows of a user share: passes on a change made in this window, and takes over one
  * made in another while this one is open. Values are those of the options {@code --theme} and {@code --lang}; they pass
  * through the {@link WindowMemory}. What differs when the window opens stays as it is.
  */
@@ -29,7 +29,7 @@ final class SharedSettings {
         lastKept = memory.shared();
     }
 
-    /** Tells and takes over; to be called from time to time on the event thread. */
+    /** Passes on and takes over changes; to be called periodically on the event thread. */
     void look() {
         tell();
         Map<String, String> kept = memory.shared();
@@ -41,7 +41,7 @@ final class SharedSettings {
         }
     }
 
-    /** Tells the other windows what has changed in this one. */
+    /** Passes on to the other windows what has changed in this one. */
     void tell() {
         Map<String, String> now = own.get();
         if (!now.equals(lastOwn)) {

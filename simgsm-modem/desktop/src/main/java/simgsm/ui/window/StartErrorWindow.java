@@ -26,7 +26,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** Says in a window why a program could not start, for those who started it without a terminal. */
+/** Says in a window why a program could not start, for a start without a terminal. */
 public final class StartErrorWindow {
     private static final int COLUMNS = 44;
     private static final int ROWS = 4;

@@ -160,7 +160,7 @@ final class AttachedCall {
         }
     }
 
-    /** The network offers a second call: it is told that the user is busy. */
+    /** The network offers a second call: it is refused as busy. */
     void secondCallWaits() {
         if (AttachedCallTable.STANDING.contains(phase())) {
             dialogue.send(ModemCommand.of("AT+CHLD=0"), answer -> {});

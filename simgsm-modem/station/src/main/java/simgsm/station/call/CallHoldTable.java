@@ -92,7 +92,7 @@ public final class CallHoldTable {
                 .on(SWAP_HELD, EXPIRED, IDLE, CLEAR_HELD, PARK, REPORT_REFUSED)
                 .stay(EnumSet.of(IDLE), ACTIVE_ENDED)
                 .stay(EnumSet.of(IDLE), HELD_ENDED)
-                // Late answers: the network has done what the user was told that it had not.
+                // Late answers: the network has done what was reported to the user as failed.
                 .on(IDLE, HELD_LATE, IDLE, PARK)
                 .on(IDLE, SWAP_HELD_LATE, SWAP_HELD, START_TIMER)
                 .on(IDLE, RETRIEVED_LATE, IDLE, RESUME)

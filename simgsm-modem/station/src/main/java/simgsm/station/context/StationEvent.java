@@ -30,7 +30,7 @@ public sealed interface StationEvent {
     /** 30 s have passed since the station was asked for a reminder. */
     record ReminderDue() implements StationEvent {}
 
-    /** So many frames of speech in a row did not arrive; as many {@link SpeechReceived} that stand for them follow. */
+    /** This number of speech frames in a row did not arrive; as many {@link SpeechReceived} with substitutes follow. */
     record SpeechLost(int frames) implements StationEvent {}
 
     /**

@@ -39,7 +39,7 @@ public final class MobileRegistration {
     private int pause = 1;
     private Optional<Tmsi> tmsi = Optional.empty();
     private LocationArea area = LocationArea.TEST;
-    /** Of the cell on which the mobile is camped; empty if no cell has told it. */
+    /** Of the cell on which the mobile is camped; empty until a cell has sent it. */
     private Optional<LocationArea> cellArea = Optional.empty();
 
     private final PeriodicUpdating periodic;
@@ -138,7 +138,7 @@ public final class MobileRegistration {
     }
 
     /**
-     * The cell has told what it is. A registration that got no answer, as without a cell, is tried again in it at once (TS 24.008,
+     * The cell has sent its identity. A registration that got no answer, as without a cell, is tried again in it at once (TS 24.008,
      * 4.2.2.2); one that was refused keeps its pause.
      *
      * @param periodicUpdatingSteps T3212, of 6 minutes; 0 for none

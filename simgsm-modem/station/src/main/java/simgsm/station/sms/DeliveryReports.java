@@ -13,7 +13,7 @@ import simgsm.station.context.StationLog;
 
 /**
  * The parts whose status report is outstanding, by message reference. A reference has one octet (TS 23.040, 9.2.3.6), so
- * two of more than 256 parts share one. The receiver's number tells them apart; of two for one receiver the older is taken,
+ * two of more than 256 parts share one. The receiver's number distinguishes them; of two for one receiver the older is taken,
  * because a service centre delivers in order. After the loss of a report this may be wrong. Of one reference the newest
  * {@value #MAX_OF_ONE_REFERENCE} parts are kept.
  */

@@ -56,7 +56,7 @@ public final class MobileUssdTable {
         STOP_TIMERS,
         /** Shows the network's text. */
         SHOW_TEXT,
-        /** Shows the last text, or tells how the dialogue ended without one. */
+        /** Shows the last text, or how the dialogue ended without one. */
         REPORT_END
     }
 

@@ -104,7 +104,7 @@ final class MessageCodes {
         memoryChanged();
     }
 
-    /** Tells the network when the memory has become full, and when there is room again. */
+    /** Notifies the network when the memory has become full, and when there is room again. */
     void memoryChanged() {
         boolean refuses =
                 isServed && memory.isFull() && modem.clients().stream().noneMatch(this::isDirect);

@@ -24,7 +24,7 @@ final class ServiceAnswers {
      * Asks the network.
      *
      * @param code as a user types it, {@code *#21#}
-     * @param told is given how the service stands; OK follows
+     * @param told takes the service's status; OK follows
      */
     AtResult ask(AtRequest request, String code, Consumer<ServiceStatus> told) throws AtException {
         boolean isFree = asking.filter(former -> !former.isOver()).isEmpty();
