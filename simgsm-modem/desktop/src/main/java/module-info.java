@@ -9,6 +9,7 @@ module simgsm.desktop {
     exports simgsm.draw;
     exports simgsm.ui;
     exports simgsm.ui.lesson;
+    exports simgsm.ui.pane;
     exports simgsm.ui.scope;
     exports simgsm.ui.window;
 }

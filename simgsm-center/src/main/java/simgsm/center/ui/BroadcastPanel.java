@@ -26,10 +26,10 @@ import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
-import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.pane.ScrolledColumn;
 
 /**
  * Cell broadcast: channel, language, repetition, text and number of pages; below, the repeated broadcasts, which can be

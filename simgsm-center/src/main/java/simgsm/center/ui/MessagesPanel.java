@@ -11,9 +11,9 @@ import simgsm.center.msc.ExchangeSnapshot.MessageRow;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
-import simgsm.ui.DividedPanel;
-import simgsm.ui.Divider;
 import simgsm.ui.Theme;
+import simgsm.ui.pane.DividedPanel;
+import simgsm.ui.pane.Divider;
 
 /** The queue of messages and those that have ended recently; below, the history of the selected one. */
 final class MessagesPanel extends JPanel {

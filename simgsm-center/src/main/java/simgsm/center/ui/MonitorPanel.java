@@ -22,11 +22,11 @@ import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
-import simgsm.ui.DividedPanel;
-import simgsm.ui.Divider;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.pane.DividedPanel;
+import simgsm.ui.pane.Divider;
 
 /** The content of M3's window: shows snapshots and passes the user's actions to the operator. Needs no display. */
 public final class MonitorPanel extends JPanel {

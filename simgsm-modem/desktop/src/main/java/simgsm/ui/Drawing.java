@@ -6,11 +6,13 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.font.FontRenderContext;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import simgsm.draw.Ink;
 
 /** Rendering hints, pixel-aligned rectangles and texts for painters. */
 public final class Drawing {
@@ -157,5 +159,16 @@ public final class Drawing {
             start++;
         }
         return start == text.length() ? "" : "\u2026" + text.substring(start);
+    }
+
+    /** Three dots along the longer side: the grip of a divider. */
+    public static void grip(Graphics2D g, double w, double h) {
+        double d = Theme.exact(2.5);
+        g.setColor(Theme.color(Ink.CONTROL_LINE));
+        for (int k = -1; k <= 1; k++) {
+            double x = w / 2 + (w > h ? k * 3 * d : 0);
+            double y = h / 2 + (w > h ? 0 : k * 3 * d);
+            g.fill(new Ellipse2D.Double(x - d / 2, y - d / 2, d, d));
+        }
     }
 }

@@ -165,7 +165,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             case PROGRESS_TRACK -> box(g, 1, w, h, Ink.ACCENT_WASH, null, 3);
             case PROGRESS -> box(g, 1, w, h, Ink.ACCENT, null, 3);
             case RULE -> rule(g, w, h);
-            case GRIP -> grip(g, w, h);
+            case GRIP -> Drawing.grip(g, w, h);
             case NOTHING -> {}
         }
     }
@@ -339,16 +339,6 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             Drawing.fillCrisp(g, 0, h / 2, w, Theme.exact(1));
         } else {
             Drawing.fillCrisp(g, w / 2, 0, Theme.exact(1), h);
-        }
-    }
-
-    static void grip(Graphics2D g, double w, double h) {
-        double d = Theme.exact(2.5);
-        g.setColor(Theme.color(Ink.CONTROL_LINE));
-        for (int k = -1; k <= 1; k++) {
-            double x = w / 2 + (w > h ? k * 3 * d : 0);
-            double y = h / 2 + (w > h ? 0 : k * 3 * d);
-            g.fill(new Ellipse2D.Double(x - d / 2, y - d / 2, d, d));
         }
     }
 }

@@ -11,8 +11,8 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange.FixedLayout;
-import simgsm.ui.Divider;
 import simgsm.ui.Theme;
+import simgsm.ui.pane.Divider;
 import simrobot.ui.telephone.ModemPanel;
 import simrobot.ui.telephone.VeriCommandPanel;
 

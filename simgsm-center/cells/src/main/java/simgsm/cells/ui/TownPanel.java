@@ -19,10 +19,10 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
-import simgsm.ui.DividedPanel;
-import simgsm.ui.Divider;
-import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Theme;
+import simgsm.ui.pane.DividedPanel;
+import simgsm.ui.pane.Divider;
+import simgsm.ui.pane.ScrolledColumn;
 
 /** The content of the town's window: shows snapshots and passes the user's actions on. Needs no display. */
 public final class TownPanel extends JPanel {

@@ -22,11 +22,11 @@ import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
-import simgsm.ui.DividedPanel;
-import simgsm.ui.Divider;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.pane.DividedPanel;
+import simgsm.ui.pane.Divider;
 
 /** The GSM messages between terminals and centre, live; below, the selected message, unless it is shown elsewhere. */
 public final class LadderPanel extends JPanel {

@@ -14,9 +14,9 @@ import javax.swing.ScrollPaneConstants;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
-import simgsm.ui.ScrolledColumn;
 import simgsm.ui.Theme;
 import simgsm.ui.lesson.GlossaryNote;
+import simgsm.ui.pane.ScrolledColumn;
 
 /**
  * A message in full: its fields, and its octets next to them or, in a narrow place, below. A chosen field marks its octets,

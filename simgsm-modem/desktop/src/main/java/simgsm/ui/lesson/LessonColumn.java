@@ -4,7 +4,7 @@ import java.awt.Component;
 import java.awt.Container;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
-import simgsm.ui.ScrollContent;
+import simgsm.ui.pane.ScrollContent;
 
 /** A column of wrapping texts in a scroll pane: as wide as the view, as high as its texts. */
 final class LessonColumn extends ScrollContent {

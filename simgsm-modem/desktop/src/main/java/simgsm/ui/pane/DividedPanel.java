@@ -1,10 +1,12 @@
-package simgsm.ui;
+package simgsm.ui.pane;
 
 import java.awt.Container;
 import java.awt.Dimension;
 import java.util.function.IntUnaryOperator;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import simgsm.ui.Arrange;
+import simgsm.ui.Theme;
 
 /** Two parts side by side, or one above the other, with a {@link Divider} between them while both are there and visible. */
 public final class DividedPanel extends JPanel {

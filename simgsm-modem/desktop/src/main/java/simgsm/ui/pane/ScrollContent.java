@@ -1,4 +1,4 @@
-package simgsm.ui;
+package simgsm.ui.pane;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
@@ -6,6 +6,7 @@ import java.awt.Rectangle;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.Scrollable;
+import simgsm.ui.Theme;
 
 /** The content of a scroll pane, as wide as the view. A step of the wheel or an arrow scrolls 20 units, a page the view's height. */
 public abstract class ScrollContent extends JPanel implements Scrollable {

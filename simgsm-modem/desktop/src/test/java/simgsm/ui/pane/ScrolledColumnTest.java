@@ -1,4 +1,4 @@
-package simgsm.ui;
+package simgsm.ui.pane;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import org.junit.jupiter.api.Test;
+import simgsm.ui.Arrange;
 
 class ScrolledColumnTest {
     @Test

@@ -1,10 +1,11 @@
-package simgsm.ui;
+package simgsm.ui.pane;
 
 import java.awt.Component;
 import java.awt.KeyboardFocusManager;
 import java.beans.PropertyChangeListener;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
+import simgsm.ui.Arrange;
 
 /**
  * The content of a scroll pane, as high as the view; below its minimum height it scrolls, also to the component that gets the

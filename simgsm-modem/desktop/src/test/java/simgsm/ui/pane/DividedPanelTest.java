@@ -1,4 +1,4 @@
-package simgsm.ui;
+package simgsm.ui.pane;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -14,6 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import simgsm.ui.Theme;
 
 class DividedPanelTest {
     private final JPanel list = new JPanel();

@@ -1,4 +1,4 @@
-package simgsm.ui;
+package simgsm.ui.pane;
 
 import java.awt.Component;
 import java.awt.Container;
@@ -22,6 +22,12 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simgsm.draw.Ink;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.Drawing;
+import simgsm.ui.PaintedComponent;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 
 /**
  * The gap between two parts of a window, which sets the size of the part at its right, or below it. The mouse drags it; the
@@ -217,7 +223,7 @@ public final class Divider extends JComponent implements Accessible {
                                 ? Drawing.round((getWidth() - thick) / 2, 0, thick, getHeight(), thick / 2)
                                 : Drawing.round(0, (getHeight() - thick) / 2, getWidth(), thick, thick / 2));
             } else {
-                FlatPainter.grip(g, getWidth(), getHeight());
+                Drawing.grip(g, getWidth(), getHeight());
             }
         } finally {
             g.dispose();
