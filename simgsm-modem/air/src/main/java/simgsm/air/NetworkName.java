@@ -2,6 +2,7 @@ package simgsm.air;
 
 import java.nio.charset.StandardCharsets;
 import simgsm.octets.OctetWriter;
+import simgsm.octets.Septets;
 
 /**
  * The network's name for a phone's display (TS 24.008, 10.5.3.5a): septets if every character has the same code in the

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import simgsm.air.Septets;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 import simgsm.octets.Octets;
+import simgsm.octets.Septets;
 
 /**
  * A broadcast message, and its division into pages.

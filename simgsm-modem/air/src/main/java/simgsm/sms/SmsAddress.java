@@ -5,8 +5,8 @@ import simgsm.air.MessageReader;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.SemiOctets;
-import simgsm.air.Septets;
 import simgsm.octets.OctetWriter;
+import simgsm.octets.Septets;
 
 /**
  * TP-OA, TP-DA, TP-RA: a number, or a name in letters (TS 23.040, 9.1.2.5).

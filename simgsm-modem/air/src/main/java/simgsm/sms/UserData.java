@@ -2,11 +2,11 @@ package simgsm.sms;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import simgsm.air.Septets;
 import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 import simgsm.octets.Octets;
+import simgsm.octets.Septets;
 
 /**
  * The user data of one part. The octets are kept, so that a centre forwards exactly what it received.

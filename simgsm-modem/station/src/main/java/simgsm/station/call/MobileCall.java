@@ -1,7 +1,6 @@
 package simgsm.station.call;
 
 import java.util.HashSet;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import simgsm.air.CallControl;
@@ -11,9 +10,6 @@ import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.TransactionIdentifier;
 import simgsm.state.StateMachine;
-import simgsm.station.call.CallHoldTable.CallHoldAction;
-import simgsm.station.call.CallHoldTable.CallHoldEvent;
-import simgsm.station.call.CallHoldTable.CallHoldState;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationTimer;
@@ -23,12 +19,6 @@ import simgsm.station.mobility.ServiceRequests;
 public final class MobileCall implements ServiceRequests.ServiceUser {
     private static final int TRANSACTIONS = 7;
 
-    private static final Map<Class<? extends CallControl>, CallHoldEvent> HOLD_ANSWERS = Map.of(
-            CallControl.HoldAcknowledge.class, CallHoldEvent.HOLD_ACKNOWLEDGE,
-            CallControl.HoldReject.class, CallHoldEvent.HOLD_REJECT,
-            CallControl.RetrieveAcknowledge.class, CallHoldEvent.RETRIEVE_ACKNOWLEDGE,
-            CallControl.RetrieveReject.class, CallHoldEvent.RETRIEVE_REJECT);
-
     private final StationContext context;
     private final ServiceRequests services;
     private final SpeechPath speech;
@@ -36,7 +26,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private final boolean callWaiting;
     private final boolean ignoresSetup;
     private final SecondCall second;
-    private final StateMachine<CallHoldState, CallHoldEvent, CallHoldAction> hold;
+    private final CallHold hold;
     private final StateMachine<MobileCallState, MobileCallEvent, MobileCallAction> machine;
     /** As in the messages sent; null in state NULL. */
     private TransactionIdentifier transaction;
@@ -55,12 +45,6 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private boolean tonesAnnounced;
 
     private boolean networkPlaysTones;
-
-    /** The waiting call, by its transaction as in the messages sent, that the user answers by holding the active one. */
-    private Optional<TransactionIdentifier> toAnswer = Optional.empty();
-
-    /** Whether the held call follows the one that is being cleared. */
-    private boolean retrievesNext;
 
     /** Dialled while the previous call was being cleared. */
     private Optional<Msisdn> next = Optional.empty();
@@ -83,7 +67,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         this.callWaiting = callWaiting;
         this.ignoresSetup = ignoresSetup;
         this.second = new SecondCall(context, this::heldEnded, heldByPeer::remove);
-        hold = new StateMachine<>(CallHoldTable.TABLE, context.identity().number(), this::perform);
+        hold = new CallHold(context, this, second);
         machine = new StateMachine<>(MobileCallTable.TABLE, context.identity().number(), this::perform);
     }
 
@@ -95,6 +79,11 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         return peer;
     }
 
+    /** As in the messages sent. */
+    TransactionIdentifier transaction() {
+        return transaction;
+    }
+
     /** Begins a call, or lets it follow the one that is being cleared. @return false if a call is under way or given back */
     public boolean dial(Msisdn number) {
         if (MobileCallTable.CLEARING.contains(state()) && next.isEmpty()) {
@@ -104,7 +93,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             }
             return true;
         }
-        return state() == MobileCallState.NULL && !isRetrieving() && begin(number);
+        return state() == MobileCallState.NULL && !hold.isRetrieving() && begin(number);
     }
 
     private boolean begin(Msisdn number) {
@@ -190,49 +179,11 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
      * @return false if there is neither an active call nor a held one, or the network has still to answer
      */
     public boolean hold() {
-        if (state() == MobileCallState.ACTIVE) {
-            return holdActive();
-        }
-        if (MobileCallTable.CLEARING.contains(state()) && second.isHeld()) {
-            retrievesNext = true;
-            return true;
-        }
-        return state() == MobileCallState.NULL && second.isHeld() && fireHold(CallHoldEvent.USER_RETRIEVES);
+        return hold.request();
     }
 
-    private boolean holdActive() {
-        boolean isAccepted = fireHold(second.isHeld() ? CallHoldEvent.USER_SWAPS : CallHoldEvent.USER_HOLDS);
-        if (isAccepted) {
-            toAnswer = second.isWaiting() ? Optional.of(second.transaction()) : Optional.empty();
-        }
-        return isAccepted;
-    }
-
-    private boolean fireHold(CallHoldEvent event) {
-        return hold.accepts(event) && hold.fire(event);
-    }
-
-    /** A message has arrived. @return whether it answers HOLD or RETRIEVE */
-    boolean holdAnswered(CallControl message) {
-        CallHoldEvent event = HOLD_ANSWERS.get(message.getClass());
-        if (event != null) {
-            hold.fire(hold.state() == CallHoldState.IDLE ? late(event, message.transaction()) : event);
-        }
-        return event != null;
-    }
-
-    /** What an answer means for which nothing waits any more. */
-    private CallHoldEvent late(CallHoldEvent event, TransactionIdentifier received) {
-        if (event == CallHoldEvent.HOLD_ACKNOWLEDGE && state() == MobileCallState.ACTIVE && has(received)) {
-            return second.isHeld() ? CallHoldEvent.SWAP_HELD_LATE : CallHoldEvent.HELD_LATE;
-        }
-        boolean isBack = event == CallHoldEvent.RETRIEVE_ACKNOWLEDGE
-                && second.isHeld()
-                && second.transaction().equals(received.answered());
-        if (isBack) {
-            return state() == MobileCallState.NULL ? CallHoldEvent.RETRIEVED_LATE : CallHoldEvent.RETRIEVED_IN_VAIN;
-        }
-        return event;
+    CallHold callHold() {
+        return hold;
     }
 
     /** The network has told whether the other party of one of the calls holds it. */
@@ -249,46 +200,14 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         }
     }
 
-    /** While the held call is given back another cannot take its place. */
-    boolean isRetrieving() {
-        return hold.state() == CallHoldState.RETRIEVE_REQUEST;
-    }
-
-    private void perform(CallHoldAction action) {
-        switch (action) {
-            case SEND_HOLD -> send(new CallControl.Hold(transaction));
-            case SEND_RETRIEVE -> send(new CallControl.Retrieve(second.transaction()));
-            case START_TIMER -> context.timers().start(StationTimer.CALL_HOLD, () -> hold.fire(CallHoldEvent.EXPIRED));
-            case STOP_TIMER -> context.timers().stop(StationTimer.CALL_HOLD);
-            case PARK, EXCHANGE -> park();
-            case RESUME -> second.take().ifPresent(this::resume);
-            case CLEAR_HELD -> second.clear();
-            case REPORT_REFUSED -> {
-                toAnswer = Optional.empty();
-                report(new StationEvent.HoldRefused());
-            }
-        }
-    }
-
-    /**
-     * The active call becomes the held one; the one beside it, if there is one, becomes the current call. A waiting call rings
-     * as such, unless the user has asked to answer it.
-     */
-    private void park() {
-        TransactionIdentifier held = transaction;
-        Optional<Msisdn> number = peer;
-        Optional<SecondCall.Party> other = second.take();
+    /** The active call is held: it is no longer the current one. */
+    void leave() {
         fire(MobileCallEvent.CALL_HELD);
-        second.hold(held, number);
-        other.ifPresent(this::resume);
     }
 
-    private void resume(SecondCall.Party party) {
+    /** The held or the answered call becomes the current one. */
+    void take(SecondCall.Party party) {
         transaction = party.received().answered();
-        if (!party.isHeld() && !toAnswer.equals(Optional.of(transaction))) {
-            ring(party.received(), party.number(), MobileCallEvent.TAKE_WAITING);
-            return;
-        }
         peer = party.number();
         fire(party.isHeld() ? MobileCallEvent.CALL_RETRIEVED : MobileCallEvent.ANSWER_WAITING);
         if (heldByPeer.contains(transaction)) {
@@ -296,9 +215,14 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         }
     }
 
+    /** The waiting call becomes the current one, and rings. */
+    void ring(SecondCall.Party waiting) {
+        ring(waiting.received(), waiting.number(), MobileCallEvent.TAKE_WAITING);
+    }
+
     /** Without a held and a current call the connection is not needed. */
     private void heldEnded() {
-        hold.fire(CallHoldEvent.HELD_ENDED);
+        hold.heldEnded();
         if (state() == MobileCallState.NULL) {
             services.release(ServiceType.MOBILE_ORIGINATED_CALL);
         }
@@ -400,7 +324,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             transaction = null;
             peer = Optional.empty();
             if (event != MobileCallEvent.CALL_HELD) {
-                hold.fire(CallHoldEvent.ACTIVE_ENDED);
+                hold.activeEnded();
                 beginNext();
             }
         }
@@ -413,11 +337,9 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         if (number.isPresent()) {
             begin(number.get());
         } else if (second.isWaiting()) {
-            second.take().ifPresent(call -> ring(call.received(), call.number(), MobileCallEvent.TAKE_WAITING));
-        } else if (retrievesNext && second.isHeld()) {
-            fireHold(CallHoldEvent.USER_RETRIEVES);
+            second.take().ifPresent(this::ring);
         }
-        retrievesNext = false;
+        hold.retrieveIfAsked();
     }
 
     SecondCall second() {

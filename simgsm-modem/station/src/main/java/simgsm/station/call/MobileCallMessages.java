@@ -42,7 +42,7 @@ public final class MobileCallMessages {
         } else if (message instanceof CallControl.Facility facility && isKnown(message)) {
             HoldNotification.decode(facility.facility())
                     .ifPresent(onHold -> call.heldByPeer(facility.transaction(), onHold));
-        } else if (isKnown(message) && call.holdAnswered(message)) {
+        } else if (isKnown(message) && call.callHold().answered(message)) {
             context.log().trace(Level.DEBUG, "{0} answers a request to hold or retrieve", message);
         } else if (call.has(message.transaction())) {
             arrivedInCall(message);
@@ -90,7 +90,7 @@ public final class MobileCallMessages {
             context.log().trace(Level.DEBUG, "SETUP of a known or foreign transaction ignored");
         } else if (call.acceptsWaitingCall()) {
             call.second().offered(setup);
-        } else if (call.state() != MobileCallState.NULL || call.isRetrieving()) {
+        } else if (call.state() != MobileCallState.NULL || call.callHold().isRetrieving()) {
             refuse(setup.transaction(), Cause.USER_BUSY);
         } else {
             call.offered(setup.transaction(), setup.calling());

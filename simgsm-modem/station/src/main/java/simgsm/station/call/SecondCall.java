@@ -64,9 +64,9 @@ final class SecondCall {
         context.events().add(new StationEvent.CallWaits(setup.calling()));
     }
 
-    /** The active call is held from now on. @param own its transaction, as in messages sent */
-    void hold(TransactionIdentifier own, Optional<Msisdn> number) {
-        party = Optional.of(new Party(own.answered(), number, true));
+    /** The call that was active is held from now on. */
+    void hold(Party active) {
+        party = Optional.of(active);
     }
 
     /** Clears the call; a waiting one with user determined user busy (TS 22.030, 6.5.5.1). @return false if there is none */

@@ -1,4 +1,4 @@
-package simgsm.air;
+package simgsm.octets;
 
 /**
  * Seven-bit codes packed into octets (TS 23.038, 6.1.2): code i begins at bit 7 i, counted from the lowest bit of the
