@@ -41,9 +41,16 @@ public final class CenterMain {
             System.exit(status.getAsInt());
         }
         new Program(Center.NAME, options())
-                .showingErrors(StartErrorWindow::show, "headless", "new-sim", "lessons", "check")
+                .showingErrors(StartErrorWindow::show, windowless(args))
                 .checking(ProgramWindow::check)
                 .runAndExit(args, CenterMain::run);
+    }
+
+    /** Options without a window; {@code --lessons} with {@code --demo} has windows. */
+    private static String[] windowless(String... args) {
+        return QuickDemo.isDemo(args)
+                ? new String[] {"headless", "new-sim", "check"}
+                : new String[] {"headless", "new-sim", "check", "lessons"};
     }
 
     private static Options options() {

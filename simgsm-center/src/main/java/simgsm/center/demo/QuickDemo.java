@@ -22,8 +22,7 @@ public final class QuickDemo {
 
     private static final String JAR = "simgsm-center.jar";
     /** Options with which the program opens no window. */
-    private static final String[] WINDOWLESS = {
-        "--headless", "--help", "-h", "--version", "-V", "--new-sim", "--lessons", "--check"
+    private static final String[] WINDOWLESS = {"--headless", "--help", "-h", "--version", "-V", "--new-sim", "--check"
     };
 
     private static final long FAREWELL_SECONDS = 10;
@@ -39,13 +38,8 @@ public final class QuickDemo {
      *     the second process, with options of the Java machine that the user has chosen, or where none can be started
      */
     public static OptionalInt run(String... words) {
-        if (!has(words, "--demo") || System.getProperty(SECOND) != null || !mayHaveDisplay()) {
+        if (!isDemo(words) || System.getProperty(SECOND) != null || !mayHaveDisplay()) {
             return OptionalInt.empty();
-        }
-        for (String windowless : WINDOWLESS) {
-            if (has(words, windowless)) {
-                return OptionalInt.empty();
-            }
         }
         try {
             ProgramFolder programs = ProgramFolder.of(QuickDemo.class);
@@ -59,6 +53,16 @@ public final class QuickDemo {
             Thread.currentThread().interrupt();
             return OptionalInt.of(ExitStatus.FAILED);
         }
+    }
+
+    /** Whether the words ask for the demo in windows; {@code --lessons DIR} names a folder for it then. */
+    public static boolean isDemo(String... words) {
+        for (String windowless : WINDOWLESS) {
+            if (has(words, windowless)) {
+                return false;
+            }
+        }
+        return has(words, "--demo");
     }
 
     private static boolean has(String[] words, String option) {

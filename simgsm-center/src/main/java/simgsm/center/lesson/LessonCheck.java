@@ -86,8 +86,8 @@ public final class LessonCheck {
         Path folder = LessonNetwork.newFolder();
         LessonRun run = new LessonRun(lesson, seed(arguments), new LessonFigures());
         try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {
-            LessonSession session =
-                    new LessonSession(run, programs, folder, library.folder(lesson.name()), LessonCheck::options);
+            LessonSession session = new LessonSession(
+                    run, programs, folder, library.folder(lesson.name()), LessonCheck::options, arguments.language());
             play(session, solution, programs);
             session.events().withRun(each -> print(each, texts));
             if (result.isPresent()) {

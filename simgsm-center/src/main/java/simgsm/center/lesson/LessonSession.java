@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
@@ -18,6 +19,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import simgsm.center.app.CenterEventPrinter;
+import simgsm.center.app.CenterTexts;
 import simgsm.center.app.ChildConsole;
 import simgsm.center.demo.DemoPrograms;
 import simgsm.center.msc.ExchangeEvent;
@@ -25,6 +27,7 @@ import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
+import simgsm.console.TextBundle;
 import simgsm.lesson.LessonAction;
 import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonRun;
@@ -42,8 +45,22 @@ final class LessonSession implements AutoCloseable {
     private static final int END_SECONDS = 10;
 
     private static final String CENTRE = "centre";
-    /** Fields of a tool's event for conditions alone. */
-    private static final Set<String> UNTOLD = Set.of("output", "status", LessonTools.OPTIONS);
+    /** What a student has to know without having waited for it; called by the thread of a program's console. */
+    interface Troubles {
+        /** A program has refused a line of this action. */
+        void refused(String action, String why);
+
+        /** A program has ended before it was ready, or with an exit status other than 0. */
+        void ended(String program, int status);
+    }
+
+    private static final Troubles NONE = new Troubles() {
+        @Override
+        public void refused(String action, String why) {}
+
+        @Override
+        public void ended(String program, int status) {}
+    };
 
     private final LessonRun run;
     private final DemoPrograms programs;
@@ -51,27 +68,35 @@ final class LessonSession implements AutoCloseable {
     private final LessonTools tools;
     private final Path folder;
     private final Function<LessonProgram, List<String>> manner;
+    private final TextBundle words;
     private final Map<String, ChildConsole> consoles = new ConcurrentHashMap<>();
     private final Queue<String> told = new ConcurrentLinkedQueue<>();
     private final Map<String, Integer> atPorts = new ConcurrentHashMap<>();
     /** Whether a tool has failed since the action began. */
     private boolean hasFailed;
+    /** The latest action; empty before the first one. */
+    private volatile String acted = "";
+
+    private volatile Troubles troubles = NONE;
 
     /**
      * @param folder in which tools run and files are handed in
      * @param own where a teacher's own lesson lies
      * @param manner the further options of a program, such as {@code --headless}
+     * @param language of what the student is told
      */
     LessonSession(
             LessonRun run,
             DemoPrograms programs,
             Path folder,
             Optional<Path> own,
-            Function<LessonProgram, List<String>> manner) {
+            Function<LessonProgram, List<String>> manner,
+            Locale language) {
         this.run = run;
         this.programs = programs;
         this.folder = folder;
         this.manner = manner;
+        words = CenterTexts.in(language);
         events = new LessonEvents(run);
         tools = new LessonTools(programs.children(), folder);
         events.withRun(each -> each.put("folder", folder.toString()));
@@ -81,6 +106,15 @@ final class LessonSession implements AutoCloseable {
 
     LessonEvents events() {
         return events;
+    }
+
+    void onTrouble(Troubles listener) {
+        troubles = listener;
+    }
+
+    /** Whether the latest action has failed. */
+    boolean hasFailed() {
+        return hasFailed;
     }
 
     /** A line with the values of its names in braces; {@code isAll}: also of those that students have to find. */
@@ -131,7 +165,7 @@ final class LessonSession implements AutoCloseable {
 
     private void startAgain(LessonProgram program) throws IOException, LessonFailure {
         if (running().contains(program.name())) {
-            throw new LessonFailure(program.name() + " runs already");
+            throw new LessonFailure(words.of("lesson.program.runs", program.name()));
         }
         launch(program);
     }
@@ -147,20 +181,34 @@ final class LessonSession implements AutoCloseable {
         Process process = programs.start(
                 program.jar() + ".jar", number < 0 ? "" : options.get(number + 1), Redirect.PIPE, options);
         consoles.put(name, new ChildConsole(name, process, new ChildConsole.Listener() {
+            private boolean isReady;
+
             @Override
             public void line(String line) {}
 
             @Override
             public void event(Event event) {
+                isReady |= event.name().equals("ready");
                 if (event.name().equals("ready") && event.fields().containsKey("at")) {
                     atPorts.put(name, Integer.valueOf(event.fields().get("at").split(",")[0]));
                 }
                 events.add(name, event);
+                if (event.name().equals("error") && !acted.isEmpty()) {
+                    troubles.refused(acted, event.fields().getOrDefault("text", ""));
+                }
             }
 
             @Override
             public void ended() {
                 events.ended(name);
+                try {
+                    int status = process.waitFor();
+                    if (!isReady || status != 0) {
+                        troubles.ended(name, status);
+                    }
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
             }
         }));
     }
@@ -201,16 +249,13 @@ final class LessonSession implements AutoCloseable {
         }
         Event event = WallRun.run(tools, folder, words.get(0), words.get(1));
         tell(event);
-        if (!event.fields().get("status").equals("0")) {
-            throw new LessonFailure(event.fields().get("output"));
-        }
     }
 
     private void capture() throws LessonFailure, IOException {
         events.add(
                 "tool",
                 CapturedMessage.setup(folder.resolve(LessonNetwork.CAPTURE))
-                        .orElseThrow(() -> new LessonFailure("the capture holds no SETUP of a telephone yet")));
+                        .orElseThrow(() -> new LessonFailure(words.of("lesson.capture.none"))));
     }
 
     /** {@code give FILE}: copies a file that the student has chosen into the lesson's folder. */
@@ -228,16 +273,9 @@ final class LessonSession implements AutoCloseable {
     /** What a tool has found, for the student and for the conditions. */
     private void tell(Event event) {
         hasFailed |= !event.fields().getOrDefault("status", "0").equals("0");
-        boolean isWordy = event.name().equals("pdu")
-                || !event.fields().getOrDefault("status", "0").equals("0");
-        StringBuilder line = new StringBuilder(event.name());
-        event.fields().forEach((key, value) -> {
-            if (isWordy ? key.equals("output") : !UNTOLD.contains(key)) {
-                line.append(isWordy ? ": " : " " + key + " ").append(value);
-            }
-        });
-        if (line.length() > event.name().length()) {
-            told.add(line.toString());
+        String line = ToolTexts.of(event, words);
+        if (!line.isEmpty()) {
+            told.add(line);
         }
         events.add("tool", event);
     }
@@ -282,13 +320,14 @@ final class LessonSession implements AutoCloseable {
         program(name);
         ChildConsole console = consoles.get(name);
         if (console == null || !console.process().isAlive()) {
-            throw new LessonFailure(name + " does not run; start it first");
+            throw new LessonFailure(words.of("lesson.program.off", name));
         }
         return console;
     }
 
     private void at(String verb, String rest) throws LessonFailure, IOException {
         String[] parts = rest.split("\\s+", 2);
+        console(parts[0]);
         Integer port = atPorts.get(parts[0]);
         if (port == null || parts.length < 2) {
             throw new LessonFailure("expected a program with --at and a text, found " + rest);
@@ -305,9 +344,11 @@ final class LessonSession implements AutoCloseable {
         LessonAction action = run.lesson()
                 .action(parts[0])
                 .orElseThrow(() -> new LessonFailure("expected an action of the lesson, found " + parts[0]));
-        String input = parts.length == 2 ? parts[1].replace('\\', '/') : "";
+        String given = parts.length == 2 ? parts[1].replace('\\', '/') : "";
+        String input = action.input() instanceof LessonAction.Range range ? number(range, given) : given;
         String name = input.substring(input.lastIndexOf('/') + 1).replaceFirst("[.][a-z]+$", "");
         hasFailed = false;
+        acted = action.name();
         for (String line : action.lines()) {
             if (hasFailed) {
                 return; // what follows would work on the files of an earlier try
@@ -315,6 +356,13 @@ final class LessonSession implements AutoCloseable {
             // The input comes last: a name in braces in it would be replaced by what the student has to find.
             perform(replaced(line, true).replace("{input}", input).replace("{name}", name));
         }
+    }
+
+    private String number(LessonAction.Range range, String given) throws LessonFailure {
+        String text = range.isWhole() ? "lesson.integer" : "lesson.number";
+        return range.number(given)
+                .orElseThrow(() -> new LessonFailure(
+                        words.of(text, String.valueOf(range.least()), String.valueOf(range.most()), given)));
     }
 
     private void command(String name, String command) throws LessonFailure, IOException, InterruptedException {

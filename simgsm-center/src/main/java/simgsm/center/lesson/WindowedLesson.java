@@ -13,6 +13,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.stream.Stream;
 import simgsm.center.app.CenterSettings;
+import simgsm.center.app.CenterTexts;
 import simgsm.center.app.CenterWindow;
 import simgsm.center.app.DataDirectory;
 import simgsm.center.demo.DemoLayout;
@@ -36,7 +37,7 @@ import simgsm.ui.window.WindowIcon;
 import simgsm.ui.window.WindowPlace;
 
 /** {@code --demo --lesson NAME}: the suite with the lesson's panel at its right. */
-public final class WindowedLesson implements LessonActs {
+public final class WindowedLesson implements LessonActs, LessonSession.Troubles {
     private static final double SHARE_OF_SCREEN = 0.24;
     private static final int LEAST_WIDTH = 270;
     private static final int MOST_WIDTH = 460;
@@ -113,7 +114,8 @@ public final class WindowedLesson implements LessonActs {
                     programs,
                     folder,
                     library.folder(lesson.name()),
-                    program -> options(program, lesson, layout, screen));
+                    program -> options(program, lesson, layout, screen),
+                    arguments.language());
             WindowedLesson opened = new WindowedLesson(library, texts, arguments.language(), run, session, window);
             Optional<String> chosen = CenterWindow.run(
                     programs.center(),
@@ -176,6 +178,7 @@ public final class WindowedLesson implements LessonActs {
         refresh();
         session.events().onChange(this::refresh);
         session.events().onLesson(this::open);
+        session.onTrouble(this);
         LessonPanel panel = new LessonPanel(lesson, texts, library.names(), language, run::shown, this);
         frame = LessonFrame.open(
                 DesktopTexts.in(language).of("lessons.title") + ": " + texts.of("title"),
@@ -189,9 +192,29 @@ public final class WindowedLesson implements LessonActs {
         perform(() -> {
             notice = DesktopTexts.in(language).of("lesson.starting");
             refresh();
-            session.start();
+            try {
+                session.start();
+            } catch (LessonFailure e) {
+                throw new LessonFailure(CenterTexts.in(language).of("lesson.start.failed", e.getMessage()));
+            }
             notice = "";
         });
+    }
+
+    @Override
+    public void refused(String action, String why) {
+        notice = texts.find("refused " + action).map(run::shown).orElse(why);
+        refresh();
+    }
+
+    @Override
+    public void ended(String program, int status) {
+        String title = texts.find("program " + program).orElse(program);
+        String why = texts.find("refused " + program)
+                .map(text -> "\n\n" + run.shown(text))
+                .orElse("");
+        notice = CenterTexts.in(language).of("lesson.program.ended", title, String.valueOf(status)) + why;
+        refresh();
     }
 
     private void end() {
@@ -208,7 +231,6 @@ public final class WindowedLesson implements LessonActs {
 
     private void perform(Act act) {
         worker.execute(() -> {
-            notice = "";
             try {
                 act.perform();
             } catch (InterruptedException e) {
@@ -225,10 +247,7 @@ public final class WindowedLesson implements LessonActs {
     }
 
     private void line(String line) {
-        perform(() -> {
-            session.perform(line);
-            notice = session.told();
-        });
+        perform(() -> session.perform(line));
     }
 
     @Override
@@ -236,6 +255,7 @@ public final class WindowedLesson implements LessonActs {
         line("predict " + text);
     }
 
+    /** What tools have found stays in view: answers are read off it. */
     @Override
     public void answer(String name, String text) {
         line("answer " + name + " " + text);
@@ -243,12 +263,29 @@ public final class WindowedLesson implements LessonActs {
 
     @Override
     public void act(String name, String input) {
-        line("act " + name + " " + input);
+        String working = DesktopTexts.in(language).of("lesson.working");
+        perform(() -> {
+            notice = working;
+            refresh();
+            session.perform("act " + name + " " + input);
+            String told = session.told();
+            String why = session.hasFailed()
+                    ? texts.find("refused " + name)
+                            .map(text -> run.shown(text) + "\n\n")
+                            .orElse("")
+                    : "";
+            if (notice.equals(working) || !told.isEmpty()) {
+                notice = why + told;
+            }
+        });
     }
 
     @Override
     public void startProgram(String name) {
-        line("start " + name);
+        perform(() -> {
+            notice = "";
+            session.perform("start " + name);
+        });
     }
 
     @Override

@@ -1,6 +1,7 @@
 package simgsm.lesson;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * What a button of a lesson does.
@@ -9,12 +10,30 @@ import java.util.List;
  * @param lines of a solution; {@code {input}} is that input
  */
 public record LessonAction(String name, Input input, List<String> lines) {
-    /** Nothing, a line of text, or a file's path. */
-    public enum Input {
-        NONE,
-        TEXT,
-        FILE
+    /** What a student types or chooses. */
+    public sealed interface Input permits Nothing, Text, Range, File {}
+
+    /** A button alone. */
+    public record Nothing() implements Input {}
+
+    /** A line of text. */
+    public record Text() implements Input {}
+
+    /** A number between two limits, which belong to it. */
+    public record Range(int least, int most, boolean isWhole) implements Input {
+        /** The number in digits with a dot, if the text begins with one in range; a comma may stand for the dot. */
+        public Optional<String> number(String text) {
+            String word = text.strip().split("\\s+", 2)[0].replace(',', '.').replace('\u2212', '-');
+            if (!word.matches(isWhole ? "-?[0-9]{1,9}" : "-?[0-9]{1,9}([.][0-9]{1,9})?")) {
+                return Optional.empty();
+            }
+            double number = Double.parseDouble(word);
+            return number < least || number > most ? Optional.empty() : Optional.of(word);
+        }
     }
+
+    /** @param ending of its name, such as {@code wav}; empty for any */
+    public record File(String ending) implements Input {}
 
     public LessonAction {
         lines = List.copyOf(lines);

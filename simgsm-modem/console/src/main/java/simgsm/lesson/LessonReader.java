@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Reads {@code lesson.txt}: a line each for programs, variables, steps and their conditions. */
 final class LessonReader {
@@ -30,6 +32,8 @@ final class LessonReader {
             "act",
             "different");
 
+    private static final String ACTION = "action NAME [text|number LEAST..MOST|integer LEAST..MOST|file [ENDING]]";
+    private static final Pattern RANGE = Pattern.compile("(number|integer) (-?[0-9]{1,6})[.][.](-?[0-9]{1,6})");
     private static final Set<String> SOURCES = Set.of("centre", "trace", "tool", LessonRun.STUDENT);
     private static final List<String> PROGRAMS = List.of("simgsm-phone", "simrobot", "simgsm-cells");
     private static final List<String> CENTRE_OPTIONS =
@@ -235,21 +239,32 @@ final class LessonReader {
                 Optional.of(noted(EventPattern.parse(parts[2])))));
     }
 
-    /** {@code action NAME [text|file]}. */
+    /** {@code action NAME [text|number RANGE|integer RANGE|file [ENDING]]}, RANGE as {@code 0..40}. */
     private void action(List<String> words) throws LessonException {
-        LessonAction.Input input = switch (words.size() == 2 ? words.get(1) : "") {
-            case "text" -> LessonAction.Input.TEXT;
-            case "file" -> LessonAction.Input.FILE;
-            default -> LessonAction.Input.NONE;
-        };
-        if (words.isEmpty() || words.size() > 2 || words.size() == 2 && input == LessonAction.Input.NONE) {
-            throw new LessonException("expected action NAME [text|file], found " + String.join(" ", words));
-        }
+        require(!words.isEmpty() && words.size() <= 3, ACTION, String.join(" ", words));
         require(
                 actions.stream().noneMatch(each -> each.name().equals(words.get(0))),
                 "an action's name once",
                 words.get(0));
-        actions.add(new LessonAction(words.get(0), input, List.of()));
+        actions.add(new LessonAction(words.get(0), input(words.subList(1, words.size())), List.of()));
+    }
+
+    private static LessonAction.Input input(List<String> words) throws LessonException {
+        String found = String.join(" ", words);
+        Matcher range = RANGE.matcher(found);
+        if (range.matches()) {
+            int least = Integer.parseInt(range.group(2));
+            int most = Integer.parseInt(range.group(3));
+            require(least < most, "LEAST..MOST", range.group(2) + ".." + range.group(3));
+            return new LessonAction.Range(least, most, range.group(1).equals("integer"));
+        }
+        if (!words.isEmpty() && words.get(0).equals("file")) {
+            String ending = words.size() == 2 ? words.get(1) : "";
+            require(ending.matches("[a-z0-9]*"), "the ending of a file without its dot", ending);
+            return new LessonAction.File(ending);
+        }
+        require(words.isEmpty() || found.equals("text"), ACTION, found);
+        return words.isEmpty() ? new LessonAction.Nothing() : new LessonAction.Text();
     }
 
     private void doing(String line) throws LessonException {

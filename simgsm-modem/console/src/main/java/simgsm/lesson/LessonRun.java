@@ -56,19 +56,35 @@ public final class LessonRun {
         return prediction;
     }
 
-    /** An answer in the student's words; its numbers are the fields n1, n2 ... */
+    /** An answer in the student's words; its numbers, or else its words, are the fields n1, n2 ... */
     public void answer(String name, String text) {
         if (steps.stream().anyMatch(each -> each.isDone() && each.step.answer().equals(Optional.of(name)))) {
             return; // a right answer stays
         }
         answers.put(name, text.strip());
         Event event = Event.of(name).with("text", text.strip());
-        int count = 0;
-        for (String word : LessonReader.list(text.replace(';', ' '))) {
-            count++;
-            event = event.with("n" + count, word.replaceAll("[,;]$", ""));
+        List<String> words = words(text);
+        for (int i = 0; i < words.size(); i++) {
+            event = event.with("n" + (i + 1), words.get(i));
         }
-        event(STUDENT, event.with("count", count));
+        event(STUDENT, event.with("count", words.size()));
+    }
+
+    /**
+     * The words of an answer; of an answer with numbers those alone, so that units and conjunctions may stand between them:
+     * {@code 697 Hz and 1209 Hz}, {@code 697,1209} and {@code 697/1209} are two numbers, {@code -9,5 dB} is one.
+     */
+    private static List<String> words(String text) {
+        String parted = text.replace('\u2212', '-')
+                .replaceAll("[;/]", " ")
+                .replaceAll("(?<=[0-9])[+]", " ")
+                .replaceAll("(?<=[0-9]{3}),(?=[0-9]{3})", " ");
+        List<String> words = LessonReader.list(parted).stream()
+                .map(word -> word.replaceAll("[,:.]$", "").replaceAll("^([-+]?[0-9]+([.,][0-9]+)?)\\p{L}+$", "$1"))
+                .toList();
+        List<String> numbers =
+                words.stream().filter(word -> word.matches(".*[0-9].*")).toList();
+        return numbers.isEmpty() ? words : numbers;
     }
 
     /** An event that a program has printed. */

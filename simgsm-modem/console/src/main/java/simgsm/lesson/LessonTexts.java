@@ -70,7 +70,9 @@ public final class LessonTexts {
         lesson.steps().forEach(step -> keys.addAll(List.of("step " + step.name(), "hint " + step.name())));
         lesson.actions().forEach(action -> keys.add("action " + action.name()));
         Set<String> others = new LinkedHashSet<>();
-        lesson.programs().forEach(program -> others.add("program " + program.name()));
+        lesson.programs()
+                .forEach(program -> others.addAll(List.of("program " + program.name(), "refused " + program.name())));
+        lesson.actions().forEach(action -> others.add("refused " + action.name()));
         for (String key : texts.keySet()) {
             if (!keys.contains(key) && !others.contains(key)) {
                 throw new LessonException(file + ", line " + lines.get(key) + ": expected a key of "

@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.console.Event;
 
 class LessonRunTest {
@@ -218,5 +221,75 @@ class LessonRunTest {
         String text =
                 assertThrows(LessonException.class, () -> run(lines.split(";"))).getMessage();
         assertTrue(text.startsWith("sample/lesson.txt, " + expected), text);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "852 1209",
+                "852, 1209",
+                "852,1209",
+                "852 Hz y 1209 Hz",
+                "852Hz and 1209Hz",
+                "852/1209",
+                "852 + 1209.",
+                "low: 852; high: 1209"
+            })
+    void unitsAndConjunctionsMayStandBetweenTheNumbersOfAnAnswer(String typed) throws Exception {
+        LessonRun run = run("step a", "answer a", "when student a n1=852+-1.5% n2=1209+-1.5% count=2");
+        run.answer("a", typed);
+        assertTrue(run.isDone("a"), typed);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {"-9.5", "-9,5 dB", "\u22129,5", "about -9.5dB"})
+    void aNumberMayHaveACommaAndAUnit(String typed) throws Exception {
+        LessonRun run = run("step a", "answer a", "when student a n1=-9.5 | -9,5".replace(" | ", "|"));
+        run.answer("a", typed);
+        assertTrue(run.isDone("a"), typed);
+    }
+
+    @Test
+    void anAnswerWithoutNumbersHasItsWords() throws Exception {
+        LessonRun run = run("step a", "answer a", "when student a n1=west n2=east count=2");
+        run.answer("a", "west, east");
+        assertTrue(run.isDone("a"));
+    }
+
+    @Test
+    void anActionTakesANumberOfItsRange() throws Exception {
+        LessonRun run = run(
+                "action any number -20..60",
+                "do tool x {input}",
+                "action whole integer 0..40",
+                "do tool x {input}",
+                "action wave file wav",
+                "do give {input}",
+                "step a",
+                "when p x");
+        LessonAction.Range any =
+                (LessonAction.Range) run.lesson().action("any").orElseThrow().input();
+        assertEquals(Optional.of("-5.5"), any.number(" -5,5 dB"));
+        assertEquals(Optional.of("60"), any.number("60"));
+        for (String wrong : List.of("60.1", "-21", "abc", "", "1e1", "NaN", "--5", "5 5".replace(" ", "x"))) {
+            assertEquals(Optional.empty(), any.number(wrong), wrong);
+        }
+        LessonAction.Range whole =
+                (LessonAction.Range) run.lesson().action("whole").orElseThrow().input();
+        assertEquals(Optional.of("40"), whole.number("40"));
+        assertEquals(Optional.empty(), whole.number("15,5"));
+        assertEquals(Optional.empty(), whole.number("50"));
+        assertEquals(
+                new LessonAction.File("wav"),
+                run.lesson().action("wave").orElseThrow().input());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"action a number", "action a number 5..5", "action a word", "action a file w.v", "action"})
+    void anActionWithAnotherInputIsRefused(String line) {
+        assertThrows(LessonException.class, () -> run(line, "do tool x", "step a", "when p x"));
     }
 }

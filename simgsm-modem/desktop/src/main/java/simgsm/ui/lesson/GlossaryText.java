@@ -181,7 +181,8 @@ final class GlossaryText extends JEditorPane {
                 .replace("\n\n", "<br><br>")
                 // A path may be broken behind each folder.
                 .replace("/", "/" + BREAK)
-                .replace("** ", "**&nbsp;");
+                .replace("** ", "**&nbsp;")
+                .replaceAll("(?<=[0-9]) \\*\\*", "&nbsp;**");
     }
 
     /** As high as its text needs at the present width. */

@@ -14,6 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.filechooser.FileNameExtensionFilter;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
@@ -90,6 +91,8 @@ public final class LessonPanel extends JPanel {
         JScrollPane scroll = new JScrollPane(new LessonColumn(column));
         scroll.setBorder(null);
         scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        // A bar that comes and goes would break all texts anew, below the student's pointer.
+        scroll.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
         // Always in view, whatever part of the steps is.
         JPanel below = Arrange.column(Theme.HALF, notice, term);
         below.setBorder(Theme.padding(8, 12, 12, 12));
@@ -196,23 +199,32 @@ public final class LessonPanel extends JPanel {
     private JComponent action(LessonAction action) {
         String name = numbers.apply(texts.of("action " + action.name()));
         String id = "lesson.action." + action.name();
-        if (action.input() == LessonAction.Input.TEXT) {
+        if (action.input() instanceof LessonAction.Text || action.input() instanceof LessonAction.Range) {
             GlossaryText label = text(id + ".text");
             label.show(name);
             return Arrange.column(Theme.HALF, label, field(id, name, input -> acts.act(action.name(), input)));
         }
         UserAction press = new UserAction(id, name, () -> {
-            if (action.input() == LessonAction.Input.NONE) {
-                acts.act(action.name(), "");
+            if (action.input() instanceof LessonAction.File file) {
+                choose(action.name(), chooser(name, file.ending()));
             } else {
-                choose(action.name());
+                acts.act(action.name(), "");
             }
         });
         return ComponentNames.name(new WrappingButton(press), id, name);
     }
 
-    private void choose(String action) {
+    /** Shows files with this ending first, and on demand all. */
+    JFileChooser chooser(String title, String ending) {
         JFileChooser chooser = new JFileChooser();
+        chooser.setDialogTitle(title);
+        if (!ending.isEmpty()) {
+            chooser.setFileFilter(new FileNameExtensionFilter(words.of("lesson.files", ending), ending));
+        }
+        return chooser;
+    }
+
+    private void choose(String action, JFileChooser chooser) {
         if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
             acts.act(action, chooser.getSelectedFile().getAbsolutePath());
         }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.event.KeyEvent;
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,15 +15,21 @@ import java.util.Set;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JEditorPane;
+import javax.swing.JFileChooser;
+import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import simgsm.draw.Appearance;
 import simgsm.lesson.Lesson;
+import simgsm.lesson.LessonAction;
 import simgsm.lesson.LessonLibrary;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Lamp;
@@ -256,5 +263,30 @@ class LessonPanelTest {
         assertTrue(done.get(1).contains("697, 770, 852, 941"), done.get(1));
         assertEquals(List.of(), ComponentNames.unnamed(new SheetPanel(done.get(1), "Sheet")));
         assertEquals(List.of(), ComponentNames.unnamed(new GlossaryList(Locale.forLanguageTag("es"))));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"forge-an-order, wav", "who-is-it, sim", "your-first-behaviour, java"})
+    void theChooserShowsTheFilesThatAreHandedIn(String lesson, String ending) throws Exception {
+        LessonAction.File file = library.lesson(lesson).actions().stream()
+                .map(LessonAction::input)
+                .filter(LessonAction.File.class::isInstance)
+                .map(LessonAction.File.class::cast)
+                .findFirst()
+                .orElseThrow();
+        assertEquals(ending, file.ending());
+        JFileChooser chooser = panel(lesson, "es").chooser("Entregar", file.ending());
+        assertEquals("Entregar", chooser.getDialogTitle());
+        assertEquals("Archivos *." + ending, chooser.getFileFilter().getDescription());
+        assertTrue(chooser.accept(new File("mine." + ending)));
+        assertFalse(chooser.accept(new File("mine.txt")));
+    }
+
+    @Test
+    void theTextsKeepTheirWidthWhenThePanelGrowsBeyondItsWindow() throws Exception {
+        LessonPanel panel = panel("walk-through-town", "es");
+        JScrollPane scroll = (JScrollPane) SwingUtilities.getAncestorOfClass(
+                JScrollPane.class, ComponentNames.find(panel, "lesson.task").orElseThrow());
+        assertEquals(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, scroll.getVerticalScrollBarPolicy());
     }
 }
