@@ -35,7 +35,7 @@ final class LessonFigures implements LessonFunctions {
         return DtmfKey.sequence(text).get(0);
     }
 
-    /** A SUBMIT without a status report and with the centre's validity, in hexadecimal. */
+    /** A SUBMIT without a status report and with the centre's validity: hexadecimal octets with blanks between, as students type. */
     private static String submit(String number, String text) {
         return TpduCodec.encode(new SubmitTpdu(
                         false,
@@ -46,7 +46,8 @@ final class LessonFigures implements LessonFunctions {
                         0,
                         Optional.empty(),
                         UserData.of(text)))
-                .toString();
+                .toString()
+                .replaceAll("..(?=.)", "$0 ");
     }
 
     /** The two halves of 16 hexadecimal digits, combined bit by bit: SRES from RES (TS 33.102, conversion function c2). */

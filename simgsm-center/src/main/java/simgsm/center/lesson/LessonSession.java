@@ -50,8 +50,8 @@ final class LessonSession implements AutoCloseable {
         /** A program has refused a line of this action. */
         void refused(String action, String why);
 
-        /** A program has ended before it was ready, or with an exit status other than 0. */
-        void ended(String program, int status);
+        /** A program has ended; {@code isFault}: before it was ready, or with an exit status other than 0. */
+        void ended(String program, int status, boolean isFault);
     }
 
     private static final Troubles NONE = new Troubles() {
@@ -59,7 +59,7 @@ final class LessonSession implements AutoCloseable {
         public void refused(String action, String why) {}
 
         @Override
-        public void ended(String program, int status) {}
+        public void ended(String program, int status, boolean isFault) {}
     };
 
     private final LessonRun run;
@@ -203,9 +203,7 @@ final class LessonSession implements AutoCloseable {
                 events.ended(name);
                 try {
                     int status = process.waitFor();
-                    if (!isReady || status != 0) {
-                        troubles.ended(name, status);
-                    }
+                    troubles.ended(name, status, !isReady || status != 0);
                 } catch (InterruptedException e) {
                     Thread.currentThread().interrupt();
                 }

@@ -208,13 +208,19 @@ public final class WindowedLesson implements LessonActs, LessonSession.Troubles 
     }
 
     @Override
-    public void ended(String program, int status) {
+    public void ended(String program, int status, boolean isFault) {
+        if (isFault) {
+            notice = faultOf(program, status);
+        }
+        refresh();
+    }
+
+    private String faultOf(String program, int status) {
         String title = texts.find("program " + program).orElse(program);
         String why = texts.find("refused " + program)
                 .map(text -> "\n\n" + run.shown(text))
                 .orElse("");
-        notice = CenterTexts.in(language).of("lesson.program.ended", title, String.valueOf(status)) + why;
-        refresh();
+        return CenterTexts.in(language).of("lesson.program.ended", title, String.valueOf(status)) + why;
     }
 
     private void end() {

@@ -34,8 +34,8 @@ class LessonFiguresTest {
     @Test
     void aSubmitIsWrittenAsTs23040HasIt() {
         String hex = of("submit", "5550200", "**#**35**");
-        assertEquals("01000781550502f00000092ad5", hex.substring(0, 26));
-        assertEquals(2 * (2 + 6 + 3 + 8), hex.length());
+        assertEquals("01 00 07 81 55 05 02 f0 00 00 09 2a d5", hex.substring(0, 38));
+        assertEquals(3 * (2 + 6 + 3 + 8) - 1, hex.length());
     }
 
     @Test
