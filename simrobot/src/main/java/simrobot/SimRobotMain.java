@@ -86,11 +86,12 @@ public final class SimRobotMain {
         }
         VeriCommandSettings settings = SimRobotOptions.settings(arguments);
         RecentWorlds recent = RecentWorlds.of(arguments);
-        Optional<Path> first = recent.first(given);
+        RecentWorlds.Start start = recent.start(given);
+        Optional<Path> first = start.file();
         for (String output : List.of("record", "track")) {
             arguments.with("world", WorldFile.find(first).toString()).requireOtherFile(output, "world");
         }
-        World world = WorldFile.read(first, WorldFile.resolution(arguments));
+        World world = start.world();
         if (arguments.has("print-world")) {
             WorldPrinter.print(world, Program.standardOutput());
             return ExitStatus.OK;

@@ -5,13 +5,15 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.ui.window.WindowMemory;
-import simrobot.bitmap.BitmapWorld;
+import simrobot.world.World;
 
 /**
  * The worlds that the user of the window has chosen, the newest first, at most 8; kept from run to run where windows are
@@ -27,6 +29,7 @@ public final class RecentWorlds {
 
     private final Optional<WindowMemory> memory;
     private List<Path> files;
+    private final Set<Path> unreadable = new HashSet<>();
 
     RecentWorlds(Optional<WindowMemory> memory) {
         this.memory = memory;
@@ -50,41 +53,47 @@ public final class RecentWorlds {
         return new RecentWorlds(WindowMemory.of(arguments));
     }
 
-    /** The newest world that can still be read. */
-    synchronized Optional<Path> newest(OptionalDouble resolutionMeters) {
-        return files.stream().filter(file -> isWorld(file, resolutionMeters)).findFirst();
-    }
-
-    private static boolean isWorld(Path file, OptionalDouble resolutionMeters) {
-        try {
-            return Files.isReadable(file) && BitmapWorld.read(file, resolutionMeters) != null;
-        } catch (IOException changed) {
-            return false;
-        }
-    }
-
     /**
-     * The world to begin with: {@code --world}; else the newest one, if the user has started a window and no other program has.
+     * The world to begin with.
      *
-     * @return empty for the demo's world
+     * @param file empty for the demo's world
      */
-    public Optional<Path> first(Arguments given) throws UsageException {
+    public record Start(Optional<Path> file, World world) {}
+
+    /** {@code --world}; else the newest one that can be read, if the user has started a window and no other program has. */
+    public Start start(Arguments given) throws UsageException, IOException {
+        OptionalDouble resolutionMeters = WorldFile.resolution(given);
         Optional<Path> named = given.path("world");
         boolean isOfUser = OF_OTHER_PROGRAMS.stream().noneMatch(given::has);
         if (isOfUser) {
             named.map(Optional::of).map(WorldFile::find).filter(Files::exists).ifPresent(this::add);
         }
-        return named.isEmpty() && isOfUser ? newest(WorldFile.resolution(given)) : named;
+        for (Path file : named.isEmpty() && isOfUser ? files() : List.<Path>of()) {
+            try {
+                return new Start(Optional.of(file), WorldFile.read(Optional.of(file), resolutionMeters));
+            } catch (IOException changed) {
+                leaveOut(file);
+            }
+        }
+        return new Start(named, WorldFile.read(named, resolutionMeters));
     }
 
     /** Those that are still there; any thread may ask. */
     public synchronized List<Path> files() {
-        return files.stream().filter(Files::isReadable).toList();
+        return files.stream()
+                .filter(file -> Files.isReadable(file) && !unreadable.contains(file))
+                .toList();
+    }
+
+    /** A world could not be read; it is not listed in this run until it is added again. */
+    synchronized void leaveOut(Path world) {
+        unreadable.add(world.toAbsolutePath().normalize());
     }
 
     /** Puts a world first, unless it is one that the program carries itself. */
     public synchronized void add(Path world) {
         Path file = world.toAbsolutePath().normalize();
+        unreadable.remove(file);
         boolean isFile = Files.isReadable(file);
         if (isFile && (files.isEmpty() || !files.get(0).equals(file))) {
             List<Path> next = new ArrayList<>(files);

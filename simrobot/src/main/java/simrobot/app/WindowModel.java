@@ -56,6 +56,7 @@ public final class WindowModel implements OperatorActions {
     private final ExecutorService worker = Executors.newSingleThreadExecutor(WindowModel::daemon);
     private final WorldFileWatch watch;
     private final RecentWorlds recent;
+    private final DraftFiles drafts = new DraftFiles();
     private volatile Path worldFile;
     private volatile OptionalDouble resolutionMeters = OptionalDouble.empty();
     private volatile String notice = "";
@@ -347,13 +348,12 @@ public final class WindowModel implements OperatorActions {
 
     @Override
     public void keep(World draft, Path file) {
-        worker.execute(() -> {
-            try {
-                MapWriter.save(draft, file);
-            } catch (IOException unwritable) {
-                LOG.log(Level.DEBUG, "no copy of the draft: " + unwritable.getMessage());
-            }
-        });
+        drafts.keep(draft, file, worker);
+    }
+
+    @Override
+    public void dropKept(Path file) {
+        drafts.drop(file);
     }
 
     @Override
@@ -390,6 +390,7 @@ public final class WindowModel implements OperatorActions {
                 }
             });
         } catch (IOException unreadable) {
+            recent.leaveOut(file);
             tell(refusals.unreadable(file, unreadable));
         }
     }

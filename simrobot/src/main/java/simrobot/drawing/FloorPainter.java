@@ -27,6 +27,10 @@ public final class FloorPainter {
     private static final double HOME_RADIUS_METERS = 0.3;
     /** Below this scale names are left out, in pixels per metre at zoom 1. */
     private static final double LEAST_NAMED_SCALE = 22;
+    /** The height of a row of a name. */
+    private static final double NAME_ROW_UNITS = 14;
+    /** How much wider than its box a name's plate may be. */
+    private static final double WIDEST_PLATE = 1.8;
 
     private final Canvas g;
     private final Viewport view;
@@ -129,19 +133,41 @@ public final class FloorPainter {
         boxName(box);
     }
 
-    /** Turned by 90 degrees when it does not fit across and the box is higher than wide. */
+    /**
+     * Turned by 90 degrees when it does not fit across and the box is higher than wide; in two rows, or on a plate that is
+     * wider than the box, when it does not fit either way.
+     */
     private void boxName(Box box) {
         double wide = (box.area().maxXMeters() - box.area().minXMeters()) * view.pixelsPerMeter();
         double high = (box.area().maxYMeters() - box.area().minYMeters()) * view.pixelsPerMeter();
         String shown = names.of(box.name());
-        boolean across = g.width(shown, Face.SMALL) <= wide - g.px(4) || wide >= high;
+        double length = g.width(shown, Face.SMALL) + g.px(4);
+        boolean across = length <= wide || wide >= high;
         Position middle = box.area().center();
         double x = view.screenX(middle.xMeters());
         double y = view.screenY(middle.yMeters());
-        if (across) {
+        if (length > Math.max(wide, high)) {
+            longName(shown, x, y, wide, high);
+        } else if (across) {
             name(shown, x, y, wide, Ink.QUIET);
         } else {
             g.moved(x, y, -Math.PI / 2, () -> name(shown, 0, 0, high, Ink.QUIET));
+        }
+    }
+
+    private void longName(String name, double x, double y, double wide, double high) {
+        int blank = name.indexOf(' ', name.length() / 2 - 1);
+        String first = name.substring(0, Math.max(0, blank));
+        String second = name.substring(blank + 1);
+        double step = g.px(NAME_ROW_UNITS);
+        double length = g.width(name, Face.SMALL) + g.px(8);
+        double longer = Math.max(g.width(first, Face.SMALL), g.width(second, Face.SMALL)) + g.px(4);
+        if (blank > 0 && longer <= wide && 2 * step <= high) {
+            name(first, x, y - step / 2, wide, Ink.QUIET);
+            name(second, x, y + step / 2, wide, Ink.QUIET);
+        } else if (length <= wide * WIDEST_PLATE && isNamed(name)) {
+            WorldPainter.textGround(g, Ink.FLOOR, 0.85, x - length / 2, y - step / 2, length, step);
+            name(name, x, y, length, Ink.QUIET);
         }
     }
 
@@ -267,12 +293,14 @@ public final class FloorPainter {
 
     /** A small name, left out when it is wider than its room or the world is drawn too small. */
     private void name(String name, double x, double y, double room, Ink ink) {
-        if (!name.isEmpty()
-                && view.pixelsPerMeter() >= g.px(LEAST_NAMED_SCALE)
-                && g.width(name, Face.SMALL) <= room - g.px(4)) {
+        if (isNamed(name) && g.width(name, Face.SMALL) <= room - g.px(4)) {
             g.ink(ink);
             g.text(name, Face.SMALL, x, y);
         }
+    }
+
+    private boolean isNamed(String name) {
+        return !name.isEmpty() && view.pixelsPerMeter() >= g.px(LEAST_NAMED_SCALE);
     }
 
     private Outline outline(Area area) {

@@ -16,7 +16,7 @@ import simrobot.world.World;
 
 /**
  * Finds places for robots without a given one: the world's homes in their order, then free places on square rings of growing
- * size around the first home. A place that was occupied once is not tried again, so the cost is linear in the number of
+ * size around the first home, outside the boxes. A place that was occupied once is not tried again, so the cost is linear in the number of
  * robots.
  */
 final class StartPlaces {
@@ -61,11 +61,16 @@ final class StartPlaces {
                 fillRing(nextRing++);
             }
             Position place = ring.remove();
-            if (isFree(place)) {
+            if (isFree(place) && !isInBox(place)) {
                 return new Home("", place, 0, Optional.empty());
             }
         }
         throw new NoSuchElementException("no free place in " + world.name());
+    }
+
+    /** The middle of a large box is far from its sides, but no way leads there. */
+    private boolean isInBox(Position place) {
+        return world.boxes().stream().anyMatch(box -> box.area().contains(place.xMeters(), place.yMeters()));
     }
 
     private boolean isFree(Position place) {

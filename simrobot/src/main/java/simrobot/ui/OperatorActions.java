@@ -61,6 +61,9 @@ public interface OperatorActions {
     /** Writes a copy of a draft that is not saved; a folder that cannot be written to holds none. */
     default void keep(World draft, Path file) {}
 
+    /** Deletes that copy, also one that is not written yet. */
+    default void dropKept(Path file) {}
+
     /** Writes a picture of the world (.png, .svg) or the robot's track (.csv), by the file's ending. */
     void export(String robot, Path file, Consumer<Optional<String>> answer);
 

@@ -66,7 +66,26 @@ class RecentWorldsTest {
         recent.add(world("b.map"));
         Files.writeString(folder.resolve("b.map"), "2D-Map\nLINES\n1 2\n");
         assertEquals(Optional.of(folder.resolve("a.map")), first());
-        assertEquals(List.of(folder.resolve("b.map"), folder.resolve("a.map")), recent.files());
+    }
+
+    @Test
+    void aFileThatIsNoWorldAnyMoreIsNotListedUntilItIsAWorldAgain() throws Exception {
+        Path a = world("a.map");
+        Path b = world("b.map");
+        new RecentWorlds(memory).add(a);
+        new RecentWorlds(memory).add(b);
+        Files.writeString(b, "2D-Map\nLINES\n1 2\n");
+        RecentWorlds recent = new RecentWorlds(memory);
+        RecentWorlds.Start start = recent.start(SimRobotOptions.all().parse(List.of()));
+        assertEquals(Optional.of(a), start.file());
+        assertEquals("a.map", start.world().name());
+        assertEquals(List.of(a), recent.files());
+        recent.add(a);
+        recent.add(world("b.map"));
+        assertEquals(List.of(b, a), recent.files());
+        recent.leaveOut(a);
+        assertEquals(List.of(b), recent.files());
+        assertEquals(List.of(b, a), new RecentWorlds(memory).files(), "the next run tries again");
     }
 
     @Test
@@ -91,7 +110,9 @@ class RecentWorldsTest {
     }
 
     private Optional<Path> first(String... words) throws Exception {
-        return new RecentWorlds(memory).first(SimRobotOptions.all().parse(List.of(words)));
+        return new RecentWorlds(memory)
+                .start(SimRobotOptions.all().parse(List.of(words)))
+                .file();
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -17,11 +18,13 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
+import simgsm.draw.SvgCanvas;
 import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.panel.WindowBench;
+import simrobot.world.Box;
 import simrobot.world.World;
 import vericommand.Instruction;
 
@@ -53,6 +56,22 @@ class WorldPainterTest {
         Simulation simulation = new Simulation(World.bare(), 1);
         simulation.addRobot("robot");
         return simulation;
+    }
+
+    /** At the scale in which the demo opens on a screen of 1366x768 Spanish names are wider than some of the boxes. */
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void everyNameOfTheDemosWorldIsShown(String language) throws Exception {
+        World world = WindowBench.world("demo.map");
+        PlaceNames names = PlaceNames.in(Locale.forLanguageTag(language));
+        SvgCanvas g = new SvgCanvas(ink -> "#000");
+        WorldPainter.floor(g, world, new Viewport(1.5, 0, 54, 688, 332), Layers.ALL.withNames(names));
+        String picture = g.elements();
+        for (Box box : world.boxes()) {
+            for (String word : names.of(box.name()).split(" ", 3)) {
+                assertTrue(picture.contains(word), word);
+            }
+        }
     }
 
     /** The octagon of 44 x 38 cm has 1,372 cm2; wheels, axle, nose and outline lie on top of it. */

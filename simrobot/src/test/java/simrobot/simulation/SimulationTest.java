@@ -14,10 +14,13 @@ import org.junit.jupiter.api.Test;
 import simrobot.process.BehaviourKind;
 import simrobot.robot.RobotState;
 import simrobot.robot.SimulatedRobot;
+import simrobot.world.Area;
+import simrobot.world.Box;
 import simrobot.world.Home;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
+import simrobot.world.WorldBuilder;
 import simrobot.world.WorldReader;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
@@ -56,6 +59,22 @@ class SimulationTest {
         Simulation simulation = new Simulation(World.bare(), 1);
         assertEquals(0, simulation.addRobot("a").xMeters());
         assertEquals(0.75, Math.abs(simulation.addRobot("b").yMeters()));
+    }
+
+    @Test
+    void theMiddleOfALargeBoxIsNoPlaceToStart() {
+        World world = new WorldBuilder("hall")
+                .add(new Box("Stage", new Area(-3, -3, 3, 3, 0)))
+                .add(new Segment(-8, -8, 8, -8))
+                .add(new Segment(-8, 8, 8, 8))
+                .build();
+        Simulation simulation = new Simulation(world, 1);
+        for (String name : List.of("a", "b")) {
+            SimulatedRobot robot = simulation.addRobot(name);
+            assertTrue(
+                    Math.max(Math.abs(robot.xMeters()), Math.abs(robot.yMeters())) > 3,
+                    robot.xMeters() + ", " + robot.yMeters());
+        }
     }
 
     @Test

@@ -142,7 +142,7 @@ public final class CenterWindow implements CenterActions {
 
     @Override
     public void newRobot() throws IOException {
-        start("simrobot.jar", nextRobot, WindowCascade::nextRobot);
+        start("simrobot.jar", nextRobot, places -> places.nextRobot(children.placeOf("simrobot.jar"), Theme.zoom()));
     }
 
     private String numberFor(AtomicLong next) throws IOException {

@@ -8,6 +8,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import simgsm.console.ProgramFolder;
 import simgsm.console.QuickStart;
+import simgsm.ui.window.WindowPlace;
 
 /**
  * Other programs of the suite as child processes. The standard input of each is a pipe from this process, and each ends with
@@ -103,6 +104,16 @@ public final class ChildPrograms implements AutoCloseable {
             return Optional.empty();
         }
         return Optional.of(start(jar, ended.get().number, ended.get().arguments, ProcessBuilder.Redirect.DISCARD));
+    }
+
+    /** Where the first program of this jar that still runs was put on the screen; empty if none was. */
+    Optional<WindowPlace> placeOf(String jar) {
+        return started.stream()
+                .filter(child ->
+                        child.jar.equals(jar) && child.process.isAlive() && child.arguments.contains("--window"))
+                .map(child -> child.arguments.get(child.arguments.indexOf("--window") + 1))
+                .map(WindowPlace::parse)
+                .findFirst();
     }
 
     /**

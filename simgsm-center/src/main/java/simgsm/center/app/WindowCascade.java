@@ -1,10 +1,12 @@
 package simgsm.center.app;
 
+import java.util.Optional;
+import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowPlace;
 
 /**
- * Places of the windows of started programs: phones from the top left corner, robots from the top right, each 36 pixels
- * further down and inwards than the one before.
+ * Places of the windows of started programs, each 36 pixels further down and inwards than the one before: phones from the top
+ * left corner; robots over the first one, so that phone and centre stay in view, or from the top right where there is none.
  */
 final class WindowCascade {
     private static final int STEP = 36;
@@ -26,7 +28,27 @@ final class WindowCascade {
         return new WindowPlace(area.x() + step, area.y() + step, 0, 0);
     }
 
-    WindowPlace nextRobot() {
+    /** @param first the place of the SimRobot that runs already; it ends at the same right and lower edge */
+    WindowPlace nextRobot(Optional<WindowPlace> first, double zoom) {
+        return first.filter(place -> place.width() > 0)
+                .map(place -> over(place, zoom))
+                .orElseGet(this::nextRobot);
+    }
+
+    private WindowPlace over(WindowPlace first, double zoom) {
+        int down = inwards(first.height(), SuiteWindow.ROBOT.heightUnits() * zoom);
+        int right = inwards(first.width(), SuiteWindow.ROBOT.widthUnits() * zoom);
+        robots++;
+        return new WindowPlace(first.x() + right, first.y() + down, first.width() - right, first.height() - down);
+    }
+
+    /** As many steps as leave the least length; then from the beginning again. */
+    private int inwards(int length, double least) {
+        int steps = Math.min(STEPS, Math.max(0, (int) ((length - least) / STEP)));
+        return steps == 0 ? 0 : (robots % steps + 1) * STEP;
+    }
+
+    private WindowPlace nextRobot() {
         int step = ++robots % STEPS * STEP;
         int x = Math.max(area.x(), area.x() + area.width() - ROBOT_WIDTH - step);
         return new WindowPlace(x, area.y() + step, 0, 0);

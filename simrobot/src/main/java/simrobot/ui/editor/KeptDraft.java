@@ -47,10 +47,6 @@ final class KeptDraft {
 
     void drop(Path file) {
         written = null;
-        try {
-            Files.deleteIfExists(placeOf(file));
-        } catch (IOException stays) {
-            // The next draft of this file replaces it.
-        }
+        operator.dropKept(placeOf(file));
     }
 }

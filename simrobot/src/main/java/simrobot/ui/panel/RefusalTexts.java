@@ -109,7 +109,8 @@ public final class RefusalTexts {
         if (Files.isDirectory(file)) {
             return texts.of("refused.file.folder", file);
         }
-        if (why instanceof NoSuchFileException) {
+        Path folder = file.toAbsolutePath().getParent();
+        if (why instanceof NoSuchFileException || folder != null && !Files.isDirectory(folder)) {
             return texts.of("refused.file.nowhere", file);
         }
         if (why instanceof AccessDeniedException || Files.exists(file) && !Files.isWritable(file)) {

@@ -5,6 +5,8 @@ import java.awt.Container;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -320,6 +322,15 @@ public final class WindowBench implements OperatorActions {
     @Override
     public void keep(World draft, Path file) {
         save(draft, file, refusal -> {});
+    }
+
+    @Override
+    public void dropKept(Path file) {
+        try {
+            Files.deleteIfExists(file);
+        } catch (IOException refusal) {
+            throw new UncheckedIOException(refusal);
+        }
     }
 
     @Override

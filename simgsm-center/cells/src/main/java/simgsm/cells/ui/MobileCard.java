@@ -72,6 +72,8 @@ final class MobileCard extends JPanel {
         nameEditor();
         numbers.addActionListener(event -> choose());
         walks.addActionListener(event -> adoptSpeed());
+        // the whole name, where the list is too narrow for it
+        walks.addActionListener(event -> walks.setToolTipText((String) walks.getSelectedItem()));
         speed.addChangeListener(event -> speedChosen.accept(metresPerSecond()));
         speed.setToolTipText(texts.of("walk.speed"));
         walk = new JButton(
