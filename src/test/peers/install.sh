@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the peers of `mvn verify -Ppeers` that Debian, PyPI and npm package. Libraries go to target/peers.
+# Installs the peers of `mvn verify -Ppeers` that Debian, PyPI and npm package. Libraries go to target/peers. What cannot be had
+# is named at the end; the exit status is 0 then, too, because the tests skip what is not there.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 
@@ -37,21 +38,42 @@ have python3 || packages+=(python3)
 python3 -m pip --version >/dev/null 2>&1 || packages+=(python3-pip)
 have npm || packages+=(nodejs npm)
 [ -n "$(find /usr/include -maxdepth 2 -name spandsp.h 2>/dev/null)" ] || packages+=(libspandsp-dev)
+missing=()
+# An archive or a network may be down for a moment.
+thrice() { "$@" || { sleep 5; "$@"; } || { sleep 20; "$@"; }; }
+apt() { DEBIAN_FRONTEND=noninteractive apt-get -qq -o Acquire::Retries=3 -o DPkg::Lock::Timeout=300 "$@" >/dev/null; }
 if [ ${#packages[@]} -gt 0 ]; then
     echo "== installing ${packages[*]}"
-    apt-get update -qq
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
+    thrice apt update || true
+    if ! thrice apt install -y --no-install-recommends "${packages[@]}"; then
+        # One that the archive lacks must not keep the others out.
+        for package in "${packages[@]}"; do
+            apt install -y --no-install-recommends "$package" || missing+=("$package")
+        done
+    fi
 fi
 
+# Versions are those that were tested: a new one is tried on purpose.
 mkdir -p target/peers
-[ -d target/peers/python/prometheus_client ] || python3 -m pip install -q --target target/peers/python prometheus-client
-[ -d target/peers/python/smpplib ] || python3 -m pip install -q --target target/peers/python smpplib
-[ -d target/peers/python/gsmmodem ] || python3 -m pip install -q --target target/peers/python python-gsmmodem-new
-if [ ! -d target/peers/gsmmodem-tests ]; then
+python_library() {
+    [ -d "target/peers/python/$1" ] || thrice python3 -m pip install -q --target target/peers/python "$2" || missing+=("$2")
+}
+python_library prometheus_client prometheus-client==0.26.0
+python_library smpplib smpplib==2.2.4
+python_library gsmmodem python-gsmmodem-new==0.13.0
+gsmmodem_tests() {
+    local source
     source=$(mktemp -d)
-    python3 -m pip download -q --no-deps --no-binary :all: -d "$source" python-gsmmodem-new==0.13.0
-    tar -xzf "$source"/*.tar.gz -C "$source"
-    cp -r "$source"/python-gsmmodem-new-*/test target/peers/gsmmodem-tests
+    python3 -m pip download -q --no-deps --no-binary python-gsmmodem-new -d "$source" python-gsmmodem-new==0.13.0 \
+        && tar -xzf "$source"/*.tar.gz -C "$source" \
+        && cp -r "$source"/python-gsmmodem-new-*/test target/peers/gsmmodem-tests
+    local status=$?
     rm -r "$source"
+    return $status
+}
+[ -d target/peers/gsmmodem-tests ] || thrice gsmmodem_tests || missing+=("python-gsmmodem-new's tests")
+[ -d target/peers/node_modules/smpp ] \
+    || thrice npm install --silent --no-fund --no-audit --prefix target/peers smpp@0.5.1 || missing+=(smpp@0.5.1)
+if [ ${#missing[@]} -gt 0 ]; then
+    echo "peers: could not be installed, so the tests that need them are skipped: ${missing[*]}" >&2
 fi
-[ -d target/peers/node_modules/smpp ] || npm install --silent --no-fund --no-audit --prefix target/peers smpp

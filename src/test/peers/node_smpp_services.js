@@ -1,6 +1,6 @@
 // Uses the centre's services with node-smpp: node_smpp_services.js PORT NUMBER PHONE
 // Binds as a transceiver for NUMBER, refuses the first text "bad" with 0x58, and prints "got TEXT" for each deliver_sm.
-// Submits "all" to PHONE and to letters in one submit_multi; "later" for 2 s from now; "now" for now; "old" for an hour from
+// Submits "all" to PHONE and to letters in one submit_multi; "later" for 6 s from now; "now" for now; "old" for an hour from
 // now, which it replaces by "new" for 1 s from now. Prints what is answered. Ends with 0 once all is answered and "bad" has
 // come twice.
 const smpp = require('smpp');
@@ -55,7 +55,7 @@ session.on('connect', () => {
       pdu => answered(
         'multi', pdu.command_status,
         pdu.unsuccess_sme.map(each => `${each.destination_addr}:${each.error_status_code}`).join()));
-    submit('later', '000000000002000R', pdu => answered('scheduled', pdu.command_status));
+    submit('later', '000000000006000R', pdu => answered('scheduled', pdu.command_status));
     submit('now', '', pdu => answered('submitted', pdu.command_status));
     submit('old', '000000010000000R', submitted => {
       answered('scheduled', submitted.command_status);

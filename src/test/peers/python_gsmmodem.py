@@ -72,7 +72,9 @@ def heard(modem, keys, send):
 
 
 def rings(call):
-    if call.ringCount == 2:
+    """Answers at the second ring. The library takes a RING that it reads before its +CLIP has come for a call of its own,
+    without a number; that one is not answered."""
+    if call.number and call.ringCount == 2:
         call.answer()
         incoming.append(call)
         answered.set()

@@ -1,7 +1,7 @@
 """Uses the centre's services with python-smpplib: smpplib_services.py PORT NUMBER PHONE
 
 Binds as a transceiver for NUMBER, refuses the first text "bad" with 0x58, and prints "got TEXT" for each deliver_sm.
-Submits "later" to PHONE for 2 s from now, then "now" for now. Ends with 0 once "bad" has come twice.
+Submits "later" to PHONE for 6 s from now, then "now" for now. Ends with 0 once "bad" has come twice.
 """
 
 import logging
@@ -40,7 +40,7 @@ client.set_message_received_handler(received)
 client.set_message_sent_handler(lambda pdu: print("submitted", pdu.message_id.decode()))
 client.connect()
 client.bind_transceiver(system_id="smpplib", password="", address_range=number)
-submit("later", "000000000002000R")
+submit("later", "000000000006000R")
 submit("now", None)
 while got.count("bad") < 2:
     client.read_once()

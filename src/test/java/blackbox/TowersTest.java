@@ -1,7 +1,6 @@
 package blackbox;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -58,13 +57,13 @@ class TowersTest {
         cells.say("place " + Scenario.PHONE + " 3700 0");
 
         cells.expect("handover", "number", Scenario.PHONE, "from", "west", "to", "east", "result", "success");
-        ConsoleEvent gap = cells.expect("speech-gap", "number", Scenario.PHONE);
-        assertTrue(Integer.parseInt(gap.field("millis")) <= 200, gap.toString());
+        int gapMillis = SpeechGap.of(cells);
         phone.expect("tone", "key", "3");
         robot.expect("pose", "x", "4.0000", "y", "0.0000");
         phone.say("press **#*#90**");
         phone.expect("tone", "key", "3");
         robot.expect("pose", "heading", "270.00");
+        SpeechGap.requireShort(gapMillis, cells);
         phone.say("hangup");
         center.expect("call", "from", Scenario.PHONE, "state", "released");
     }

@@ -51,9 +51,9 @@ start() {
     pids+=($!)
 }
 
-# Waits up to 10 s for a TCP port of loopback.
+# Waits up to 60 s for a TCP port of loopback.
 listens() {
-    for _ in $(seq 100); do
+    for _ in $(seq 600); do
         (exec 3<>"/dev/tcp/127.0.0.1/$1") 2>/dev/null && return
         sleep 0.1
     done
@@ -110,9 +110,11 @@ done <"$run/sites"
 listens 3003
 
 # Until controller and exchange have found each other, every registration fails.
-for _ in $(seq 200); do
-    grep -q "BSSMAP assocation is up" "$run/osmo-bsc.log" && break
+connected() { grep -q "BSSMAP assocation is up" "$run/osmo-bsc.log"; }
+for _ in $(seq 600); do
+    connected && break
     sleep 0.1
 done
+connected || { echo "core.sh: controller and exchange have not found each other; logs in $run" >&2; exit 1; }
 
 sh -c "$command"

@@ -94,7 +94,7 @@ class Network:
         for ready in select.select([tower.socket for tower in self.towers], [], [], seconds)[0]:
             next(tower for tower in self.towers if tower.socket is ready).read()
 
-    def wait(self, tower, matches, what, seconds=10):
+    def wait(self, tower, matches, what, seconds=60):
         end = time.monotonic() + seconds
         while True:
             for message in tower.messages:
@@ -149,7 +149,7 @@ class Network:
 
     def register_at_last(self, tower, imsi):
         """The exchange may not be connected to the controller yet."""
-        for _ in range(20):
+        for _ in range(60):
             temporary = self.register(tower, imsi)
             if temporary:
                 return temporary

@@ -54,15 +54,31 @@ class DemoWindowsTest {
     void noWindowCoversAnotherOrLeavesTheScreen(int width, int height, String zoom) throws Exception {
         screen(width, height);
         demo(zoom == null ? new String[0] : new String[] {"--zoom", zoom});
+        Rectangle whole = new Rectangle(0, 0, width, height);
+        // The window manager moves a window after it is visible, when it has a frame.
+        long deadline = deadline();
+        List<String> faults = faults(whole);
+        while (!faults.isEmpty() && System.nanoTime() < deadline) {
+            faults = faults(whole);
+        }
+        assertEquals(List.of(), faults);
+    }
+
+    private List<String> faults(Rectangle screen) {
+        List<String> faults = new ArrayList<>();
         Map<String, Rectangle> windows = TITLES.stream().collect(Collectors.toMap(Function.identity(), this::boundsOf));
         for (String title : TITLES) {
             Rectangle window = windows.get(title);
-            assertTrue(new Rectangle(0, 0, width, height).contains(window), title + " leaves the screen: " + window);
+            if (!screen.contains(window)) {
+                faults.add(title + " leaves the screen: " + window);
+            }
             for (String other : TITLES) {
-                boolean meets = !title.equals(other) && window.intersects(windows.get(other));
-                assertFalse(meets, title + " " + window + " meets " + other + " " + windows.get(other));
+                if (!title.equals(other) && window.intersects(windows.get(other))) {
+                    faults.add(title + " " + window + " meets " + other + " " + windows.get(other));
+                }
             }
         }
+        return faults;
     }
 
     @Test
@@ -106,6 +122,8 @@ class DemoWindowsTest {
                 new BufferedReader(new InputStreamReader(server.getInputStream(), StandardCharsets.UTF_8));
         display = ":" + output.readLine().strip();
         start(onDisplay(Peer.OPENBOX.process().redirectOutput(ProcessBuilder.Redirect.DISCARD)));
+        // Java asks once, at its start, whether there is a window manager.
+        look(Peer.XDOTOOL, "get_num_desktops");
     }
 
     private Process demo(String... more) throws Exception {
@@ -143,7 +161,7 @@ class DemoWindowsTest {
 
     /** The number of the visible window with this title, once it is there. */
     private String window(String title) throws Exception {
-        return xdotool("search", "--sync", "--onlyvisible", "--name", "^" + title + "$")
+        return look(Peer.XDOTOOL, "search", "--sync", "--onlyvisible", "--name", "^" + title + "$")
                 .lines()
                 .findFirst()
                 .orElse("");
@@ -152,7 +170,7 @@ class DemoWindowsTest {
     /** The window without its frame. */
     private Rectangle boundsOf(String title) {
         try {
-            Map<String, Integer> values = run(Peer.XWININFO, "-id", window(title))
+            Map<String, Integer> values = look(Peer.XWININFO, "-id", window(title))
                     .lines()
                     .map(line -> line.strip().split(":\\s+"))
                     .filter(pair -> pair.length == 2 && pair[1].matches("-?[0-9]+"))
@@ -167,15 +185,21 @@ class DemoWindowsTest {
         }
     }
 
-    private String xdotool(String... words) throws Exception {
-        return run(Peer.XDOTOOL, words);
+    private void xdotool(String... words) throws Exception {
+        Peer.run(onDisplay(Peer.XDOTOOL.process(words))).expectSuccess();
     }
 
-    private String run(Peer peer, String... words) throws Exception {
-        Process process = onDisplay(peer.process(words)).start();
-        assertTrue(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS), peer + " " + List.of(words));
-        String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertEquals(0, process.exitValue(), peer + " " + List.of(words) + ": " + printed);
-        return printed;
+    /** Looks again where a tool fails: it ends with an error when a window has gone while it looks at all of them. */
+    private String look(Peer peer, String... words) throws Exception {
+        long deadline = deadline();
+        Peer.Output seen = Peer.run(onDisplay(peer.process(words)));
+        while (seen.status() != 0 && System.nanoTime() < deadline) {
+            seen = Peer.run(onDisplay(peer.process(words)));
+        }
+        return seen.expectSuccess();
+    }
+
+    private static long deadline() {
+        return System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
     }
 }

@@ -3,7 +3,6 @@ package blackbox.peers;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import blackbox.Dist;
-import blackbox.RunningProgram;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -48,6 +47,9 @@ enum Peer {
 
     /** Where {@code src/test/peers/install.sh} puts libraries. */
     static final Path LIBRARIES = Dist.root().resolve("target").resolve("peers");
+
+    /** A script waits for up to 60 s in each of several places, so all of it may take longer than one wait; a guard only. */
+    private static final int PATIENCE_MINUTES = 5;
 
     private final String program;
 
@@ -108,7 +110,8 @@ enum Peer {
         try {
             Process process = builder.redirectOutput(printed.toFile()).start();
             process.getOutputStream().close();
-            if (!process.waitFor(RunningProgram.PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+            if (!process.waitFor(PATIENCE_MINUTES, TimeUnit.MINUTES)) {
+                process.descendants().forEach(ProcessHandle::destroy);
                 process.destroyForcibly();
                 throw new AssertionError(builder.command() + " does not end: " + Files.readString(printed));
             }

@@ -9,6 +9,7 @@ import blackbox.Scenario;
 import blackbox.ServedModem;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -68,7 +69,7 @@ class SerialModemTest {
                 .start();
         while (!Files.exists(device)) {
             assertTrue(socat.isAlive(), "socat has ended");
-            Thread.onSpinWait();
+            socat.waitFor(20, TimeUnit.MILLISECONDS);
         }
         return socat;
     }

@@ -19,6 +19,7 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Random;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -46,6 +47,7 @@ import org.junit.jupiter.api.Test;
 class SmppPeersTest {
     private static final String APPLICATION = "5550300";
     private static final String ORDER = "** #**20 **";
+    private static int nextPort = 20_000 + new Random().nextInt(10_000);
     private static final String DONE = "3 Done: #**20. Stopped at 0.200";
 
     private static RunningProgram begin(Scenario scenario) {
@@ -86,6 +88,7 @@ class SmppPeersTest {
             BlockingQueue<String> receipts = new LinkedBlockingQueue<>();
             BlockingQueue<String> replies = new LinkedBlockingQueue<>();
             SMPPSession session = new SMPPSession();
+            session.setTransactionTimer(TimeUnit.SECONDS.toMillis(RunningProgram.PATIENCE_SECONDS));
             session.setMessageReceiverListener(new MessageReceiverListener() {
                 @Override
                 public void onAcceptDeliverSm(DeliverSm delivered) {
@@ -225,9 +228,15 @@ class SmppPeersTest {
                 """.formatted(statusPort, freePort(), scenario.smppPort(), APPLICATION, sendPort, replyPort);
     }
 
-    private static int freePort() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
+    /** A free port below those from 32768 on, one of which the system might give to another program before Kannel opens it. */
+    private static int freePort() {
+        while (true) {
+            int port = nextPort++;
+            try (ServerSocket socket = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+                return socket.getLocalPort();
+            } catch (IOException isTaken) {
+                continue;
+            }
         }
     }
 

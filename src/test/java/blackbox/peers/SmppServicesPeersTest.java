@@ -111,6 +111,7 @@ class SmppServicesPeersTest {
             session.setMessageReceiverListener(new Refusing(got));
             // With its usual three threads the library takes two deliver_sm of one window in either order.
             session.setPduProcessorDegree(1);
+            session.setTransactionTimer(TimeUnit.SECONDS.toMillis(RunningProgram.PATIENCE_SECONDS));
             session.connectAndBind(
                     "127.0.0.1",
                     scenario.smppPort(),
@@ -126,7 +127,7 @@ class SmppServicesPeersTest {
             assertEquals(1, refused.length);
             assertEquals("Letters", refused[0].getDestinationAddress().getAddress());
             assertEquals(0x0b, refused[0].getErrorStatusCode());
-            submit(session, "later", "000000000002000R");
+            submit(session, "later", "000000000006000R");
             submit(session, "now", null);
             String old = submit(session, "old", "000000010000000R");
             session.replaceShortMessage(

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HexFormat;
@@ -76,13 +77,29 @@ final class Wireshark {
     private static List<String> tshark(Path file, String... arguments) throws IOException {
         List<String> all = new ArrayList<>(List.of("-n", "-r", file.toString()));
         all.addAll(List.of(arguments));
-        Process process = Peer.TSHARK
-                .process(all.toArray(String[]::new))
-                .redirectErrorStream(false)
-                .redirectError(ProcessBuilder.Redirect.DISCARD)
-                .start();
-        return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8)
-                .lines()
-                .toList();
+        Path complaints = Files.createTempFile("tshark", ".err");
+        try {
+            Process process = Peer.TSHARK
+                    .process(all.toArray(String[]::new))
+                    .redirectErrorStream(false)
+                    .redirectError(complaints.toFile())
+                    .start();
+            String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertEquals(0, process.waitFor(), () -> all + " printed " + printed + text(complaints));
+            return printed.lines().toList();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException(e);
+        } finally {
+            Files.delete(complaints);
+        }
+    }
+
+    private static String text(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            return e.getMessage();
+        }
     }
 }
