@@ -51,7 +51,10 @@ public final class ToneScopePanel extends JPanel {
     private final ReceiverPanel receivers;
     private final ToneExperimentBar experiment;
     private final JPanel below;
-    private final TermPanel terms;
+    /** Where the terms are shown. They are made when they are first asked for: their text takes long to lay out at a start. */
+    private final JPanel terms = new JPanel(new BorderLayout());
+
+    private TermPanel termPanel;
     private Consumer<Boolean> whenHiding = hiding -> {};
     /** Called with true when a question of this scope, not of its enlarged one, hides keys; with false at its end. */
     private Consumer<Boolean> whenAsking = asking -> {};
@@ -94,7 +97,7 @@ public final class ToneScopePanel extends JPanel {
         freeze.bind(scope, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0));
         add(tools, BorderLayout.NORTH);
         add(scope, BorderLayout.CENTER);
-        terms = new TermPanel(language, List.of(texts.of("scope.terms.list").split(", ")));
+        terms.setOpaque(false);
         terms.setVisible(false);
         below = Arrange.column(Theme.HALF, terms, prediction, receivers, experiment);
         add(below, BorderLayout.SOUTH);
@@ -133,9 +136,14 @@ public final class ToneScopePanel extends JPanel {
     private void explain(boolean on) {
         terms.setVisible(on);
         experiment.setVisible(!on && !isCompact);
+        if (on && termPanel == null) {
+            termPanel =
+                    new TermPanel(language, List.of(texts.of("scope.terms.list").split(", ")));
+            terms.add(termPanel);
+        }
         revalidate();
         if (on) {
-            terms.focusFirst();
+            termPanel.focusFirst();
         }
     }
 

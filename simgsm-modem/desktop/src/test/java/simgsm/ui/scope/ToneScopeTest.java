@@ -3,6 +3,7 @@ package simgsm.ui.scope;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -20,6 +21,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -42,6 +44,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Painted;
 import simgsm.ui.Slider;
 import simgsm.ui.Theme;
+import simgsm.ui.lesson.TermPanel;
 
 /** The tone scope, painted without a display. */
 class ToneScopeTest {
@@ -417,11 +420,18 @@ class ToneScopeTest {
             assertTrue(glossary.find(word).isPresent(), word);
         }
         ToneScopePanel panel = new ToneScopePanel(locale, experiment -> {});
-        Component links = ComponentNames.find(panel, "terms.links").orElseThrow();
-        assertFalse(links.getParent().getParent().isVisible());
+        assertTrue(ComponentNames.find(panel, "terms.links").isEmpty(), "made when asked for");
         click(panel, "scope.terms");
-        assertTrue(links.getParent().getParent().isVisible());
+        Component links = ComponentNames.find(panel, "terms.links").orElseThrow();
+        Component terms =
+                SwingUtilities.getAncestorOfClass(TermPanel.class, links).getParent();
+        assertTrue(terms.isVisible());
         assertTrue(links.isFocusable());
+        click(panel, "scope.terms");
+        assertFalse(terms.isVisible());
+        click(panel, "scope.terms");
+        assertTrue(terms.isVisible());
+        assertSame(links, ComponentNames.find(panel, "terms.links").orElseThrow(), "made once");
         assertEquals(
                 words.length,
                 glossary.parts(String.join(" \u00b7 ", words)).stream()
