@@ -48,6 +48,22 @@ class AtPortTest {
         }
     }
 
+    @Test
+    void aUssdDialogueBelongsToTheClientThatHasBegunItAndNotToTheRobot() throws Exception {
+        try (Scenario scenario = new Scenario("USSD at M2's AT port")) {
+            scenario.center();
+            RunningProgram robot = scenario.robot("empty.map", "--at", "0");
+            try (Socket port = connect(robot)) {
+                send(port, "ATE0\rAT+CUSD=1,\"*111#\",15\r");
+                String menu = "\r\n+CUSD: 1,\"1 Own number\n2 Status of a robot\n0 End\",15\r\n";
+                assertEquals("ATE0\r\r\nOK\r\n\r\nOK\r\n" + menu, read(port, 17 + menu.length()));
+                send(port, "AT+CUSD=1,\"1\",15\r");
+                String answer = "\r\nOK\r\n\r\n+CUSD: 0,\"Your number is " + Scenario.ROBOT + ".\",15\r\n";
+                assertEquals(answer, read(port, answer.length()));
+            }
+        }
+    }
+
     private static Socket connect(RunningProgram program) throws IOException {
         int port = Integer.parseInt(program.said("ready").field("at"));
         Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);

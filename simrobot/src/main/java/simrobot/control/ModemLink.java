@@ -106,7 +106,7 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
             // operators are listed without the plus sign of an international number
             String sender = message.from().replaceFirst("^\\+(?=[0-9]+$)", "");
             simulation.execute(() -> control.message(sender, message.text()));
-        } else if (event instanceof StationEvent.UssdReceived question && question.replyExpected()) {
+        } else if (event instanceof StationEvent.UssdReceived question && modem.isAskedByNetwork()) {
             simulation.execute(() -> {
                 String reply = control.question(question.text());
                 stations.execute(() -> modem.replyUssd(reply));

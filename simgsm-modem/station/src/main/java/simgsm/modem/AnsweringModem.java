@@ -39,6 +39,11 @@ public interface AnsweringModem {
      */
     int reply(Msisdn to, String text);
 
+    /** Whether the network has begun a USSD dialogue and waits for the reply; a dialogue of an AT client is the client's. */
+    default boolean isAskedByNetwork() {
+        return false;
+    }
+
     /** Replies to a USSD question of the network. @return false if none is open, or the modem knows no USSD */
     default boolean replyUssd(String text) {
         return false;

@@ -133,8 +133,13 @@ public final class Modem implements AnsweringModem {
     }
 
     @Override
+    public boolean isAskedByNetwork() {
+        return station.isAskedByNetwork();
+    }
+
+    @Override
     public boolean replyUssd(String text) {
-        return station.awaitsUssdReply() && station.sendUssd(text);
+        return isAskedByNetwork() && station.sendUssd(text);
     }
 
     /** Every reply tone starts the count again. */

@@ -222,9 +222,9 @@ public final class MobileStation implements StationCommands {
         return settled(registration.isPowered() && ussd.send(text));
     }
 
-    /** Whether the network waits for the reply to its USSD question. */
-    public boolean awaitsUssdReply() {
-        return ussd.awaitsReply();
+    /** Whether the network waits for the reply in a USSD dialogue that it has begun itself. */
+    public boolean isAskedByNetwork() {
+        return ussd.isAskedByNetwork();
     }
 
     @Override

@@ -121,7 +121,7 @@ class UssdTest {
     @Test
     void theNetworksQuestionIsAnsweredInItsOwnDialogue() {
         register(question(1, "Status?"));
-        assertTrue(scene.station.awaitsUssdReply());
+        assertTrue(scene.station.isAskedByNetwork());
         assertTrue(scene.station.sendUssd("fine"));
         assertEquals(NETWORKS.answered(), scene.expect(SsFacility.class).transaction());
 

@@ -73,8 +73,13 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
     }
 
     /** Whether the network waits for the user's reply. */
-    public boolean awaitsReply() {
+    private boolean awaitsReply() {
         return machine.state() == MobileUssdState.WAIT_FOR_USER;
+    }
+
+    /** Whether the network has begun the dialogue and waits for the user's reply. */
+    public boolean isAskedByNetwork() {
+        return awaitsReply() && transaction.fromOtherSide();
     }
 
     /**
