@@ -10,9 +10,11 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
 /** Prints the verdict on an order, from the command line. */
 public final class VeriCommandMain {
+    private static final Set<String> WITHOUT_VALUE = Set.of("--help", "--version", "--diagram");
     private static final int ACCEPTED = 0;
     private static final int NOT_ACCEPTED = 1;
     private static final int USAGE = 2;
@@ -75,6 +77,9 @@ public final class VeriCommandMain {
     private Optional<String> option(String word, Iterator<String> args) {
         String[] parts = word.startsWith("--") ? word.split("=", 2) : new String[] {word};
         String value = parts.length > 1 ? parts[1] : null;
+        if (value != null && WITHOUT_VALUE.contains(parts[0])) {
+            throw new IllegalArgumentException(parts[0] + " takes no value, found " + value);
+        }
         switch (parts[0]) {
             case "-h", "--help" -> {
                 return Optional.of(help());

@@ -80,6 +80,7 @@ class VeriCommandMainTest {
     @ParameterizedTest
     @CsvSource({
         "--bogus,unknown option --bogus",
+        "--help=yes,--help takes no value",
         "--status=Flying,--status",
         "--lang=fr,--lang",
         "--status,--status needs a value"

@@ -37,11 +37,18 @@ public final class Console implements AutoCloseable {
         String next() throws IOException, CommandException;
     }
 
+    /** Waits before the next command is read while too much output waits. */
+    private interface Room {
+        void await() throws InterruptedException;
+    }
+
     private static final double DEFAULT_WAIT_SECONDS = 10;
     private static final double MAX_WAIT_SECONDS = 1e6;
+    private static final int MAX_ERROR_CHARACTERS = 2_000;
 
     private final Consumer<Event> printer;
     private final Runnable ending;
+    private final Room room;
     private final EventBuffer log = new EventBuffer();
     private List<Event> beforeReady = new ArrayList<>();
     private volatile boolean failed;
@@ -53,12 +60,14 @@ public final class Console implements AutoCloseable {
                     out.print(event + "\n");
                     out.flush();
                 },
-                out::flush);
+                out::flush,
+                () -> {});
     }
 
-    private Console(Consumer<Event> printer, Runnable ending) {
+    private Console(Consumer<Event> printer, Runnable ending, Room room) {
         this.printer = printer;
         this.ending = ending;
+        this.room = room;
     }
 
     /**
@@ -67,7 +76,7 @@ public final class Console implements AutoCloseable {
      */
     public static Console onStandardOutput() {
         EventOutputQueue queue = new EventOutputQueue(StandardOutput.STREAM, Console::endWithoutOutput);
-        return new Console(queue::print, queue::close);
+        return new Console(queue::print, queue::close, queue::awaitRoom);
     }
 
     private static void endWithoutOutput() {
@@ -105,9 +114,11 @@ public final class Console implements AutoCloseable {
         emit(Event.of("end").with("of", name).with("count", rows.size()));
     }
 
-    /** Prints {@code error text=}. */
+    /** Prints {@code error text=}, of a text that quotes a long line the beginning. */
     public void error(String text) {
-        emit(Event.of("error").with("text", text));
+        boolean isLong = text.codePointCount(0, text.length()) > MAX_ERROR_CHARACTERS;
+        String shown = isLong ? text.substring(0, text.offsetByCodePoints(0, MAX_ERROR_CHARACTERS)) + " ..." : text;
+        emit(Event.of("error").with("text", shown));
     }
 
     /**
@@ -130,6 +141,7 @@ public final class Console implements AutoCloseable {
             if (!command.name().isEmpty()) {
                 perform(command, meant, commands);
             }
+            room.await();
         }
         return false;
     }

@@ -2,6 +2,7 @@ package simgsm.console;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 
 /** Values on console lines: bare where every character is plain, else in double quotes with JSON escapes. */
 final class ConsoleQuoting {
@@ -55,6 +56,7 @@ final class ConsoleQuoting {
 
     /** Appends the string whose opening quote stands at {@code open}; returns the index after its closing quote. */
     static int readQuoted(String line, int open, StringBuilder text) throws CommandException {
+        int start = text.length();
         int at = open + 1;
         while (at < line.length() && line.charAt(at) != '"') {
             if (line.charAt(at) == '\\') {
@@ -66,7 +68,20 @@ final class ConsoleQuoting {
         if (at >= line.length()) {
             throw new CommandException("a closing \" is missing");
         }
+        checkSurrogates(text.substring(start));
         return at + 1;
+    }
+
+    /** Half of a character that UTF-16 writes as a pair would reach the far end as a question mark. */
+    private static void checkSurrogates(String text) throws CommandException {
+        OptionalInt half = text.codePoints()
+                .filter(character -> Character.getType(character) == Character.SURROGATE)
+                .findFirst();
+        if (half.isPresent()) {
+            throw new CommandException(String.format(
+                    "\\u%04x is half of a character, expected \\ud800 to \\udbff directly before \\udc00 to \\udfff",
+                    half.getAsInt()));
+        }
     }
 
     private static int readEscape(String line, int at, StringBuilder text) throws CommandException {
@@ -77,13 +92,12 @@ final class ConsoleQuoting {
             return at + 1;
         }
         if (escape == 'u' && at + 5 <= line.length()) {
-            try {
-                text.append((char) Integer.parseInt(line.substring(at + 1, at + 5), 16));
-                return at + 5;
-            } catch (NumberFormatException e) {
-                throw new CommandException(
-                        "\\u expects four hexadecimal digits, not " + line.substring(at + 1, at + 5));
+            String digits = line.substring(at + 1, at + 5);
+            if (!digits.matches("[0-9A-Fa-f]{4}")) {
+                throw new CommandException("\\u expects four hexadecimal digits, not " + digits);
             }
+            text.append((char) Integer.parseInt(digits, 16));
+            return at + 5;
         }
         throw new CommandException(
                 "unknown escape \\" + escape + ", expected one of \\\" \\\\ \\/ \\b \\f \\n \\r \\t \\uXXXX");

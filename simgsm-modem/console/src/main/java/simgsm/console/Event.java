@@ -10,6 +10,15 @@ import java.util.Map;
  * @param fields unmodifiable, in the order in which they are printed
  */
 public record Event(String name, Map<String, String> fields) {
+    private static final int OCTETS_OF_EVENT = 200;
+    private static final int OCTETS_OF_FIELD = 100;
+
+    /** The part of the heap that events which wait for something may fill together. */
+    private static final int PART_OF_HEAP = 8;
+
+    /** Most octets of events that may wait for one reader. */
+    static final long MAX_OCTETS_HELD = Runtime.getRuntime().maxMemory() / PART_OF_HEAP;
+
     public Event {
         fields = Collections.unmodifiableMap(new LinkedHashMap<>(fields));
     }
@@ -46,6 +55,15 @@ public record Event(String name, Map<String, String> fields) {
     /** Whether name and all fields of {@code wanted} are equal to those here. */
     boolean matches(Event wanted) {
         return name.equals(wanted.name) && fields.entrySet().containsAll(wanted.fields.entrySet());
+    }
+
+    /** About how many octets of memory it takes. */
+    int octetsHeld() {
+        int octets = OCTETS_OF_EVENT;
+        for (String value : fields.values()) {
+            octets += OCTETS_OF_FIELD + Character.BYTES * value.length();
+        }
+        return octets;
     }
 
     /** The line as printed, without its end. */

@@ -9,18 +9,37 @@ final class EventBuffer {
     static final int MAX_UNREAD = 100_000;
 
     private final ArrayDeque<Event> unread = new ArrayDeque<>();
+    private final long maxOctets;
+    private long octets;
+
+    EventBuffer() {
+        this(Event.MAX_OCTETS_HELD);
+    }
+
+    /** @param maxOctets of memory; beyond them the oldest events are dropped, too, except the newest one */
+    EventBuffer(long maxOctets) {
+        this.maxOctets = maxOctets;
+    }
 
     synchronized void add(Event event) {
-        if (unread.size() == MAX_UNREAD) {
-            unread.removeFirst();
+        octets += event.octetsHeld();
+        while (unread.size() == MAX_UNREAD || octets > maxOctets && !unread.isEmpty()) {
+            removeFirst();
         }
         unread.addLast(event);
         notifyAll();
     }
 
+    private Event removeFirst() {
+        Event first = unread.removeFirst();
+        octets -= first.octetsHeld();
+        return first;
+    }
+
     /** Sets the cursor to the end. */
     synchronized void skip() {
         unread.clear();
+        octets = 0;
     }
 
     /**
@@ -33,7 +52,7 @@ final class EventBuffer {
         long end = System.nanoTime() + timeoutNanos;
         while (true) {
             while (!unread.isEmpty()) {
-                if (unread.removeFirst().matches(wanted)) {
+                if (removeFirst().matches(wanted)) {
                     return true;
                 }
             }

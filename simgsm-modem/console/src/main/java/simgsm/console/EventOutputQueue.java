@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * Prints events in order on its own thread, so that a slow or stopped reader of standard output never blocks the thread
@@ -28,20 +29,45 @@ final class EventOutputQueue implements AutoCloseable {
     private final Runnable lost;
     private boolean isLost;
     private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>(MAX_UNPRINTED);
+    private final long maxOctets;
+    private final AtomicLong octets = new AtomicLong();
     private final Thread thread = new Thread(this::run, "console output");
 
     /** @param lost runs once, when the output cannot be written */
     EventOutputQueue(PrintStream out, Runnable lost) {
+        this(out, lost, Event.MAX_OCTETS_HELD);
+    }
+
+    /** @param maxOctets of memory that waiting events may take before {@link #awaitRoom} waits */
+    EventOutputQueue(PrintStream out, Runnable lost, long maxOctets) {
         this.out = out;
         this.lost = lost;
+        this.maxOctets = maxOctets;
         thread.setDaemon(true);
         thread.start();
     }
 
     void print(Event event) {
+        octets.addAndGet(event.octetsHeld());
         if (!queue.offer(event)) {
+            octets.addAndGet(-event.octetsHeld());
             LOG.log(Level.DEBUG, "standard output is not read; dropped: {0}", event);
         }
+    }
+
+    /**
+     * Waits until the events that wait take little memory: for the thread that reads commands, so that commands whose
+     * answers nobody reads do not fill the heap.
+     */
+    synchronized void awaitRoom() throws InterruptedException {
+        while (octets.get() > maxOctets) {
+            wait();
+        }
+    }
+
+    private synchronized void printed(List<Event> events) {
+        events.forEach(event -> octets.addAndGet(-event.octetsHeld()));
+        notifyAll();
     }
 
     private void run() {
@@ -59,6 +85,7 @@ final class EventOutputQueue implements AutoCloseable {
                     lines.append(event).append('\n');
                 }
                 print(lines);
+                printed(batch);
                 batch.clear();
             }
         } catch (InterruptedException e) {

@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.PipedInputStream;
 import java.io.PipedOutputStream;
 import java.io.PrintStream;
 import java.io.StringReader;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -180,6 +182,75 @@ class ConsoleTest {
             queue.print(Event.of("row").with("n", i));
         }
         assertEquals(0, printed.size(), "the loop has ended although its output is not read");
+    }
+
+    @Test
+    void theThreadThatReadsCommandsWaitsWhileTheirAnswersAreNotRead() throws Exception {
+        PipedInputStream reader = new PipedInputStream(16);
+        PipedOutputStream stuck = new PipedOutputStream(reader);
+        EventOutputQueue queue =
+                new EventOutputQueue(new PrintStream(stuck, false, StandardCharsets.UTF_8), () -> {}, 10_000);
+        queue.awaitRoom();
+        for (int i = 0; i < 100; i++) {
+            queue.print(Event.of("row").with("n", i));
+        }
+        Thread commands = new Thread(() -> {
+            try {
+                queue.awaitRoom();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        });
+        commands.start();
+        while (commands.getState() != Thread.State.WAITING) {
+            assertTrue(commands.isAlive(), "it does not wait, although nothing is read");
+            Thread.onSpinWait();
+        }
+        assertEquals("row n=0\n", new String(reader.readNBytes(8), StandardCharsets.UTF_8));
+        Thread drain = new Thread(() -> {
+            try {
+                reader.readAllBytes();
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        });
+        drain.setDaemon(true);
+        drain.start();
+        commands.join();
+    }
+
+    @Test
+    void theLogForgetsItsOldestEventsBeyondItsMemory() throws Exception {
+        EventBuffer buffer = new EventBuffer(100_000);
+        for (int i = 0; i < 1_000; i++) {
+            buffer.add(Event.of("laser").with("n", i).with("ranges", "9".repeat(1_000)));
+        }
+        assertTrue(buffer.await(Event.of("laser").with("n", 990), 0), "the newest are kept");
+        for (int i = 1_000; i < 2_000; i++) {
+            buffer.add(Event.of("laser").with("n", i).with("ranges", "9".repeat(1_000)));
+        }
+        assertFalse(buffer.await(Event.of("laser").with("n", 1_800), 0), "the oldest are gone");
+        buffer.add(Event.of("laser").with("n", 1).with("ranges", "9".repeat(1_000_000)));
+        assertTrue(buffer.await(Event.of("laser").with("n", 1), 0), "one event always has room");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"\\ud800", "\\udc00", "x\\udc00\\ud800y", "\\u+041", "\\u-001"})
+    void aQuotedTextIsWhatItSaysOrAnError(String escaped) throws Exception {
+        run("echo \"" + escaped + "\"", "echo \"\\ud83d\\ude00\"");
+        assertTrue(lines().isEmpty());
+        console.ready(Event.of("ready"));
+        assertTrue(lines().get(1).startsWith("error text=\"\\\\u"), lines().toString());
+        assertEquals("echo text=\"\uD83D\uDE00\"", lines().get(2));
+    }
+
+    @Test
+    void anErrorQuotesOfALongLineTheBeginning() throws Exception {
+        console.ready(Event.of("ready"));
+        run("\uD83D\uDE00".repeat(500_000));
+        String error = lines().get(1);
+        assertTrue(error.length() < 5_000, error.length() + " characters");
+        assertTrue(error.endsWith("\uD83D\uDE00 ...\""), error.substring(error.length() - 10));
     }
 
     @Test
