@@ -327,6 +327,42 @@ class MonitorPanelTest {
         assertFalse(find("ladder.undo", JComponent.class).isVisible());
     }
 
+    /** At 1366x768, in a tall window, and in one that is as large as the screen. */
+    @ParameterizedTest
+    @CsvSource({"1028, 296", "1160, 700", "1900, 1000"})
+    void aFollowedLadderStaysAtItsEndWhileTheListsComeAndGo(int width, int height) throws Exception {
+        panel.show(Scene.passing(101));
+        panel.setSize(width, height);
+        layOut(panel);
+        layOut(panel);
+        settle();
+        assertEndIsSeen("at first");
+        for (int press = 1; press <= 4; press++) {
+            press("lists.shown");
+            settle();
+            assertEndIsSeen("after press " + press);
+        }
+        panel.setSize(width - 100, height - 60);
+        settle();
+        assertEndIsSeen("in a smaller window");
+    }
+
+    /** Sizes and what follows from them, as the event queue would bring them. */
+    private void settle() throws Exception {
+        for (int i = 0; i < 3; i++) {
+            layOut(panel);
+            SwingUtilities.invokeAndWait(() -> {});
+        }
+    }
+
+    private void assertEndIsSeen(String when) {
+        JList<?> list = find("ladder.list", JList.class);
+        int last = list.getModel().getSize() - 1;
+        Rectangle end = list.getCellBounds(last, last);
+        Rectangle seen = list.getVisibleRect();
+        assertTrue(seen.contains(end), when + ": " + end + " in " + seen);
+    }
+
     private int yOf(JComponent component) {
         return SwingUtilities.convertPoint(component, 0, 0, panel).y;
     }

@@ -2,6 +2,8 @@ package simgsm.center.ui.ladder;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
@@ -92,6 +94,7 @@ public final class LadderPanel extends JPanel {
         new UserAction("ladder.explain", texts.of("window.ladder.explain"), detail::explain)
                 .bind(list, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0));
         pane = listPane();
+        keepEndInView();
         Divider divider = new Divider(
                 "divider.message",
                 texts.of("divider.message"),
@@ -187,6 +190,18 @@ public final class LadderPanel extends JPanel {
             int chosen = list.getSelectedIndex();
             list.ensureIndexIsVisible(chosen >= 0 && !follow.isSelected() ? chosen : model.getSize() - 1);
         });
+    }
+
+    /** The end stays in view when the ladder or its rows get another size, which is only known after the layout. */
+    private void keepEndInView() {
+        ComponentAdapter resized = new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                followed();
+            }
+        };
+        list.addComponentListener(resized);
+        pane.getViewport().addComponentListener(resized);
     }
 
     /** The selected message, to be placed elsewhere after {@link #setDetailElsewhere}. */
