@@ -50,9 +50,10 @@ class LayeringTest {
             simgsm.draw              :
             simgsm.ui                : simgsm.console simgsm.draw
             simgsm.ui.pane           : simgsm.console simgsm.draw simgsm.ui
-            simgsm.ui.lesson         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.pane
+            simgsm.ui.file           :
+            simgsm.ui.lesson         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.file simgsm.ui.pane
             simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui simgsm.ui.lesson
-            simgsm.ui.window         : simgsm.file simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.lesson
+            simgsm.ui.window         : simgsm.file simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.file simgsm.ui.lesson
             simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
             simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context
             simgsm.station.call      : simgsm.ss simgsm.state simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility
@@ -92,7 +93,7 @@ class LayeringTest {
             simgsm.center.web        : simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.capture    : simgsm.octets simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
-            simgsm.center.ui.ladder  : simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.lesson simgsm.ui.window simgsm.center.msc
+            simgsm.center.ui.ladder  : simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.lesson simgsm.center.msc
             simgsm.center.ui         : simgsm.air simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc simgsm.center.ui.ladder
             simgsm.center.app        : simgsm.file simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app
@@ -124,12 +125,12 @@ class LayeringTest {
             simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
             simrobot.control         : simgsm.file simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
-            simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
+            simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.file simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
             simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
             simrobot.ui.telephone    : vericommand simgsm.air simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.scope simrobot.ui
-            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay simrobot.ui.telephone
+            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay simrobot.ui.telephone
             simrobot.app             : simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.modem.client simrobot.bitmap simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simgsm.ui.window simgsm.file
             simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
             """);

@@ -8,6 +8,7 @@ module simgsm.desktop {
     exports simgsm.audio;
     exports simgsm.draw;
     exports simgsm.ui;
+    exports simgsm.ui.file;
     exports simgsm.ui.lesson;
     exports simgsm.ui.pane;
     exports simgsm.ui.scope;

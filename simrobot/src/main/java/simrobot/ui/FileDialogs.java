@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JOptionPane;
 import simgsm.console.TextBundle;
-import simgsm.ui.window.SaveDialog;
+import simgsm.ui.file.SaveDialog;
 
 /** The dialogs about files that are written: where to, and whether changes are saved. */
 public final class FileDialogs {

@@ -4,8 +4,6 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
-import java.awt.Toolkit;
-import java.awt.datatransfer.StringSelection;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
@@ -26,6 +24,7 @@ import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.CopiedText;
 import simgsm.ui.Drawing;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
@@ -37,6 +36,7 @@ import simrobot.ui.WrappedText;
 
 /** The event log of all robots or of the selected one, the newest at the bottom; lines can be copied. */
 final class EventsCard extends JPanel {
+    private final TextBundle texts;
     private final EventTexts words;
     private final Rows model = new Rows();
     private final JList<LoggedEvent> list = new JList<>(model) {
@@ -60,6 +60,7 @@ final class EventsCard extends JPanel {
     EventsCard(TextBundle texts) {
         super(new BorderLayout());
         setOpaque(false);
+        this.texts = texts;
         words = new EventTexts(texts);
         ComponentNames.name(list, "events", texts.of("log.title"));
         list.setToolTipText(texts.of("log.whole"));
@@ -136,7 +137,9 @@ final class EventsCard extends JPanel {
     }
 
     private void copy() {
-        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(copied()), null);
+        if (!CopiedText.copy(copied())) {
+            whole.show(texts.of("log.copy.busy"));
+        }
     }
 
     @Override

@@ -9,21 +9,21 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
-import javax.swing.filechooser.FileNameExtensionFilter;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.file.OpenDialog;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.ToolButtons;
 
@@ -153,12 +153,8 @@ public final class WorldChoice {
     }
 
     private void choose() {
-        JFileChooser chooser =
-                new JFileChooser(file.toAbsolutePath().getParent().toFile());
-        chooser.setFileFilter(
-                new FileNameExtensionFilter(texts.of("tool.world.files"), ENDINGS.toArray(String[]::new)));
-        if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {
-            operator.load(chooser.getSelectedFile().toPath());
-        }
+        Optional<Path> folder = Optional.of(file.toAbsolutePath().getParent());
+        OpenDialog.ask(button, OpenDialog.question(folder, texts.of("tool.world.files"), ENDINGS))
+                .ifPresent(operator::load);
     }
 }

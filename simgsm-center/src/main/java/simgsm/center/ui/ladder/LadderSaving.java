@@ -10,7 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
-import simgsm.ui.window.SaveDialog;
+import simgsm.ui.file.SaveDialog;
 
 /** Saves the shown messages as text or as a picture, where the user says. */
 final class LadderSaving {

@@ -2,8 +2,6 @@ package simgsm.ui.lesson;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.Toolkit;
-import java.awt.datatransfer.StringSelection;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -25,6 +23,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.CopiedText;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -194,10 +193,8 @@ public final class ClassPanel extends JPanel {
 
     /** All commands, a line each. */
     private void copy() {
-        Toolkit.getDefaultToolkit()
-                .getSystemClipboard()
-                .setContents(new StringSelection(String.join("\n", acts.commands()) + "\n"), null);
-        tell(words.of("class.copied", acts.commands().size()));
+        boolean isCopied = CopiedText.copy(String.join("\n", acts.commands()) + "\n");
+        tell(isCopied ? words.of("class.copied", acts.commands().size()) : words.of("clipboard.busy"));
     }
 
     private void showLarge() {

@@ -14,7 +14,6 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.ScrollPaneConstants;
-import javax.swing.filechooser.FileNameExtensionFilter;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
@@ -30,6 +29,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Lamp;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.file.OpenDialog;
 
 /**
  * A lesson: task, prediction, steps with lamps, actions, question. The steps appear when a prediction has been typed, the
@@ -216,18 +216,15 @@ public final class LessonPanel extends JPanel {
 
     /** Shows files with this ending first, and on demand all. */
     JFileChooser chooser(String title, String ending) {
-        JFileChooser chooser = new JFileChooser();
+        List<String> endings = ending.isEmpty() ? List.of() : List.of(ending);
+        JFileChooser chooser = OpenDialog.question(Optional.empty(), words.of("lesson.files", ending), endings);
         chooser.setDialogTitle(title);
-        if (!ending.isEmpty()) {
-            chooser.setFileFilter(new FileNameExtensionFilter(words.of("lesson.files", ending), ending));
-        }
         return chooser;
     }
 
     private void choose(String action, JFileChooser chooser) {
-        if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION) {
-            acts.act(action, chooser.getSelectedFile().getAbsolutePath());
-        }
+        OpenDialog.ask(this, chooser)
+                .ifPresent(file -> acts.act(action, file.toAbsolutePath().toString()));
     }
 
     /** Shows the newest state; called on the event thread. */

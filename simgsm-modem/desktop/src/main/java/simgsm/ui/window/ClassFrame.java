@@ -20,6 +20,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.UserAction;
+import simgsm.ui.file.SaveDialog;
 import simgsm.ui.lesson.ClassActs;
 import simgsm.ui.lesson.ClassPanel;
 import simgsm.ui.lesson.ClassView;

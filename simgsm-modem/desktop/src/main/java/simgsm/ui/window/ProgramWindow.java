@@ -7,6 +7,8 @@ import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -31,6 +33,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.file.LastFolder;
 
 /** A program's window: reads the options of windows, opens a frame around the program's panel, and waits for its end. */
 public final class ProgramWindow {
@@ -56,6 +59,9 @@ public final class ProgramWindow {
             Consumer<Runnable> closing,
             Runnable shown,
             Runnable closed) {}
+
+    /** Under which the folder of the file that was chosen last is kept. */
+    private static final String FOLDER = "folder";
 
     private static final int HUNDRED_PERCENT = 100;
     private static final int SHARING_MILLIS = 500;
@@ -206,6 +212,10 @@ public final class ProgramWindow {
 
     private void open(Content first) {
         content = first;
+        JComponent.setDefaultLocale(language);
+        memory.flatMap(kept -> kept.list(FOLDER).stream().findFirst())
+                .map(Path::of)
+                .ifPresent(LastFolder::set);
         frame = new JFrame();
         fill();
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
@@ -271,6 +281,7 @@ public final class ProgramWindow {
         content.closing().accept(() -> {
             content.closed().run();
             language = next;
+            JComponent.setDefaultLocale(next);
             content = contents.orElseThrow().apply(next);
             fill();
             frame.validate();
@@ -308,6 +319,8 @@ public final class ProgramWindow {
 
     /** Keeps place and zoom, and what was changed of theme and language. */
     private void keep() {
+        memory.ifPresent(kept ->
+                LastFolder.get().ifPresent(folder -> kept.keepList(FOLDER, List.of(folder.toString()))));
         if (memory.isEmpty() || frame == null || !frame.isShowing()) {
             return;
         }

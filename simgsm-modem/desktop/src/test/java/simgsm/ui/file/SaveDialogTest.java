@@ -1,4 +1,4 @@
-package simgsm.ui.window;
+package simgsm.ui.file;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

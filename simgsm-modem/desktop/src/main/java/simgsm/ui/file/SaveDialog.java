@@ -1,4 +1,4 @@
-package simgsm.ui.window;
+package simgsm.ui.file;
 
 import java.awt.Component;
 import java.io.File;
@@ -32,9 +32,7 @@ public final class SaveDialog {
      */
     public static Optional<Path> ask(
             Component owner, Path proposal, List<Kind> kinds, UnaryOperator<String> base, Replacing replacing) {
-        JFileChooser chooser = proposal.getParent() == null
-                ? new JFileChooser()
-                : new JFileChooser(proposal.getParent().toFile());
+        JFileChooser chooser = new FileQuestion(Optional.ofNullable(proposal.getParent()));
         chooser.setAcceptAllFileFilterUsed(false);
         kinds.forEach(
                 kind -> chooser.addChoosableFileFilter(new FileNameExtensionFilter(kind.description(), kind.ending())));
@@ -42,7 +40,7 @@ public final class SaveDialog {
         Path proposed = withEnding(proposal, kinds.get(0).ending(), base);
         chooser.setSelectedFile(new File(proposed.getFileName().toString()));
         while (chooser.showSaveDialog(owner) == JFileChooser.APPROVE_OPTION) {
-            Path chosen = chooser.getSelectedFile().toPath();
+            Path chosen = FileQuestion.chosen(chooser);
             String ending = ((FileNameExtensionFilter) chooser.getFileFilter()).getExtensions()[0];
             Path file = named(chosen, ending, kinds, base);
             if (!Files.exists(file) || mayReplace(owner, file, replacing)) {

@@ -1,0 +1,59 @@
+package simgsm.ui.file;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JFileChooser;
+import javax.swing.JTextField;
+import javax.swing.LayoutFocusTraversalPolicy;
+
+/**
+ * Swing's file dialog: the file's name has the keyboard first, not the list of folders above it, and the folder of the last
+ * choice is shown. Its words are in the default language of Swing components.
+ */
+final class FileQuestion extends JFileChooser {
+    /** @param start the folder that is shown; empty for that of the last choice, or the user's own */
+    FileQuestion(Optional<Path> start) {
+        super(start.or(LastFolder::get).map(Path::toFile).orElse(null));
+        setFocusTraversalPolicyProvider(true);
+        setFocusTraversalPolicy(new LayoutFocusTraversalPolicy() {
+            @Override
+            public Component getDefaultComponent(Container container) {
+                Optional<JTextField> field = nameField(FileQuestion.this);
+                return field.isPresent() ? field.get() : super.getDefaultComponent(container);
+            }
+        });
+        nameField(this).ifPresent(field -> field.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                selectStem(field);
+            }
+        }));
+    }
+
+    /** Typing replaces the proposed name and leaves its ending. */
+    static void selectStem(JTextField field) {
+        int dot = field.getText().lastIndexOf('.');
+        field.select(0, dot > 0 ? dot : field.getText().length());
+    }
+
+    /** The file that the user has confirmed, whose folder is remembered. */
+    static Path chosen(JFileChooser question) {
+        Path file = question.getSelectedFile().toPath();
+        LastFolder.keepOf(file);
+        return file;
+    }
+
+    private static Optional<JTextField> nameField(Container container) {
+        return Stream.of(container.getComponents())
+                .filter(Component::isVisible)
+                .flatMap(child -> child instanceof JTextField field
+                        ? Stream.of(field)
+                        : child instanceof Container inner ? nameField(inner).stream() : Stream.empty())
+                .findFirst();
+    }
+}
