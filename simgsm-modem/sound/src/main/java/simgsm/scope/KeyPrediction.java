@@ -3,11 +3,12 @@ package simgsm.scope;
 import java.util.Optional;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneLevels;
 import simgsm.dtmf.ToneTrace;
 
 /**
- * A student reads keys off the picture: each key that is heard is hidden, and its picture held, until a guess is made. Keys
- * that sound meanwhile are left out. Not thread-safe.
+ * A student reads keys off the picture: each key that is heard is hidden, and the picture of its tones at their strongest held,
+ * until a guess is made. Keys that sound meanwhile are left out. Not thread-safe.
  */
 public final class KeyPrediction {
     /** What there is to do. */
@@ -23,6 +24,8 @@ public final class KeyPrediction {
         /** The last guess was wrong; the key is shown. */
         WRONG
     }
+
+    private static final int ROWS = 4;
 
     private Stage stage = Stage.OFF;
     private ToneTrace newest = ToneTrace.EMPTY;
@@ -48,7 +51,7 @@ public final class KeyPrediction {
         Optional<DtmfDigit> digit = digit(trace);
         boolean isNew = digit.isPresent() && !isSame(digit, known);
         if (stage == Stage.ASKING) {
-            if (isSame(digit, digit(held)) && trace.modem().isSounding()) {
+            if (isSame(digit, digit(held)) && strength(trace) >= strength(held)) {
                 held = trace;
             }
         } else if (stage != Stage.OFF && isNew) {
@@ -65,6 +68,12 @@ public final class KeyPrediction {
         held = trace;
         answer = key;
         guessed = null;
+    }
+
+    /** Of the weaker tone of the key in dBm0: at the tone's beginning and end its levels do not stand out. */
+    private double strength(ToneTrace trace) {
+        ToneLevels levels = trace.modem().levels();
+        return Math.min(levels.dbm0(answer.row()), levels.dbm0(ROWS + answer.column()));
     }
 
     private static Optional<DtmfDigit> digit(ToneTrace trace) {

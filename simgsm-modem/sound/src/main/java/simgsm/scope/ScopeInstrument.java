@@ -4,7 +4,7 @@ import simgsm.dtmf.ToneTrace;
 
 /**
  * A tone scope without its picture: which trace it shows, and how. Traces come in at any rate; a frozen scope keeps the one
- * that it showed. Not thread-safe.
+ * that it showed, and asks for no further key. Not thread-safe.
  */
 public final class ScopeInstrument {
     /** Milliseconds of the wave in {@link Picture#LEVELS}. */
@@ -40,7 +40,9 @@ public final class ScopeInstrument {
     public boolean show(ToneTrace trace) {
         ToneTrace before = trace();
         newest = trace;
-        prediction.hear(trace);
+        if (!isFrozen) {
+            prediction.hear(trace);
+        }
         return trace() != before;
     }
 

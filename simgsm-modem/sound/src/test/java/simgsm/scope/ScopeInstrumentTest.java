@@ -8,9 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneLevels;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
 import simgsm.scope.KeyPrediction.Stage;
@@ -94,6 +97,40 @@ class ScopeInstrumentTest {
         assertEquals(Stage.ASKING, instrument.prediction().stage());
         assertEquals(1, instrument.prediction().right());
         assertEquals(1, instrument.prediction().asked());
+    }
+
+    /** From the first frame to 200 ms after the end, as a call brings them. */
+    @ParameterizedTest
+    @EnumSource
+    void theHeldPictureShowsTheTonesOfTheKeyAndNotTheirEnd(DtmfKey key) {
+        instrument.prediction().set(true);
+        generator.enqueue(key, 150, 200);
+        for (int i = 0; i < 18; i++) {
+            short[] frame = new short[160];
+            generator.read(frame);
+            tracer.accept(frame);
+            instrument.show(tracer.newest());
+        }
+
+        ToneLevels levels = instrument.trace().modem().levels();
+        for (int tone = 0; tone < 8; tone++) {
+            boolean isOfKey = tone == key.row() || tone == 4 + key.column();
+            assertEquals(isOfKey, levels.dbm0(tone) > -20, tone + ": " + levels.dbm0(tone));
+        }
+    }
+
+    @Test
+    void aFrozenScopeAsksForNoKeyThatItDoesNotShow() {
+        instrument.prediction().set(true);
+        instrument.freeze(true);
+        instrument.show(heard(DtmfKey.FIVE));
+        assertEquals(Stage.WAITING, instrument.prediction().stage());
+
+        instrument.freeze(false);
+        instrument.show(tracer.newest());
+        assertEquals(Stage.ASKING, instrument.prediction().stage());
+        assertEquals(
+                DtmfKey.FIVE, instrument.trace().modem().digit().orElseThrow().key());
     }
 
     @Test

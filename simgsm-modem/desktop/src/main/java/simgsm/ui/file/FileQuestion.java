@@ -27,12 +27,13 @@ final class FileQuestion extends JFileChooser {
                 return field.isPresent() ? field.get() : super.getDefaultComponent(container);
             }
         });
-        nameField(this).ifPresent(field -> field.addFocusListener(new FocusAdapter() {
-            @Override
-            public void focusGained(FocusEvent event) {
-                selectStem(field);
-            }
-        }));
+        nameField(this)
+                .ifPresent(field -> field.addFocusListener(new FocusAdapter() {
+                    @Override
+                    public void focusGained(FocusEvent event) {
+                        selectStem(field);
+                    }
+                }));
     }
 
     /** Typing replaces the proposed name and leaves its ending. */

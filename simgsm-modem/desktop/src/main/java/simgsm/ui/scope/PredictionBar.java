@@ -1,6 +1,9 @@
 package simgsm.ui.scope;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
 import java.awt.event.KeyAdapter;
 import java.awt.event.KeyEvent;
 import java.util.function.Consumer;
@@ -8,6 +11,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.dtmf.DtmfKey;
@@ -25,6 +29,8 @@ final class PredictionBar extends JPanel {
     private final KeyPrediction prediction;
     private final JLabel question = Theme.label(" ", Theme::base, Ink.TEXT);
     private final JTextField field = new JTextField(2);
+    /** Where the keyboard goes, and how it is given back. */
+    private final JLabel keyboard = Theme.label(" ", Theme::small, Ink.TEXT);
 
     /** @param guess receives each key that is typed; @param practise makes a tone to guess at */
     PredictionBar(TextBundle texts, KeyPrediction prediction, Consumer<DtmfKey> guess, Runnable practise) {
@@ -42,6 +48,20 @@ final class PredictionBar extends JPanel {
                 event.consume();
             }
         });
+        field.addFocusListener(new FocusListener() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                tellKeyboard(true);
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                tellKeyboard(false);
+            }
+        });
+        ComponentNames.name(keyboard, "scope.keyboard", "");
+        tellKeyboard(false);
+        field.addActionListener(event -> practise.run());
         JButton tone = new JButton(new UserAction("scope.practise", texts.of("scope.practise"), practise)
                 .described(texts.of("scope.practise.tip"))
                 .with(Symbol.PLAY.icon(14)));
@@ -56,9 +76,16 @@ final class PredictionBar extends JPanel {
         });
         JLabel answer = Theme.label(texts.of("scope.guess"), Theme::small, Ink.QUIET);
         answer.setLabelFor(field);
-        add(Arrange.column(2, question, Arrange.row(6, answer, field, Arrange.spring(), tone)));
+        add(Arrange.column(2, question, Arrange.row(6, answer, field, Arrange.spring(), tone), keyboard));
         Theme.styled(this, panel -> panel.setBorder(Theme.padding(4, 0, 0, 0)));
         update();
+    }
+
+    private void tellKeyboard(boolean isHere) {
+        String words = texts.of(isHere ? "scope.keyboard.here" : "scope.keyboard.elsewhere");
+        keyboard.setText(words);
+        keyboard.getAccessibleContext().setAccessibleName(words);
+        field.getAccessibleContext().setAccessibleDescription(words);
     }
 
     private void key(char typed, Consumer<DtmfKey> guess) {
@@ -97,5 +124,9 @@ final class PredictionBar extends JPanel {
 
     void focusField() {
         field.requestFocusInWindow();
+    }
+
+    boolean hasFocus(Component owner) {
+        return owner != null && SwingUtilities.isDescendingFrom(owner, this);
     }
 }

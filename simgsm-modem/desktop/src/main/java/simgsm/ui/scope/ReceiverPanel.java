@@ -59,7 +59,7 @@ final class ReceiverPanel extends JPanel {
         return Theme.styled(button, it -> {
             it.setFont(Theme.small());
             it.setBorder(Theme.padding(0, 4, 0, 4));
-            it.setPreferredSize(new Dimension(longestName() + Theme.px(14), Theme.px(38)));
+            it.setPreferredSize(new Dimension(longestName() + Theme.px(24), Theme.px(38)));
         });
     }
 

@@ -40,9 +40,21 @@ final class ScopeTools extends JPanel {
         dress(button, id, symbol, () -> task.accept(button.isSelected()));
     }
 
-    /** The first button. */
-    AbstractButton first() {
-        return buttons.get(0);
+    /** Presses the button with this identifier. */
+    void press(String id) {
+        button(id).doClick(0);
+    }
+
+    /** Whether the button with this identifier is down. */
+    boolean isOn(String id) {
+        return button(id).isSelected();
+    }
+
+    private AbstractButton button(String id) {
+        return buttons.stream()
+                .filter(each -> id.equals(each.getName()))
+                .findFirst()
+                .orElseThrow();
     }
 
     void button(String id, Symbol symbol, Runnable task) {

@@ -1,19 +1,19 @@
 package simgsm.ui.scope;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.JDialog;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
-import simgsm.draw.Ink;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
@@ -22,6 +22,7 @@ import simgsm.scope.PracticeTone;
 import simgsm.scope.ScopeInstrument;
 import simgsm.scope.ScopeInstrument.Picture;
 import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -40,6 +41,10 @@ public final class ToneScopePanel extends JPanel {
     /** In units: from here on there is room for the receivers below a question. */
     private static final int HIGH = 440;
 
+    private static final String NAME = "scope";
+    private static final String FREEZE = "scope.freeze";
+    private static final String PREDICT = "scope.predict";
+
     private final Locale language;
     private final TextBundle texts;
     private final Consumer<ToneExperiment> chosen;
@@ -55,6 +60,10 @@ public final class ToneScopePanel extends JPanel {
     private final JPanel terms = new JPanel(new BorderLayout());
 
     private TermPanel termPanel;
+    private final UserAction leave;
+    /** What had the keyboard before the question. */
+    private Component keyboardBefore;
+
     private Consumer<Boolean> whenHiding = hiding -> {};
     /** Called with true when a question of this scope, not of its enlarged one, hides keys; with false at its end. */
     private Consumer<Boolean> whenAsking = asking -> {};
@@ -81,7 +90,7 @@ public final class ToneScopePanel extends JPanel {
         this.chosen = chosen;
         texts = DesktopTexts.in(language);
         setOpaque(false);
-        setName("scope");
+        setName(NAME);
         scope = new ToneScope(language, instrument, this::guess);
         experiment = new ToneExperimentBar(language, chosen);
         receivers = new ReceiverPanel(language, this::select);
@@ -93,8 +102,11 @@ public final class ToneScopePanel extends JPanel {
             UserAction enlarge = new UserAction("scope.large.key", texts.of("scope.large"), this::openLarge);
             enlarge.bind(scope, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0));
         }
-        UserAction freeze = new UserAction("scope.freeze.key", texts.of("scope.freeze"), tools.first()::doClick);
+        UserAction freeze = new UserAction("scope.freeze.key", texts.of("scope.freeze"), () -> tools.press(FREEZE));
         freeze.bind(scope, WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0));
+        leave = new UserAction("scope.predict.leave", texts.of("scope.predict.leave"), () -> tools.press(PREDICT));
+        leave.setEnabled(false);
+        leave.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
         add(tools, BorderLayout.NORTH);
         add(scope, BorderLayout.CENTER);
         terms.setOpaque(false);
@@ -104,14 +116,14 @@ public final class ToneScopePanel extends JPanel {
     }
 
     private void addTools(boolean opensLarge) {
-        tools.toggle("scope.freeze", Symbol.PAUSE, on -> scope.changed(() -> instrument.freeze(on)));
+        tools.toggle(FREEZE, Symbol.PAUSE, on -> scope.changed(() -> instrument.freeze(on)));
         tools.toggle("scope.cursors", Symbol.CURSORS, on -> scope.changed(() -> instrument.setCursors(on)));
         tools.toggle(
                 "scope.spectrogram",
                 Symbol.SPECTROGRAM,
                 on -> scope.changed(() -> instrument.choose(on ? Picture.SPECTROGRAM : Picture.LEVELS)));
         tools.toggle("scope.compare", Symbol.COMPARE, on -> scope.changed(() -> instrument.compare(on)));
-        tools.toggle("scope.predict", Symbol.QUESTION, this::predict);
+        tools.toggle(PREDICT, Symbol.QUESTION, this::predict);
         tools.toggle("scope.terms", Symbol.BOOK, this::explain);
         if (opensLarge) {
             tools.button("scope.large", Symbol.FIT, this::openLarge);
@@ -124,11 +136,35 @@ public final class ToneScopePanel extends JPanel {
     }
 
     private void predict(boolean on) {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        boolean hadKeyboard = prediction.hasFocus(owner);
+        if (on) {
+            thaw();
+        }
         instrument.prediction().set(on);
         prediction.setVisible(on);
+        leave.setEnabled(on);
         updatePrediction();
         if (on) {
+            keyboardBefore = owner;
             prediction.focusField();
+        } else if (hadKeyboard) {
+            giveKeyboardBack();
+        }
+    }
+
+    /** A question is about the picture that is shown, not about one behind a frozen picture. */
+    private void thaw() {
+        if (tools.isOn(FREEZE)) {
+            tools.press(FREEZE);
+        }
+    }
+
+    private void giveKeyboardBack() {
+        if (keyboardBefore != null && keyboardBefore.isShowing()) {
+            keyboardBefore.requestFocusInWindow();
+        } else {
+            scope.requestFocusInWindow();
         }
     }
 
@@ -153,6 +189,7 @@ public final class ToneScopePanel extends JPanel {
     }
 
     private void practise() {
+        thaw();
         PracticeTone.Played played = practice.next(newest.experiment());
         instrument.prediction().ask(played.trace(), played.key());
         updatePrediction();
@@ -172,7 +209,12 @@ public final class ToneScopePanel extends JPanel {
         }
     }
 
-    private void conceal(boolean concealed) {
+    Locale language() {
+        return language;
+    }
+
+    /** Hides keys while the other scope of the same sound asks for one. */
+    void conceal(boolean concealed) {
         instrument.conceal(concealed);
         updateHiding();
     }
@@ -205,11 +247,34 @@ public final class ToneScopePanel extends JPanel {
     /** Opens a large scope of the same sound, or brings it to the front. */
     private void openLarge() {
         if (large == null || !large.isOpen()) {
-            large = LargeScope.open(this, texts.of("scope.name"));
-            large.show(newest);
+            openLarge(Optional.empty());
         } else {
             large.toFront();
         }
+    }
+
+    private void openLarge(Optional<Rectangle> place) {
+        large = LargeScope.open(this, place);
+        large.show(newest);
+    }
+
+    /** A window that speaks another language has another scope, which the large one then belongs to. */
+    @Override
+    public void removeNotify() {
+        super.removeNotify();
+        if (large != null && large.isOpen()) {
+            SwingUtilities.invokeLater(this::passLargeOn);
+        }
+    }
+
+    private void passLargeOn() {
+        if (isDisplayable() || !large.isOpen()) {
+            return;
+        }
+        Rectangle place = large.dialog().getBounds();
+        large.dialog().dispose();
+        ComponentNames.find(large.dialog().getOwner(), NAME)
+                .ifPresent(next -> ((ToneScopePanel) next).openLarge(Optional.of(place)));
     }
 
     /** A compact scope is lower, has one receiver's row and no sliders; their settings remain in effect. */
@@ -260,49 +325,6 @@ public final class ToneScopePanel extends JPanel {
         experiment.show(trace);
         if (large != null) {
             large.show(trace);
-        }
-    }
-
-    /** A scope in a window of its own, which ends with the window that it was opened from. */
-    private record LargeScope(JDialog dialog, ToneScopePanel panel) {
-        private static final int WIDTH = 720;
-        private static final int HEIGHT = 560;
-
-        static LargeScope open(ToneScopePanel owner, String title) {
-            JDialog dialog = new JDialog(SwingUtilities.getWindowAncestor(owner), title);
-            dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
-            dialog.addWindowListener(new WindowAdapter() {
-                @Override
-                public void windowClosed(WindowEvent event) {
-                    owner.conceal(false);
-                }
-            });
-            ToneScopePanel panel = owner.enlarged();
-            JPanel content = new JPanel(new BorderLayout());
-            Theme.styled(content, it -> {
-                it.setBackground(Theme.color(Ink.CARD));
-                it.setBorder(Theme.padding(12));
-            });
-            content.add(panel);
-            dialog.setContentPane(content);
-            dialog.setSize(Theme.px(WIDTH), Theme.px(HEIGHT));
-            dialog.setLocationRelativeTo(owner);
-            dialog.setVisible(true);
-            return new LargeScope(dialog, panel);
-        }
-
-        boolean isOpen() {
-            return dialog.isVisible();
-        }
-
-        void toFront() {
-            dialog.toFront();
-        }
-
-        void show(ToneTrace trace) {
-            if (isOpen()) {
-                panel.show(trace);
-            }
         }
     }
 }

@@ -7,6 +7,7 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
@@ -42,7 +43,7 @@ public final class WindowKeys {
     /** Gives the whole window the next appearance: light, dark, high contrast. */
     public static void switchAppearance(JComponent anchor) {
         Theme.install(Theme.appearance().next());
-        Theme.refresh(rootOf(anchor));
+        refreshAll(anchor);
     }
 
     private static void zoom(JComponent anchor, int steps) {
@@ -54,7 +55,7 @@ public final class WindowKeys {
         double before = Theme.zoom();
         Theme.zoomTo(zoom);
         Window window = SwingUtilities.getWindowAncestor(anchor);
-        Theme.refresh(rootOf(anchor));
+        refreshAll(anchor);
         if (window != null) {
             double factor = Theme.zoom() / before;
             Dimension size = window.getSize();
@@ -64,9 +65,12 @@ public final class WindowKeys {
         }
     }
 
-    private static Component rootOf(JComponent anchor) {
-        Window window = SwingUtilities.getWindowAncestor(anchor);
-        return window == null ? anchor : window;
+    /** A program's windows look alike: a large tone scope, the help and the class, too. */
+    private static void refreshAll(JComponent anchor) {
+        if (SwingUtilities.getWindowAncestor(anchor) == null) {
+            Theme.refresh(anchor);
+        }
+        Stream.of(Window.getWindows()).filter(Component::isDisplayable).forEach(Theme::refresh);
     }
 
     private static KeyStroke ctrl(int key) {

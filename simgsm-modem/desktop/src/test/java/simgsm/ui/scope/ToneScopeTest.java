@@ -9,6 +9,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.event.ActionEvent;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
 import java.awt.event.KeyEvent;
 import java.awt.event.KeyListener;
 import java.util.ArrayList;
@@ -16,6 +18,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javax.swing.AbstractButton;
+import javax.swing.Action;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -157,6 +160,8 @@ class ToneScopeTest {
         ToneScopePanel panel = new ToneScopePanel(Locale.forLanguageTag(language), experiment -> {});
         move(panel, "scope.noise", 40);
         move(panel, "scope.shift", -50);
+        click(panel, "scope.predict");
+        focus((JComponent) ComponentNames.find(panel, "scope.guess").orElseThrow(), FocusEvent.FOCUS_GAINED);
         for (int width : new int[] {220, 319, 320, 500}) {
             panel.setSize(width, 326);
             layOut(panel);
@@ -323,6 +328,65 @@ class ToneScopeTest {
         assertTrue(spoken(small, "scope.picture").contains("5"), spoken(small, "scope.picture"));
         assertTrue(isRowVisible(small, "scope.receiver.modem"));
         assertEquals(List.of(true, false), hidden);
+    }
+
+    private static void escape(ToneScopePanel panel) {
+        KeyStroke stroke = KeyStroke.getKeyStroke("ESCAPE");
+        Object id =
+                panel.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).get(stroke);
+        Action leave = panel.getActionMap().get(id);
+        if (leave.isEnabled()) {
+            leave.actionPerformed(new ActionEvent(panel, 0, ""));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void aPredictionSaysWhereTheKeyboardGoesAndEscapeEndsIt(String language) {
+        ToneScopePanel panel = new ToneScopePanel(Locale.forLanguageTag(language), experiment -> {});
+        AbstractButton tool =
+                (AbstractButton) ComponentNames.find(panel, "scope.predict").orElseThrow();
+        escape(panel);
+        assertFalse(tool.isSelected(), "Escape begins nothing");
+
+        click(panel, "scope.predict");
+        JLabel keyboard = (JLabel) ComponentNames.find(panel, "scope.keyboard").orElseThrow();
+        JComponent field =
+                (JComponent) ComponentNames.find(panel, "scope.guess").orElseThrow();
+        String elsewhere = keyboard.getText();
+        focus(field, FocusEvent.FOCUS_GAINED);
+        assertTrue(keyboard.getText().contains("Esc"), keyboard.getText());
+        focus(field, FocusEvent.FOCUS_LOST);
+        assertEquals(elsewhere, keyboard.getText());
+
+        escape(panel);
+        assertFalse(tool.isSelected());
+        assertFalse(field.getParent().getParent().isShowing());
+    }
+
+    private static void focus(JComponent field, int id) {
+        FocusEvent event = new FocusEvent(field, id);
+        for (FocusListener listener : field.getFocusListeners()) {
+            if (id == FocusEvent.FOCUS_GAINED) {
+                listener.focusGained(event);
+            } else {
+                listener.focusLost(event);
+            }
+        }
+    }
+
+    @Test
+    void aQuestionEndsAFrozenPicture() {
+        ToneScopePanel panel = new ToneScopePanel(Locale.ENGLISH, experiment -> {});
+        AbstractButton freeze =
+                (AbstractButton) ComponentNames.find(panel, "scope.freeze").orElseThrow();
+        click(panel, "scope.freeze");
+        click(panel, "scope.predict");
+        assertFalse(freeze.isSelected());
+        click(panel, "scope.freeze");
+        click(panel, "scope.practise");
+        assertFalse(freeze.isSelected());
+        assertEquals("Which key is it?", question(panel));
     }
 
     @Test
