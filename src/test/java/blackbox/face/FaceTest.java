@@ -17,6 +17,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleRole;
+import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JList;
@@ -172,13 +173,15 @@ class FaceTest {
             Rectangle2D clip = text.clip();
             String what = name() + " \"" + text.text() + "\"";
             boolean hasToolTip = component instanceof JComponent it && it.getToolTipText() != null;
+            // What a button does must be read without the mouse, which no class has.
+            boolean isButton = component instanceof AbstractButton;
             boolean isCell = component instanceof JTable;
             if (text.text().matches("[0-9 ]+\u2026")) {
                 return Optional.of("a number cut behind: " + what);
             }
             boolean isCut = (text.text().endsWith("\u2026") || text.text().endsWith("..."))
                     && !(component instanceof JTextComponent); // which cuts nothing, but may tell of more
-            if (isCut && !isCell && !hasToolTip) {
+            if (isCut && !isCell && (!hasToolTip || isButton)) {
                 return Optional.of("cut: " + what);
             }
             if (!clip.intersects(box) || isScrolled && (box.getY() < clip.getY() || box.getMaxY() > clip.getMaxY())) {

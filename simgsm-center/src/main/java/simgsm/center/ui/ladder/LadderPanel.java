@@ -72,7 +72,7 @@ public final class LadderPanel extends JPanel {
     private List<String> terminals = List.of();
     private boolean isHeadingWanted = true;
     private boolean isDetailElsewhere;
-    /** Whether the divider has its place; until then, moves of it are the layout's. */
+
     public LadderPanel(TextBundle texts) {
         super(new BorderLayout());
         this.texts = texts;
