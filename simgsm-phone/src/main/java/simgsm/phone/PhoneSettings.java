@@ -57,7 +57,11 @@ record PhoneSettings(
                 card.map(inserted -> StationIdentity.ofCard(inserted, imei, UNIT_NAME))
                         .orElseGet(() -> StationIdentity.ofOpenNumber(number, imei, UNIT_NAME)),
                 card.map(Sim::of).orElse(Sim.WITHOUT_KEY),
-                UserSettings.delivered(codec(arguments), keyMode(arguments))
+                UserSettings.delivered(
+                                arguments
+                                        .value("codec", SpeechCodec.Kind::named)
+                                        .orElse(SpeechCodec.Kind.A_LAW),
+                                keyMode(arguments))
                         .withLanguage(
                                 TextBundle.bundleLocale(arguments.language())
                                                 .getLanguage()
@@ -99,12 +103,6 @@ record PhoneSettings(
             throw new IllegalArgumentException("expected 1 to 10 digits and no leading zero, found " + text);
         }
         return Msisdn.parse(text);
-    }
-
-    private static SpeechCodec.Kind codec(Arguments arguments) throws UsageException {
-        return arguments.choice("codec", "alaw", "gsm").equals("gsm")
-                ? SpeechCodec.Kind.GSM_FULL_RATE
-                : SpeechCodec.Kind.A_LAW;
     }
 
     private static KeyMode keyMode(Arguments arguments) throws UsageException {

@@ -142,7 +142,7 @@ public final class SimRobotOptions {
                 power,
                 motors,
                 behaviour,
-                codec(arguments),
+                arguments.value("codec", SpeechCodec.Kind::named).orElse(SpeechCodec.Kind.A_LAW),
                 (int) arguments.integer(
                         "answer-after",
                         ModemOptions.DEFAULT_ANSWER_AFTER_MILLIS,
@@ -158,12 +158,6 @@ public final class SimRobotOptions {
             return AudioOutput.SILENT;
         }
         return arguments.has("headless") ? SoundCard.openWhenPlayed() : SoundCard.open();
-    }
-
-    private static SpeechCodec.Kind codec(Arguments arguments) throws UsageException {
-        return arguments.choice("codec", "alaw", "gsm").equals("gsm")
-                ? SpeechCodec.Kind.GSM_FULL_RATE
-                : SpeechCodec.Kind.A_LAW;
     }
 
     /** The one that is given, or another each time. */

@@ -25,6 +25,15 @@ public interface SpeechCodec {
             this.octetsPerFrame = octetsPerFrame;
         }
 
+        /** By its name in options: one of those that phones and modems speak. @throws IllegalArgumentException for another */
+        public static Kind named(String name) {
+            return switch (name) {
+                case "alaw" -> A_LAW;
+                case "gsm" -> GSM_FULL_RATE;
+                default -> throw new IllegalArgumentException("expected alaw or gsm, found " + name);
+            };
+        }
+
         /** RTP payload type (RFC 3551, table 4). */
         public int payloadType() {
             return payloadType;

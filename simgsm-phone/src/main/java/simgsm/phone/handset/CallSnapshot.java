@@ -52,6 +52,21 @@ public record CallSnapshot(
         return new CallSnapshot(next, newNumber, seconds, keyed, heard, ended, waiting, held, onHold, incoming);
     }
 
+    /** The call goes on as it was before it was held. */
+    CallSnapshot retrieved(String newNumber, Optional<String> nowHeld) {
+        return new CallSnapshot(
+                CallPhase.CONNECTED,
+                newNumber,
+                seconds,
+                keyed,
+                heard,
+                Optional.empty(),
+                Optional.empty(),
+                nowHeld,
+                false,
+                incoming);
+    }
+
     CallSnapshot at(int newSeconds) {
         return new CallSnapshot(phase, number, newSeconds, keyed, heard, ended, waiting, held, onHold, incoming);
     }

@@ -12,13 +12,12 @@ final class PhoneCall {
 
     private CallSnapshot call = CallSnapshot.NONE;
     private long frames;
-    /** Of the held call, and of the one that was held before it when the two change places. */
-    private long heldFrames;
+    private Parked held = new Parked(CallSnapshot.NONE, 0);
+    /** The one that was held before it, when the two change places. */
+    private Parked formerlyHeld = held;
 
-    private long formerlyHeldFrames;
-
-    private boolean heldIncoming;
-    private boolean formerlyHeldIncoming;
+    /** A held call as it was. */
+    private record Parked(CallSnapshot call, long frames) {}
 
     CallPhase phase() {
         return call.phase();
@@ -65,21 +64,17 @@ final class PhoneCall {
 
     /** The current call is held; another may become the current one. */
     private void park(String number) {
-        formerlyHeldFrames = heldFrames;
-        heldFrames = frames;
-        formerlyHeldIncoming = heldIncoming;
-        heldIncoming = call.incoming();
+        formerlyHeld = held;
+        held = new Parked(call, frames);
         call = CallSnapshot.begun(CallPhase.NONE, "", false).withHeld(Optional.of(number));
         frames = 0;
     }
 
     private void retrieve(String number) {
-        boolean isSwap = call.held().filter(held -> !held.equals(number)).isPresent();
-        long back = isSwap ? formerlyHeldFrames : heldFrames;
-        Optional<String> held = isSwap ? call.held() : Optional.empty();
-        boolean incoming = isSwap ? formerlyHeldIncoming : heldIncoming;
-        call = CallSnapshot.begun(CallPhase.CONNECTED, number, incoming).withHeld(held);
-        frames = back;
+        boolean isSwap = call.held().filter(other -> !other.equals(number)).isPresent();
+        Parked back = isSwap ? formerlyHeld : held;
+        call = back.call().retrieved(number, isSwap ? call.held() : Optional.empty());
+        frames = back.frames();
     }
 
     private void begin(CallPhase phase, String number, boolean incoming) {

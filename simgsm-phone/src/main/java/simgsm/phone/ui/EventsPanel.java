@@ -2,6 +2,9 @@ package simgsm.phone.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Insets;
+import java.awt.Rectangle;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -51,8 +54,24 @@ final class EventsPanel extends JPanel {
         }
         JScrollPane pane = new JScrollPane(area);
         pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        ComponentAdapter follower = new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                showEnd();
+            }
+        };
+        pane.getViewport().addComponentListener(follower);
+        area.addComponentListener(follower);
         add(pane);
         dress();
+    }
+
+    /** A panel that opens, or gets another size, shows the newest events to a reader at the end. */
+    private void showEnd() {
+        int end = area.getDocument().getLength();
+        if (area.getCaretPosition() == end) {
+            area.scrollRectToVisible(new Rectangle(0, area.getHeight() - 1, 1, 1));
+        }
     }
 
     /** Adds what is new. A reader at the end stays there. */

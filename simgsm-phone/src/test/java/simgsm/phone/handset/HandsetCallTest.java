@@ -241,6 +241,28 @@ class HandsetCallTest {
     }
 
     @Test
+    void aCallThatIsBackHasItsKeysAndTones() {
+        Bench bench = Bench.connected();
+        bench.handset.press(DtmfKey.sequence("**5"));
+        bench.speechMillis(1_000);
+        bench.farEndPlays('7');
+        bench.handset.accept(new StationEvent.CallWaits(Optional.of(new Msisdn("5550101"))));
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(ROBOT)));
+        bench.handset.accept(new StationEvent.Connected(Optional.of(new Msisdn("5550101"))));
+        assertEquals("", bench.snapshot().call().keyed());
+        bench.handset.press(DtmfKey.sequence("1"));
+        bench.speechMillis(1_000);
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(new Msisdn("5550101"))));
+        bench.handset.accept(new StationEvent.CallRetrieved(Optional.of(ROBOT)));
+        assertEquals("**5", bench.snapshot().call().keyed());
+        assertEquals("7", bench.snapshot().call().heard());
+        assertEquals(Optional.empty(), bench.snapshot().call().waiting());
+        bench.handset.accept(new StationEvent.CallHeld(Optional.of(ROBOT)));
+        bench.handset.accept(new StationEvent.CallRetrieved(Optional.of(new Msisdn("5550101"))));
+        assertEquals("1", bench.snapshot().call().keyed());
+    }
+
+    @Test
     void bothCallsComeToTheLogWithTheirTimes() {
         Bench bench = twoCalls();
         bench.speechMillis(2_000);

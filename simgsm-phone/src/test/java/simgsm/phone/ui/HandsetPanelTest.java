@@ -227,6 +227,23 @@ class HandsetPanelTest {
         assertEquals(300, events.getText().lines().count());
     }
 
+    @Test
+    void theEventsOpenAtTheNewest() throws Exception {
+        PanelBench bench = new PanelBench(Bench.connected(), Locale.ENGLISH);
+        receive(bench, 0, 40);
+        SwingUtilities.invokeAndWait(() -> {
+            bench.paint(1);
+            ((AbstractButton) bench.find("events.switch")).doClick(0);
+            bench.panel.setSize(bench.panel.getPreferredSize());
+            bench.paint(1);
+        });
+        SwingUtilities.invokeAndWait(() -> {}); // the sizes are told by now
+        JTextArea events = (JTextArea) bench.find("events");
+        Rectangle seen = events.getVisibleRect();
+        assertTrue(seen.height > 0 && seen.height < events.getHeight(), seen.toString());
+        assertEquals(events.getHeight(), seen.y + seen.height);
+    }
+
     private static void receive(PanelBench bench, int from, int to) {
         for (int i = from; i < to; i++) {
             bench.bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", String.valueOf(i)));

@@ -84,6 +84,7 @@ class LcdScreensTest {
         screens.put("failed", failed());
         screens.put(
                 "broadcast", with(bench -> bench.handset.accept(new StationEvent.BroadcastReceived(50, 1, "storm"))));
+        screens.put("service code", with(bench -> bench.key("*#100#")));
         screens.put("service asked for", with(bench -> bench.handset.ussd("*100#")));
         screens.put(
                 "service's text",
