@@ -20,7 +20,13 @@ public final class NumberTexts {
     /** Simulated time as h:mm:ss.cc. */
     public static String clock(long nanos) {
         long centis = nanos / 10_000_000;
-        return "%d:%02d:%02d.%02d".formatted(centis / 360_000, centis / 6000 % 60, centis / 100 % 60, centis % 100);
+        return String.format(
+                Locale.ROOT,
+                "%d:%02d:%02d.%02d",
+                centis / 360_000,
+                centis / 6000 % 60,
+                centis / 100 % 60,
+                centis % 100);
     }
 
     public static String fixed(double value, int decimals) {

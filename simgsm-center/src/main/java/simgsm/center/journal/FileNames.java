@@ -1,5 +1,6 @@
 package simgsm.center.journal;
 
+import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -13,11 +14,11 @@ final class FileNames {
     private FileNames() {}
 
     static String segment(long number) {
-        return String.format("segment-%010d", number);
+        return String.format(Locale.ROOT, "segment-%010d", number);
     }
 
     static String snapshot(long number) {
-        return String.format("snapshot-%010d", number);
+        return String.format(Locale.ROOT, "snapshot-%010d", number);
     }
 
     /** A snapshot while it is being written. */

@@ -1,6 +1,7 @@
 package simgsm.center.ui;
 
 import java.awt.BorderLayout;
+import java.util.Locale;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -49,7 +50,7 @@ final class PassingPanel extends JPanel {
                 Arrange.growing(labelled(outgoing, "window.tel.outgoing")));
         text = labelled(message, "window.message");
         arrange(false);
-        set(intermediate, String.format("%04d %d", LocationArea.TEST.areaCode(), port));
+        set(intermediate, String.format(Locale.ROOT, "%04d %d", LocationArea.TEST.areaCode(), port));
         name("tel.incoming", incoming, "window.tel.incoming");
         name("tel.intermediate", intermediate, "window.tel.intermediate");
         name("tel.outgoing", outgoing, "window.tel.outgoing");

@@ -1,5 +1,6 @@
 package simgsm.air;
 
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -31,7 +32,8 @@ public record Layer3Header(
     /** The message's name, or its numbers if it is not known. */
     public String name() {
         return type().map(Layer3Type::title)
-                .orElseGet(() -> String.format("message type 0x%02x of protocol %d", messageType, discriminator));
+                .orElseGet(() ->
+                        String.format(Locale.ROOT, "message type 0x%02x of protocol %d", messageType, discriminator));
     }
 
     Layer3Header withRelayReference(int reference) {

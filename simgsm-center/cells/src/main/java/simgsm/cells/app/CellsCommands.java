@@ -1,6 +1,7 @@
 package simgsm.cells.app;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import simgsm.cells.net.CellsLoop;
@@ -102,8 +103,8 @@ public final class CellsCommands implements Console.Commands {
                 return number;
             }
         }
-        throw new CommandException(
-                String.format("%s: expected a number of %.0f to %.0f, found %s", command.name(), least, most, word));
+        throw new CommandException(String.format(
+                Locale.ROOT, "%s: expected a number of %.0f to %.0f, found %s", command.name(), least, most, word));
     }
 
     private void tower(ConsoleCommand command) throws CommandException {

@@ -122,7 +122,8 @@ public final class ClassPanel extends JPanel {
 
     /** Shows the newest results; the chosen student stays chosen. */
     public void show(ClassView view) {
-        clock.setText("%02d:%02d".formatted(view.seconds() / SECONDS_PER_MINUTE, view.seconds() % SECONDS_PER_MINUTE));
+        clock.setText(String.format(
+                Locale.ROOT, "%02d:%02d", view.seconds() / SECONDS_PER_MINUTE, view.seconds() % SECONDS_PER_MINUTE));
         start.setEnabled(view.phase() != ClassView.Phase.RUNNING);
         stop.setEnabled(view.phase() == ClassView.Phase.RUNNING);
         view.notice().ifPresent(this::tell);

@@ -1,5 +1,6 @@
 package simgsm.modem.at.command;
 
+import java.util.Locale;
 import simgsm.modem.at.AtCommandTable;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtRequest;
@@ -86,7 +87,7 @@ final class GeneralCommands {
         }
         if (text.charAt(end) == '?') {
             int value = number == 0 ? client.settings().ringsBeforeAnswer : REGISTERS[number];
-            request.line(String.format("%03d", value));
+            request.line(String.format(Locale.ROOT, "%03d", value));
             return;
         }
         String value = text.substring(end + 1);

@@ -2,6 +2,7 @@ package simgsm.modem.at.command;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import simgsm.air.Imsi;
 import simgsm.air.LocationArea;
 import simgsm.station.ServingCell;
@@ -56,7 +57,7 @@ final class NetworkCodes {
         int area = station().cell().map(ServingCell::areaCode).orElse(LocationArea.TEST.areaCode());
         int cell = station().cell().map(ServingCell::identity).orElse(OWN_CELL);
         return mode == 2 && state == 1
-                ? String.format("%d,\"%04X\",\"%04X\"", state, area, cell)
+                ? String.format(Locale.ROOT, "%d,\"%04X\",\"%04X\"", state, area, cell)
                 : Integer.toString(state);
     }
 
