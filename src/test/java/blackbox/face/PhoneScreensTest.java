@@ -106,7 +106,7 @@ class PhoneScreensTest {
         if (screen instanceof Screen.Entry || screen instanceof Screen.Writing) {
             return List.of(PhoneKey.TWO, PhoneKey.SOFT_LEFT);
         }
-        return screen instanceof Screen.Home
+        return screen instanceof Screen.HomeView
                 ? List.of(PhoneKey.MENU, PhoneKey.SOFT_RIGHT, PhoneKey.CALL, PhoneKey.SOFT_LEFT)
                 : List.of(PhoneKey.SOFT_LEFT);
     }

@@ -8,7 +8,7 @@ import simgsm.speech.CallRecorder;
 import simrobot.control.Fleet;
 
 /** Opens the WAV files in which calls are recorded. */
-public final class CallRecordings implements Fleet.Recording {
+public final class CallRecordings implements Fleet.CallRecorders {
     private final Optional<Path> file;
     private boolean named;
 

@@ -239,7 +239,7 @@ public final class WindowModel implements OperatorActions {
         try {
             fleet.add(wanted, place);
             return Optional.empty();
-        } catch (Fleet.Refusal refusal) {
+        } catch (Fleet.RobotRefusal refusal) {
             LOG.log(Level.DEBUG, "not added: {0}", refusal.getMessage());
             return Optional.of(refusals.notAdded(wanted.name(), wanted.number().digits(), refusal));
         } catch (IOException unwritable) {

@@ -31,7 +31,7 @@ import vericommand.Pose;
 /** Creates the robots of a run, from the command line and later, all with the same settings. */
 public final class Fleet {
     /** Supplies the recorder of a robot's calls. */
-    public interface Recording {
+    public interface CallRecorders {
         CallAudioListener of(String robot) throws IOException;
     }
 
@@ -73,7 +73,7 @@ public final class Fleet {
             BehaviourKind behaviour,
             SpeechCodec.Kind codec,
             int answerAfterMillis,
-            Recording recording,
+            CallRecorders recording,
             Cards cards) {}
 
     /** Why a robot cannot be created as requested. */
@@ -91,10 +91,10 @@ public final class Fleet {
     }
 
     /** Thrown if a robot cannot be created as requested; the message is shown on the console. */
-    public static final class Refusal extends Exception {
+    public static final class RobotRefusal extends Exception {
         private final Reason reason;
 
-        Refusal(Reason reason, String message) {
+        RobotRefusal(Reason reason, String message) {
             super(message);
             this.reason = reason;
         }
@@ -166,16 +166,17 @@ public final class Fleet {
      * Creates a robot while the simulation runs; callable on any thread but the simulation's.
      *
      * @param place its pose; empty selects the first free home, or a place beside it
-     * @throws Refusal if name, number or place is taken
+     * @throws RobotRefusal if name, number or place is taken
      */
-    public TelephoneRobot add(RobotName name, Optional<Pose> place) throws Refusal, IOException, InterruptedException {
+    public TelephoneRobot add(RobotName name, Optional<Pose> place)
+            throws RobotRefusal, IOException, InterruptedException {
         Optional<SimCard> card = card(name);
         CallAudioListener recorder = kit.recording().of(name.name());
         Made made;
         try {
             made = simRobot.onSimulation(() -> attempt(name, card, place, recorder));
         } catch (IllegalStateException late) {
-            made = new Made(null, new Refusal(Reason.NOT_DONE, late.getMessage()));
+            made = new Made(null, new RobotRefusal(Reason.NOT_DONE, late.getMessage()));
         }
         if (made.robot() == null) {
             recorder.close();
@@ -184,16 +185,16 @@ public final class Fleet {
         return made.robot();
     }
 
-    private Optional<SimCard> card(RobotName name) throws Refusal {
+    private Optional<SimCard> card(RobotName name) throws RobotRefusal {
         try {
             Imsi.ofOpenNumber(name.number());
             return kit.cards().of(name.number());
         } catch (UsageException | IllegalArgumentException noCard) {
-            throw new Refusal(Reason.NO_CARD, noCard.getMessage());
+            throw new RobotRefusal(Reason.NO_CARD, noCard.getMessage());
         }
     }
 
-    private record Made(TelephoneRobot robot, Refusal refusal) {}
+    private record Made(TelephoneRobot robot, RobotRefusal refusal) {}
 
     private Made attempt(RobotName name, Optional<SimCard> card, Optional<Pose> place, CallAudioListener recorder) {
         Simulation simulation = simRobot.simulation().owned();
@@ -203,7 +204,7 @@ public final class Fleet {
             }
             return new Made(make(name, card, simulation, place, recorder), null);
         } catch (IllegalArgumentException | IllegalStateException refusal) {
-            return new Made(null, new Refusal(reason(simulation, name, place), refusal.getMessage()));
+            return new Made(null, new RobotRefusal(reason(simulation, name, place), refusal.getMessage()));
         }
     }
 

@@ -244,7 +244,7 @@ public final class RobotConsole implements Console.Commands {
             answer(new RobotEvent.Added(added.number().digits()).line(added.name()));
             Pose stands = simRobot.onSimulation(() -> added.robot().pose());
             answer(new RobotEvent.PoseReported(stands).line(added.name()));
-        } catch (IllegalArgumentException | IllegalStateException | Fleet.Refusal | IOException refusal) {
+        } catch (IllegalArgumentException | IllegalStateException | Fleet.RobotRefusal | IOException refusal) {
             throw new CommandException("add: " + refusal.getMessage());
         } catch (InterruptedException e) {
             throw interrupted();

@@ -23,10 +23,10 @@ public final class ItemFields {
     private ItemFields() {}
 
     /** A field whose text cannot be read; the message is the text. */
-    public static final class Refusal extends Exception {
+    public static final class FieldRefusal extends Exception {
         private final String field;
 
-        Refusal(String field, String found) {
+        FieldRefusal(String field, String found) {
             super(found);
             this.field = field;
         }
@@ -71,13 +71,13 @@ public final class ItemFields {
     }
 
     /** The world with the item as the fields say; the same world when no field differs. */
-    public static World changed(World world, Item reference, Map<String, String> fields) throws Refusal {
+    public static World changed(World world, Item reference, Map<String, String> fields) throws FieldRefusal {
         return fields.equals(of(world, reference))
                 ? world
                 : Edits.replaced(world, reference, changed(Edits.get(world, reference), fields));
     }
 
-    private static WorldItem changed(WorldItem item, Map<String, String> fields) throws Refusal {
+    private static WorldItem changed(WorldItem item, Map<String, String> fields) throws FieldRefusal {
         if (item instanceof Segment) {
             return Segment.between(
                     new Position(meters(fields, "x1"), meters(fields, "y1")),
@@ -99,7 +99,7 @@ public final class ItemFields {
                 Optional.empty());
     }
 
-    private static Area area(Map<String, String> fields, Area before) throws Refusal {
+    private static Area area(Map<String, String> fields, Area before) throws FieldRefusal {
         return Area.between(
                 meters(fields, "x1"),
                 meters(fields, "y1"),
@@ -108,12 +108,12 @@ public final class ItemFields {
                 before.rotationRadians());
     }
 
-    private static double meters(Map<String, String> fields, String key) throws Refusal {
+    private static double meters(Map<String, String> fields, String key) throws FieldRefusal {
         return number(fields, key, MOST_METERS);
     }
 
     /** A decimal with a dot or a comma. */
-    private static double number(Map<String, String> fields, String key, double most) throws Refusal {
+    private static double number(Map<String, String> fields, String key, double most) throws FieldRefusal {
         String typed = fields.get(key).strip();
         String word = typed.replace(',', '.');
         if (word.matches("[-+]?([0-9]{1,9}(\\.[0-9]*)?|\\.[0-9]+)")) {
@@ -122,7 +122,7 @@ public final class ItemFields {
                 return number;
             }
         }
-        throw new Refusal(key, typed);
+        throw new FieldRefusal(key, typed);
     }
 
     private static String degrees(double radians) {

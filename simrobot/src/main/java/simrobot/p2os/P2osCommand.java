@@ -97,7 +97,7 @@ public sealed interface P2osCommand {
     /** A text for the operator. */
     record SimMessage(String text) implements P2osCommand {}
 
-    record Battery(int decivolts) implements P2osCommand {}
+    record BatteryTest(int decivolts) implements P2osCommand {}
 
     /** A command without effect: unknown, equipment not fitted, or its argument missing or of the wrong type. */
     record Unheeded(int number) implements P2osCommand {}

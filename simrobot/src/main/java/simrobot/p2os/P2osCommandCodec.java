@@ -98,7 +98,7 @@ public final class P2osCommandCodec {
                 laser(P2osCommand.LaserPart.END, argument);
             case P2osCommandNumber.LASER_STEP, P2osCommandNumber.SIM_LRF_STEP ->
                 laser(P2osCommand.LaserPart.STEP, argument);
-            case P2osCommandNumber.BATTEST -> new P2osCommand.Battery(argument);
+            case P2osCommandNumber.BATTEST -> new P2osCommand.BatteryTest(argument);
             default -> new P2osCommand.Unheeded(number);
         };
     }

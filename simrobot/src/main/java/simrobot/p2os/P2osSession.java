@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import simgsm.state.StateMachine;
 import simrobot.p2os.P2osSessionTable.Action;
-import simrobot.p2os.P2osSessionTable.Event;
+import simrobot.p2os.P2osSessionTable.P2osEvent;
 import simrobot.p2os.P2osSessionTable.State;
 import simrobot.robot.SimulatedRobot;
 import simrobot.robot.SonarRing;
@@ -49,7 +49,7 @@ public final class P2osSession {
     private final LaserReports laser;
     private final SimulatorRequests requests;
     private final StallDetector stall;
-    private final StateMachine<State, Event, Action> machine;
+    private final StateMachine<State, P2osEvent, Action> machine;
 
     /** Read by other threads. */
     private volatile boolean open;
@@ -114,12 +114,12 @@ public final class P2osSession {
 
     /** Called when the connection is closed. */
     public void lost() {
-        fire(Event.CONNECTION_LOST);
+        fire(P2osEvent.CONNECTION_LOST);
     }
 
     /** Stops the robot and closes the connection. */
     void abort() {
-        fire(Event.ABORTED);
+        fire(P2osEvent.ABORTED);
     }
 
     /** Whether the client controls the robot. Callable on any thread. */
@@ -149,17 +149,17 @@ public final class P2osSession {
         }
         P2osCommand command = P2osCommandCodec.decode(data);
         if (command instanceof P2osCommand.Pulse) {
-            fire(Event.PULSE_RECEIVED);
+            fire(P2osEvent.PULSE_RECEIVED);
         } else if (command instanceof P2osCommand.Open) {
-            fire(Event.OPEN_RECEIVED);
+            fire(P2osEvent.OPEN_RECEIVED);
         } else if (command instanceof P2osCommand.Close) {
-            fire(Event.CLOSE_RECEIVED);
+            fire(P2osEvent.CLOSE_RECEIVED);
         } else if (machine.state() == State.OPEN) {
             perform(command);
         }
     }
 
-    private void fire(Event event) {
+    private void fire(P2osEvent event) {
         machine.fire(event);
         open = machine.state() == State.OPEN;
     }
@@ -198,7 +198,7 @@ public final class P2osSession {
             reports.setPolled(polling.sonars());
         } else if (command instanceof P2osCommand.BumpStall sides) {
             stall.setBumpers(sides);
-        } else if (command instanceof P2osCommand.Battery battery) {
+        } else if (command instanceof P2osCommand.BatteryTest battery) {
             robot.battery().setVolts(Math.max(0, Math.min(0xFF, battery.decivolts())) / 10.0);
         } else if (command instanceof P2osCommand.LaserCommand setting) {
             laser.set(setting);

@@ -1,7 +1,7 @@
 package simrobot.p2os;
 
 import static simrobot.p2os.P2osSessionTable.Action.*;
-import static simrobot.p2os.P2osSessionTable.Event.*;
+import static simrobot.p2os.P2osSessionTable.P2osEvent.*;
 import static simrobot.p2os.P2osSessionTable.State.*;
 
 import java.util.EnumSet;
@@ -24,7 +24,7 @@ public final class P2osSessionTable {
     }
 
     /** Commands of the handshake, and the ends of a session. */
-    public enum Event {
+    public enum P2osEvent {
         PULSE_RECEIVED,
         OPEN_RECEIVED,
         CLOSE_RECEIVED,
@@ -45,7 +45,7 @@ public final class P2osSessionTable {
         CLOSE_CONNECTION
     }
 
-    public static final StateTable<State, Event, Action> ROWS = new StateTable<State, Event, Action>(
+    public static final StateTable<State, P2osEvent, Action> ROWS = new StateTable<State, P2osEvent, Action>(
                     "P2OS session", SYNCHRONISING)
             .on(EnumSet.of(SYNCHRONISING, INTRODUCED), PULSE_RECEIVED, SYNCHRONISING, ECHO_PULSE)
             .on(SYNCHRONISING, OPEN_RECEIVED, SYNCHRONISING, ECHO_OPEN)

@@ -125,7 +125,7 @@ class EditsTest {
         assertSame(world, ItemFields.changed(world, item, ItemFields.of(world, item)));
     }
 
-    private World typed(Item.Kind kind, String field, String text) throws ItemFields.Refusal {
+    private World typed(Item.Kind kind, String field, String text) throws ItemFields.FieldRefusal {
         Item item = new Item(kind, 0);
         Map<String, String> fields = new LinkedHashMap<>(ItemFields.of(world, item));
         assertEquals(true, fields.containsKey(field));
@@ -149,7 +149,7 @@ class EditsTest {
     @ParameterizedTest
     @CsvSource({"WALL,x1,abc", "WALL,y2,''", "BOX,x1,1e3", "HOME,heading,400", "TREADMILL,speed,11", "WALL,x1,999999"})
     void whatIsNoNumberIsRefusedByItsField(Item.Kind kind, String field, String text) {
-        ItemFields.Refusal refusal = assertThrows(ItemFields.Refusal.class, () -> typed(kind, field, text));
+        ItemFields.FieldRefusal refusal = assertThrows(ItemFields.FieldRefusal.class, () -> typed(kind, field, text));
         assertEquals(field, refusal.field());
         assertEquals(text, refusal.getMessage());
     }

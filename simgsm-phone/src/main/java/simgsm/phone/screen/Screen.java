@@ -9,7 +9,7 @@ import simgsm.phone.store.StoredMessage;
 /** The contents of the display. */
 public sealed interface Screen {
     /** The number being typed, or the call. */
-    record Home() implements Screen {}
+    record HomeView() implements Screen {}
 
     /** A sign before a row of a list. */
     enum Mark {

@@ -15,7 +15,7 @@ import simgsm.station.context.StationEvent;
 
 /** Everything but the home screen: the menu, its pages, and what each key does on them. */
 public final class ScreenNavigation {
-    private static final Screen HOME = new Screen.Home();
+    private static final Screen HOME = new Screen.HomeView();
 
     private final PageStack stack = new PageStack();
     private final UssdPage ussd;

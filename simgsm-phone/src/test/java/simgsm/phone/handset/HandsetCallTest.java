@@ -20,7 +20,7 @@ class HandsetCallTest {
     private static final Msisdn ROBOT = new Msisdn("5550200");
 
     @Test
-    void aCallIsToldStepByStep() {
+    void aCallIsReportedStepByStep() {
         Bench bench = new Bench();
         bench.handset.dial(ROBOT);
         bench.handset.accept(new StationEvent.CalledPartyAlerted());
@@ -154,7 +154,7 @@ class HandsetCallTest {
         bench.tap(PhoneKey.MESSAGE);
         bench.handset.keys().charDown('h', bench.nowNanos);
         bench.station.ring("5550101");
-        assertEquals(new Screen.Home(), bench.snapshot().screen());
+        assertEquals(new Screen.HomeView(), bench.snapshot().screen());
         bench.tap(PhoneKey.END, PhoneKey.MESSAGE);
         assertEquals("h", ((Screen.Writing) bench.snapshot().screen()).text());
     }

@@ -157,7 +157,7 @@ class HandsetMenuTest {
     }
 
     @Test
-    void aWaitingCallerWhoGivesUpIsAMissedCall() {
+    void aWaitingCallThatEndsIsAMissedCall() {
         bench.handset.dial(new Msisdn("5550200"));
         bench.handset.accept(new StationEvent.Connected(Optional.empty()));
         bench.handset.accept(new StationEvent.CallWaits(Optional.of(new Msisdn("5550101"))));
@@ -327,6 +327,6 @@ class HandsetMenuTest {
             bench.handset.powerOn();
         }
         bench.tap(PhoneKey.END);
-        assertEquals(new Screen.Home(), bench.snapshot().screen());
+        assertEquals(new Screen.HomeView(), bench.snapshot().screen());
     }
 }

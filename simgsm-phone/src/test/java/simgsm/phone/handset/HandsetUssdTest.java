@@ -47,7 +47,7 @@ class HandsetUssdTest {
         assertEquals(
                 new Screen.Ussd(Phase.ANSWERED, "5550100", ""), bench.snapshot().screen());
         bench.tap(PhoneKey.OK);
-        assertEquals(new Screen.Home(), bench.snapshot().screen());
+        assertEquals(new Screen.HomeView(), bench.snapshot().screen());
     }
 
     @Test
@@ -59,7 +59,7 @@ class HandsetUssdTest {
         assertEquals(List.of(), bench.station.asked);
         assertEquals("", bench.snapshot().typed());
         bench.tap(PhoneKey.SOFT_RIGHT);
-        assertEquals(new Screen.Home(), bench.snapshot().screen());
+        assertEquals(new Screen.HomeView(), bench.snapshot().screen());
     }
 
     @Test
@@ -99,7 +99,7 @@ class HandsetUssdTest {
         bench.tap(PhoneKey.END);
 
         assertEquals(List.of("end ussd"), bench.station.asked);
-        assertEquals(new Screen.Home(), bench.snapshot().screen());
+        assertEquals(new Screen.HomeView(), bench.snapshot().screen());
     }
 
     @Test

@@ -145,7 +145,7 @@ class KeyboardTest {
         assertEquals("", bench.bench.snapshot().typed());
         strike(KeyStroke.getKeyStroke(KeyEvent.VK_F2, 0, false), null, 0);
         strike(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, false), null, 0);
-        assertEquals(new Screen.Home(), bench.bench.snapshot().screen());
+        assertEquals(new Screen.HomeView(), bench.bench.snapshot().screen());
     }
 
     @Test

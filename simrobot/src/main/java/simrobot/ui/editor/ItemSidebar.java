@@ -167,7 +167,7 @@ final class ItemSidebar extends JPanel {
                 shown = null;
                 floor.fireChanged();
             }
-        } catch (ItemFields.Refusal refusal) {
+        } catch (ItemFields.FieldRefusal refusal) {
             problem.show(texts.of(
                     "editor.field.refused", texts.of("editor.field." + refusal.field()), refusal.getMessage()));
         }

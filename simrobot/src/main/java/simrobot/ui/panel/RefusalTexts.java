@@ -39,7 +39,7 @@ public final class RefusalTexts {
     }
 
     /** @param name of the robot that was not added */
-    public String notAdded(String name, String number, Fleet.Refusal refusal) {
+    public String notAdded(String name, String number, Fleet.RobotRefusal refusal) {
         return switch (refusal.reason()) {
             case NUMBER_TAKEN -> texts.of("refused.number.taken", number);
             case NAME_TAKEN -> texts.of("refused.name.taken", name);
