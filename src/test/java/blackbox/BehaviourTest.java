@@ -169,7 +169,7 @@ class BehaviourTest {
     }
 
     @Test
-    void whatNeedsSomebodyAtTheOtherEndIsRefusedBesideARun() throws Exception {
+    void optionsThatNeedAPeerAreRefusedBesideARun() throws Exception {
         for (String option : new String[] {"--p2os=0", "--http=0", "--pioneer=127.0.0.1:8101"}) {
             FinishedProgram refused = FinishedProgram.run("simrobot", "--run", "1", option);
             assertEquals(2, refused.status(), refused.error());

@@ -95,7 +95,7 @@ class CallEdgesTest {
     }
 
     @Test
-    void powerOffDuringAnOrderIsToldByTwoAndThenTheCallIsCleared() {
+    void powerOffDuringAnOrderIsReportedByTwoAndThenTheCallIsCleared() {
         VirtualPhone phone = suite.inCall();
         phone.press("** #**100 **");
         suite.seconds(1);

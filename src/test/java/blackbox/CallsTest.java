@@ -32,7 +32,7 @@ class CallsTest {
     }
 
     @Test
-    void aNumberThatNobodyHasIsUnassigned() {
+    void aNumberWithoutASubscriberIsUnassigned() {
         alice.say("dial 999");
         ConsoleEvent released = alice.expectBefore(Set.of("alerting", "connected"), "released");
         assertEquals("1", released.field("cause"));

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 /** Spoilt traffic does a running centre no harm. */
 class FuzzTest {
     @Test
-    void aCentreThatWasToldNonsenseServesAPhoneAsBefore() throws Exception {
+    void aCentreThatReceivedNonsenseServesAPhoneAsBefore() throws Exception {
         try (Scenario scenario = new Scenario("spoilt dialogues")) {
             RunningProgram center = scenario.center("--log-level", "off");
             FinishedProgram fuzz = FinishedProgram.run(

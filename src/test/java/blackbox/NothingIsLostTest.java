@@ -56,7 +56,7 @@ class NothingIsLostTest {
     }
 
     @Test
-    void whateverAnApplicationWasToldIsStoredIsShownOnceThoughTheCentreIsKilledUnderLoad() throws Exception {
+    void everyMessageAcknowledgedToAnApplicationIsShownOnceThoughTheCentreIsKilledUnderLoad() throws Exception {
         try (Scenario scenario = new Scenario("the centre is killed under an application's load")) {
             RunningProgram center = scenario.center("--smpp", "0");
             RunningProgram bob = scenario.phone("5550101");

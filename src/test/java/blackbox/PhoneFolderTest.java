@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 /** What a phone keeps in its {@code --data} folder is there after any end of the program, and one phone keeps it. */
 class PhoneFolderTest {
     @Test
-    void whatThePhoneHasToldIsKeptWhenItIsKilled() throws Exception {
+    void whatThePhoneHasReportedIsKeptWhenItIsKilled() throws Exception {
         try (Scenario scenario = new Scenario("a phone that keeps its messages is killed")) {
             scenario.center();
             String folder = scenario.folder().resolve("phones").toString();

@@ -255,7 +255,7 @@ class RealModemTest {
     }
 
     @Test
-    void aCallerWhoHangsUpWhileItRingsIsReleased() {
+    void aHangUpWhileItRingsReleasesTheCall() {
         scene.ready();
         modem.call(RealModemScene.CALLER);
         scene.seconds(1);
@@ -295,7 +295,7 @@ class RealModemTest {
     }
 
     @Test
-    void aSecondCallerIsToldThatTheUserIsBusy() {
+    void aSecondCallIsRefusedAsBusy() {
         scene.ready().inCall();
         modem.secondCall("5550101");
         scene.seconds(1);

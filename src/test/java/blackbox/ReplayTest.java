@@ -28,7 +28,7 @@ class ReplayTest {
     }
 
     @Test
-    void aCallWithOrdersACollisionAndAProcessIsToldAgainWordForWord() throws Exception {
+    void aCallWithOrdersACollisionAndAProcessIsReplayedWordForWord() throws Exception {
         Path file = folder.resolve("session.rec");
         List<ConsoleEvent> poses = new ArrayList<>();
         try (Scenario scenario = new Scenario("a recorded session")) {

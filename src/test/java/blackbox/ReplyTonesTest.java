@@ -111,7 +111,7 @@ class ReplyTonesTest {
     }
 
     @Test
-    void aCallerWhoIsNoOperatorIsDenied() throws Exception {
+    void aCallerThatIsNoOperatorIsDenied() throws Exception {
         try (Scenario scenario = scenario("tone 2")) {
             scenario.center();
             RunningProgram robot = scenario.robot("empty.map", "--operators", "5550101,5550102");

@@ -34,7 +34,7 @@ class RingingTest {
     }
 
     @Test
-    void aCallerWhoHangsUpWhileItRingsIsReleasedWithoutACall() {
+    void aHangUpWhileItRingsIsReleasedWithoutACall() {
         VirtualSuite suite = new VirtualSuite(1500);
         VirtualPhone phone = calling(suite);
         suite.seconds(1);
@@ -79,7 +79,7 @@ class RingingTest {
     }
 
     @Test
-    void theProgramRingsOneAndAHalfSecondsUnlessTold() throws Exception {
+    void theProgramRingsOneAndAHalfSecondsByDefault() throws Exception {
         try (Scenario scenario = new Scenario("ringing")) {
             scenario.center();
             RunningProgram robot = scenario.start(

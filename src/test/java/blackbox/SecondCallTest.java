@@ -78,7 +78,7 @@ public class SecondCallTest {
     }
 
     @Test
-    void aCallIsForwardedWhenNobodyIsThere() throws Exception {
+    void aCallIsForwardedWhenTheSubscriberIsDetached() throws Exception {
         try (Scenario scenario = new Scenario("a forwarded call")) {
             scenario.center();
             RunningProgram phone = scenario.phone(Scenario.PHONE);

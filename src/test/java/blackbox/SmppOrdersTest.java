@@ -14,7 +14,7 @@ class SmppOrdersTest {
     private static final String SERVICE = "5550300";
 
     @Test
-    void anApplicationDrivesTheRobotAndIsToldHowItWent() throws Exception {
+    void anApplicationDrivesTheRobotAndGetsTheOutcome() throws Exception {
         try (Scenario scenario = new Scenario("an application drives the robot by SMPP")) {
             RunningProgram center = scenario.center("--smpp", "0");
             RunningProgram robot = scenario.robot("empty.map", "--speed", "20");

@@ -59,7 +59,7 @@ public class UssdTest {
     }
 
     @Test
-    void aSubscriberIsToldItsOwnNumber() {
+    void aSubscriberGetsItsOwnNumber() {
         alice.say("ussd *100#").expect("ussd", "text", Scenario.PHONE);
         bob.say("ussd *100#").expect("ussd", "text", "5550101");
     }
@@ -103,7 +103,7 @@ public class UssdTest {
     }
 
     @Test
-    void aNumberThatNobodyHasIsAbsent() {
+    void anUnassignedNumberIsAbsent() {
         String text = alice.say("ussd *200*5559999#").expect("ussd").field("text");
         assertTrue(text.startsWith("5559999 is not registered"), text);
     }

@@ -225,7 +225,7 @@ class AtClientsTest {
     }
 
     @Test
-    void wvdialIsToldNoCarrier() throws Exception {
+    void wvdialGetsNoCarrier() throws Exception {
         Peer.WVDIAL.require();
         try {
             begin("wvdial");

@@ -36,7 +36,7 @@ class VeriCommandCallTest {
     }
 
     @Test
-    void aCallerWhoIsNoOperatorIsDeniedInEveryStatus() {
+    void aCallerThatIsNoOperatorIsDeniedInEveryStatus() {
         VeriCommandSettings settings = Bench.settings(VeriCommandSettings.OnHangup.STOP, "5550101", "5550102");
         for (RobotStatus status : RobotStatus.values()) {
             assertEquals(ReplyTone.CONNECTION_DENIED, settings.admission("5550100", status));

@@ -178,7 +178,7 @@ class VeriCommandMessageTest {
     }
 
     @Test
-    void aSenderWhoMayNotCommandIsNotAnsweredAndNothingMoves() {
+    void aSenderThatIsNoOperatorGetsNoAnswerAndNothingMoves() {
         Bench bench = Bench.with(Bench.settings(VeriCommandSettings.OnHangup.STOP, "5550100"));
         bench.sms("** #**20 **");
         bench.sms("nonsense");

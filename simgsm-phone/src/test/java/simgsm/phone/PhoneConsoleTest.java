@@ -124,7 +124,7 @@ class PhoneConsoleTest {
     }
 
     @Test
-    void registrationIsToldWithTheNetworksCauseIfThereIsOne() {
+    void registrationIsReportedWithTheNetworksCauseIfThereIsOne() {
         handset.accept(new StationEvent.StationRegistered(new Msisdn("5550100")));
         handset.accept(new StationEvent.StationUnregistered(Optional.empty()));
         handset.accept(new StationEvent.StationUnregistered(Optional.of(RejectCause.ILLEGAL_MS)));
@@ -153,7 +153,7 @@ class PhoneConsoleTest {
         "7, not a valid command",
         "8, not possible in this status"
     })
-    void aToneIsToldWithItsMeaning(char key, String meaning) {
+    void aToneIsReportedWithItsMeaning(char key, String meaning) {
         printer.accept(new HandsetEvent.ToneHeard(DtmfKey.of(key)));
         String quoted = meaning.contains(" ") ? "\"" + meaning + "\"" : meaning;
         assertEquals(List.of("tone key=" + key + " meaning=" + quoted), lines());
@@ -173,7 +173,7 @@ class PhoneConsoleTest {
     }
 
     @Test
-    void everyCauseIsToldByNumberAndName() {
+    void everyCauseIsReportedByNumberAndName() {
         printer.accept(new StationEvent.Released(Cause.USER_BUSY));
         printer.accept(new StationEvent.Released(Cause.TEMPORARY_FAILURE));
         assertEquals(
@@ -182,7 +182,7 @@ class PhoneConsoleTest {
     }
 
     @Test
-    void shortMessagesAreToldFieldByField() {
+    void shortMessagesAreReportedFieldByField() {
         printer.accept(new StationEvent.MessageSent(7, ROBOT, 2));
         printer.accept(new StationEvent.MessageFailed(7, ROBOT, RpCause.UNASSIGNED_NUMBER));
         printer.accept(new StationEvent.MessageDelivered(256 + 7, ROBOT));
@@ -229,7 +229,7 @@ class PhoneConsoleTest {
     }
 
     @Test
-    void aMessageThatIsGivenUpIsToldWithItsStatus() throws Exception {
+    void aMessageThatIsGivenUpIsReportedWithItsStatus() throws Exception {
         after("sms 5550200 hello");
         handset.accept(new StationEvent.MessageSent(0, ROBOT, 1));
         handset.accept(new StationEvent.MessageUndelivered(0, ROBOT, 0x46));

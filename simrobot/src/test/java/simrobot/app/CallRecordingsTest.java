@@ -18,7 +18,7 @@ class CallRecordingsTest {
     Path folder;
 
     @Test
-    void aRobotAloneIsRecordedInTheFileThatWasNamedAndWhoComesLaterBesideIt() throws Exception {
+    void aSingleRobotIsRecordedInTheNamedFileAndLaterRobotsBesideIt() throws Exception {
         CallRecordings recordings = new CallRecordings(Optional.of(folder.resolve("calls.wav")), true);
         recordings.of("robot").close();
         recordings.of("anna").close();

@@ -188,7 +188,7 @@ class RobotControlTest {
     }
 
     @Test
-    void aMessagesOrderUnderWayIsToldToTheModemOfACallThatBegins() {
+    void anOrderUnderWayBySmsIsReportedToTheModemOfACallThatBegins() {
         bench.control.message("5550101", "** #**70 **");
         bench.log.clear();
         bench.control.callBegan(1, "5550100");

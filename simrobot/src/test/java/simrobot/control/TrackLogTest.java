@@ -35,7 +35,7 @@ class TrackLogTest {
     }
 
     @Test
-    void aWayIsToldTenTimesASecondFromItsBeginningToItsEnd() {
+    void aWayIsReportedTenTimesASecondFromItsBeginningToItsEnd() {
         simulation.run(500);
         robot.start(new Instruction.Forward(50), ended -> {});
         simulation.run(500);

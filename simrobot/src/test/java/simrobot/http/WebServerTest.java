@@ -191,7 +191,7 @@ class WebServerTest {
 
     @ParameterizedTest
     @CsvSource({"POST, /", "PUT, /robots", "DELETE, /robots/ann", "OPTIONS, /robots", "POST, /robots/ann/camera.mjpg"})
-    void whoWantsMoreThanToReadIsToldWhatIsAllowed(String method, String path) throws Exception {
+    void aMethodOtherThanReadingIsRefusedWithTheAllowedOnes(String method, String path) throws Exception {
         HttpURLConnection answer = ask(method, path);
         assertEquals(405, answer.getResponseCode());
         assertEquals("GET, HEAD", answer.getHeaderField("Allow"));
@@ -308,7 +308,7 @@ class WebServerTest {
     }
 
     @Test
-    void thoseWhoReadNothingDoNotHoldUpOthersAndTheirNumberIsLimited() throws Exception {
+    void clientsThatReadNothingDelayNoOthersAndTheirNumberIsLimited() throws Exception {
         List<Watcher> watchers = new ArrayList<>();
         try {
             for (int i = 0; i < CameraStreams.MOST; i++) {

@@ -28,7 +28,7 @@ class P2osCommandCodecTest {
 
     @ParameterizedTest
     @CsvSource({"10, 10", "-10, 5", "5, -10", "-1, -1", "127, -128"})
-    void twoWheelsShareANumberWhoeverWritesIt(int left, int right) {
+    void twoWheelsShareANumberInEitherByteOrder(int left, int right) {
         int word = (left & 0xFF) << 8 | right & 0xFF;
         P2osCommand expected = new P2osCommand.WheelVelocities(left, right);
         assertEquals(expected, decoded(P2osCommandCodec.packet(P2osCommandNumber.VEL2, word)));

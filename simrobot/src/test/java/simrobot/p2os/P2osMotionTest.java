@@ -54,7 +54,7 @@ class P2osMotionTest {
     }
 
     @Test
-    void theTargetHeadingIsToldAndTurnsFromItAddUp() {
+    void theTargetHeadingIsReportedAndTurnsFromItAddUp() {
         SessionBench bench = SessionBench.opened();
         bench.say(P2osCommandNumber.HEAD, 30).say(P2osCommandNumber.DCHEAD, 15).seconds(0.1);
         assertEquals(512, bench.sip().target());
@@ -63,7 +63,7 @@ class P2osMotionTest {
     }
 
     @Test
-    void velocityIsReachedWithTheSetAccelerationAndTold() {
+    void velocityIsReachedWithTheSetAccelerationAndReported() {
         SessionBench bench = SessionBench.openedOnBareFloor();
         bench.say(P2osCommandNumber.SETA, 100).say(P2osCommandNumber.VEL, 200).seconds(1);
         assertEquals(0.1, bench.robot.speedMetersPerSecond(), 1e-9);
@@ -95,7 +95,7 @@ class P2osMotionTest {
     }
 
     @Test
-    void turningIsToldByTheWheelsToo() {
+    void turningIsReportedByTheWheelsToo() {
         SessionBench bench = SessionBench.opened();
         bench.say(P2osCommandNumber.RVEL, 30).seconds(2);
         Sip sip = bench.sip();
@@ -269,7 +269,7 @@ class P2osMotionTest {
     // ---- with the telephone ----------------------------------------------------------------------------------------
 
     @Test
-    void anOrderByTelephoneIsToldAsMotionAndCannotBeTurnedAside() {
+    void anOrderByTelephoneIsReportedAsMotionAndCannotBeTurnedAside() {
         SessionBench bench = SessionBench.opened();
         List<MotionOutcome> outcomes = new ArrayList<>();
         bench.robot.start(new Instruction.Forward(50), outcomes::add);

@@ -47,7 +47,7 @@ class P2osSessionTest {
     }
 
     @Test
-    void nothingIsToldBeforeTheSessionIsOpen() {
+    void nothingIsSentBeforeTheSessionIsOpen() {
         SessionBench bench = new SessionBench();
         bench.say(0).say(1).say(2).heard.clear();
         bench.say(P2osCommandNumber.VEL, 200).say(P2osCommandNumber.CONFIG).seconds(1);
@@ -175,7 +175,7 @@ class P2osSessionTest {
     }
 
     @Test
-    void encodersAreToldOnceOrAlwaysOrNot() {
+    void encodersAreSentOnceOrAlwaysOrNot() {
         SessionBench bench = SessionBench.opened();
         bench.say(P2osCommandNumber.ENCODER, 1).seconds(0.5);
         assertEquals(1, bench.packets(0x90).size());

@@ -81,7 +81,7 @@ class RealPioneerTest {
     }
 
     @Test
-    void aRobotThatStillTalksToSomebodyElseIsToldGoodbyeAndAskedAgain() {
+    void aRobotWithAnOpenSessionIsClosedAndAskedAgain() {
         Peer peer = new Peer();
         peer.robot.connected(peer.nanos);
         peer.say(Peer.standing());

@@ -122,7 +122,7 @@ class RealProcessesTest {
     }
 
     @Test
-    void aLostLineEndsTheProcessAndTheRobotIsToldToStopWhenItIsBack() {
+    void aLostLineEndsTheProcessAndTheRobotGetsStopWhenItIsBack() {
         LineBench bench = wandering();
         bench.seconds(2).cutLine();
         assertFalse(bench.robot.isAutonomous());
@@ -147,7 +147,7 @@ class RealProcessesTest {
     }
 
     @Test
-    void withoutInformationForHalfASecondTheRobotIsToldToStop() {
+    void withoutInformationForHalfASecondTheRobotGetsStop() {
         LineBench bench = LineBench.connected(ROOM);
         bench.robot.autonomy().begin(steering(0.2, 0.5));
         bench.seconds(1);

@@ -129,7 +129,7 @@ class RobotKindsTest {
     }
 
     @Test
-    void aRobotThatFallsSilentWhileDrivenIsToldToStopAndGoesOnWhenItIsHeardAgain() {
+    void aRobotThatFallsSilentWhileDrivenGetsStopAndGoesOnWithTheNextPacket() {
         FakePioneer fake = fake("p3dx", Manner.PROMPT);
         double start = fake.x;
         fake.robot.start(new Instruction.Forward(200), fake.outcomes::add);

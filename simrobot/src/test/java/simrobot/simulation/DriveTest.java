@@ -176,7 +176,7 @@ class DriveTest {
     }
 
     @Test
-    void whoHasCollidedDoesNotPushOnHoweverOftenItIsTold() {
+    void aCollidedRobotDoesNotPushOnHoweverOftenItIsOrdered() {
         Bench bench = Bench.withWalls(WALL_AHEAD);
         bench.robot.drive().move(3);
         bench.seconds(10);

@@ -186,7 +186,7 @@ class DrivingTest {
     }
 
     @Test
-    void theNextMotionMayStartWhileTheLastOneIsTold() {
+    void theNextMotionMayStartWhileTheLastOneIsReported() {
         Bench bench = Bench.onBareFloor();
         bench.robot.start(new Instruction.Forward(10), first -> bench.turn(90));
         bench.untilEnded();

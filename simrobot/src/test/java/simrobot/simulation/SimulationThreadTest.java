@@ -57,7 +57,7 @@ class SimulationThreadTest {
     }
 
     @Test
-    void aMotionEndsWithoutAnybodyStepping() throws Exception {
+    void aMotionEndsWithoutSteppingByHand() throws Exception {
         thread.setSpeed(SimulationThread.AS_FAST_AS_IT_CAN);
         CompletableFuture<MotionOutcome> ended = new CompletableFuture<>();
         thread.post(() -> robot.start(new Instruction.Forward(1000), ended::complete));
@@ -105,7 +105,7 @@ class SimulationThreadTest {
     }
 
     @Test
-    void aFaultThatEndsTheSimulationIsToldAndClosingIsStillFine() throws Exception {
+    void aFaultThatEndsTheSimulationIsReportedAndClosingIsStillFine() throws Exception {
         CompletableFuture<Throwable> told = new CompletableFuture<>();
         thread.onFailure(told::complete);
         thread.post(() -> {
@@ -126,7 +126,7 @@ class SimulationThreadTest {
     }
 
     @Test
-    void aStepThatFailsEndsTheSimulationAtOnceAndIsToldOnce() throws Exception {
+    void aStepThatFailsEndsTheSimulationAtOnceAndIsReportedOnce() throws Exception {
         Queue<Throwable> told = new ConcurrentLinkedQueue<>();
         CountDownLatch ended = new CountDownLatch(1);
         thread.onFailure(fault -> {

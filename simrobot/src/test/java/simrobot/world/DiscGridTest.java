@@ -62,7 +62,7 @@ class DiscGridTest {
     }
 
     @Test
-    void crowdedIsWhoHasAnotherNearerThanSoMuch() {
+    void aRobotIsCrowdedWithAnotherNearerThanTheDistance() {
         put(0, 1, 1);
         put(1, 1.6, 1);
         assertEquals(true, grid.isCrowded(-1, 1.2, 1, 0.5));

@@ -32,7 +32,7 @@ class DataDirectoryTest {
     }
 
     @Test
-    void aSecondHolderIsToldWhichDirectoryIsHeld() throws IOException {
+    void theErrorOfASecondHolderNamesTheDirectory() throws IOException {
         try (DataDirectory held = DataDirectory.take(temporary)) {
             IOException failure = assertThrows(IOException.class, () -> DataDirectory.take(temporary));
             assertTrue(failure.getMessage().contains(held.path().toString()), failure.getMessage());
@@ -40,14 +40,14 @@ class DataDirectoryTest {
     }
 
     @Test
-    void aPathThatIsAFileIsNamedAndTheReasonTold() throws IOException {
+    void aPathThatIsAFileIsNamedWithTheReason() throws IOException {
         Path file = Files.createFile(temporary.resolve("file"));
         IOException failure = assertThrows(IOException.class, () -> DataDirectory.take(file));
         assertEquals("cannot make the data directory " + file + ": there is a file of that name", failure.getMessage());
     }
 
     @Test
-    void aLockFileThatCannotBeOpenedIsNamedAndTheReasonTold() throws IOException {
+    void aLockFileThatCannotBeOpenedIsNamedWithTheReason() throws IOException {
         Path file = Files.createDirectory(temporary.resolve("lock"));
         IOException failure = assertThrows(IOException.class, () -> DataDirectory.take(temporary));
         assertEquals(

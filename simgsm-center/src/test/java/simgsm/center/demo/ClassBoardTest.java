@@ -51,7 +51,7 @@ class ClassBoardTest {
     }
 
     @Test
-    void whoHasPlayedStandsBeforeWhoIsAbsent() {
+    void resultsWithKeysStandBeforeAbsentStudents() {
         board.start(0);
         event(1, "keys robot=b keys=5");
         event(2, "status robot=b value=Collision");

@@ -120,7 +120,7 @@ class JournalTest {
     }
 
     @Test
-    void aMessageIsKeptUntilItsSenderHasBeenTold() throws IOException {
+    void aMessageIsKeptUntilItsReportIsDelivered() throws IOException {
         Journal journal = Journal.open(disk);
         journal.commit(List.of(accepted(1), ended(1, true)));
         StoredState restored = reopened();

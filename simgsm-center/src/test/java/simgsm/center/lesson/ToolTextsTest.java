@@ -22,14 +22,14 @@ class ToolTextsTest {
     }
 
     @Test
-    void heardKeysAreToldWithTheirFileInTheStudentsLanguage() {
+    void heardKeysAreReportedWithTheirFileInTheStudentsLanguage() {
         assertEquals("noisy.wav: 3 keys heard: 12#", ToolTexts.of(decode("/tmp/a/noisy.wav", "12#"), english));
         assertEquals("far.wav: se oyen 3 teclas: 12#", ToolTexts.of(decode("far.wav", "12#"), spanish));
         assertEquals("far.wav: no se oye ninguna tecla", ToolTexts.of(decode("far.wav", ""), spanish));
     }
 
     @Test
-    void aComplaintIsToldWithoutTheProgramsNameAndOutput() {
+    void aToolsErrorIsReportedWithoutItsNameAndOutput() {
         Event failed = Event.of("decode")
                 .with("status", 1)
                 .with("output", "simgsm-modem: notes.txt: no audio that can be read\nnotes.txt\t\t");
@@ -37,13 +37,13 @@ class ToolTextsTest {
     }
 
     @Test
-    void aStudentsCompilerIsToldWhole() {
+    void aCompilersErrorIsReportedWhole() {
         Event failed = Event.of("java").with("status", 1).with("output", "Forge.java:3: error\nint x");
         assertEquals("java: Forge.java:3: error\nint x", ToolTexts.of(failed, spanish));
     }
 
     @Test
-    void aDriveIsToldInItsFigures() {
+    void aDriveIsReportedInFigures() {
         Event drive = Event.of("drive")
                 .with("status", 0)
                 .with("output", "")

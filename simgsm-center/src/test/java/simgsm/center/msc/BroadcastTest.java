@@ -21,7 +21,7 @@ import simgsm.sms.CellBroadcastPage;
 /** Cell broadcast from the exchange to all attached subscribers. */
 class BroadcastTest extends MessageStage {
     @Test
-    void aBroadcastReachesAllWhoAreAttachedAndNobodyElse() throws ProtocolViolation {
+    void aBroadcastReachesAttachedSubscribersOnly() throws ProtocolViolation {
         assertEquals(
                 1,
                 network.exchange
@@ -52,7 +52,7 @@ class BroadcastTest extends MessageStage {
     }
 
     @Test
-    void twoBroadcastsAreToldApartByTheirSerials() throws ProtocolViolation {
+    void twoBroadcastsDifferByTheirSerials() throws ProtocolViolation {
         TestMobile mobile = network.attach("5550100");
         network.exchange.broadcast(network.nowNanos, BroadcastOrder.once(50, "same"));
         network.exchange.broadcast(network.nowNanos, BroadcastOrder.once(50, "same"));

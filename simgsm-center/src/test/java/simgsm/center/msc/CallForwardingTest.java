@@ -98,7 +98,7 @@ class CallForwardingTest extends ThreePhones {
     }
 
     @Test
-    void aCallerWhoHangsUpBeforeTheForwardingEndsIt() {
+    void aHangUpBeforeTheForwardingEndsIt() {
         bob.code("**61*5550102#");
         alice.dial(BOB);
         alice.station.hangUp();
@@ -119,7 +119,7 @@ class CallForwardingTest extends ThreePhones {
     }
 
     @Test
-    void aNumberThatNobodyHasRefusesTheCall() {
+    void anUnassignedNumberRefusesTheCall() {
         bob.code("**21*5559999#");
         alice.dial(BOB);
         assertEquals(List.of("released 1"), alice.news());

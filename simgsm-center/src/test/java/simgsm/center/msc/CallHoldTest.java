@@ -35,7 +35,7 @@ class CallHoldTest extends ThreePhones {
     }
 
     @Test
-    void whoIsHeldIsToldSoUntilTheCallIsTakenBack() {
+    void aHeldMobileIsNotifiedUntilTheCallIsTakenBack() {
         aliceTalksWithBob();
         hold(bob);
         assertTrue(alice.isOnHold);
@@ -45,7 +45,7 @@ class CallHoldTest extends ThreePhones {
     }
 
     @Test
-    void whoHoldsTheCallTooIsToldOfTheOthersHoldWhenItIsTakenBack() {
+    void aMobileThatHoldsTooIsNotifiedOfTheOthersHoldWhenTheCallIsTakenBack() {
         aliceTalksWithBob();
         hold(bob);
         hold(alice);

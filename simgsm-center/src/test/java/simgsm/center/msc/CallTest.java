@@ -176,7 +176,7 @@ class CallTest {
     }
 
     @Test
-    void aSubscriberWhoIsInACallIsBusyCause17() {
+    void aSubscriberInACallIsBusyCause17() {
         network.activeCall("5550100", "5550200");
         TestMobile third = network.attach("5550101");
         third.dial("5550200");
@@ -185,7 +185,7 @@ class CallTest {
     }
 
     @Test
-    void aSubscriberWhoIsBeingRungIsBusyToo() {
+    void aRingingSubscriberIsBusyToo() {
         TestMobile first = network.attach("5550100");
         TestMobile second = network.attach("5550101");
         TestMobile called = network.attach("5550200");
@@ -201,7 +201,7 @@ class CallTest {
     }
 
     @Test
-    void whoCallsHimselfIsBusyCause17() {
+    void aCallToTheOwnNumberIsBusyCause17() {
         TestMobile caller = network.attach("5550100");
         caller.dial("5550100");
         caller.next(CallControl.CallProceeding.class);
@@ -234,7 +234,7 @@ class CallTest {
     }
 
     @Test
-    void aSubscriberWhoIsDetachedIsAbsentCause27() {
+    void aDetachedSubscriberIsAbsentCause27() {
         network.attach("5550200").vanish();
         TestMobile caller = network.attach("5550100");
         caller.dial("5550200");
@@ -243,7 +243,7 @@ class CallTest {
     }
 
     @Test
-    void aSubscriberWhoDoesNotAnswerPagingIsAbsentCause27() {
+    void aPagingWithoutAnswerIsAbsentCause27() {
         TestMobile caller = network.attach("5550100");
         TestMobile called = network.attach("5550200");
         caller.dial("5550200");
@@ -347,7 +347,7 @@ class CallTest {
     }
 
     @Test
-    void aCallThatNobodyAnswersEndsAfterThreeMinutesCause19() {
+    void aCallWithoutAnAnswerEndsAfterThreeMinutesCause19() {
         TestMobile caller = network.attach("5550100");
         TestMobile called = network.attach("5550200");
         caller.dial("5550200");
@@ -362,7 +362,7 @@ class CallTest {
     }
 
     @Test
-    void aCallerWhoNeverAcknowledgesConnectIsCleared() {
+    void aCallWithoutConnectAcknowledgeIsCleared() {
         TestMobile caller = network.attach("5550100");
         TestMobile called = network.attach("5550200");
         caller.dial("5550200");
@@ -419,7 +419,7 @@ class CallTest {
     }
 
     @Test
-    void aCallerWhoHangsUpWhileTheOtherIsPagedStopsThePaging() {
+    void aHangUpWhileTheOtherIsPagedStopsThePaging() {
         TestMobile caller = network.attach("5550100");
         TestMobile called = network.attach("5550200");
         caller.dial("5550200");
@@ -446,7 +446,7 @@ class CallTest {
     }
 
     @Test
-    void aCalledPartyWhoVanishesWhileRingingIsOutOfOrderCause27() {
+    void aCalledMobileThatVanishesWhileRingingIsOutOfOrderCause27() {
         TestMobile caller = network.attach("5550100");
         TestMobile called = network.attach("5550200");
         caller.dial("5550200");
@@ -540,7 +540,7 @@ class CallTest {
     }
 
     @Test
-    void twoWhoCallEachOtherAtTheSameMomentAreNotStuck() {
+    void twoSubscribersThatCallEachOtherAtOnceAreNotStuck() {
         TestMobile one = network.attach("5550100");
         TestMobile other = network.attach("5550200");
         one.dial("5550200");

@@ -97,7 +97,7 @@ class CallWaitingTest extends ThreePhones {
     }
 
     @Test
-    void whoWaitsIsToldWhenTheMobileIsGone() {
+    void aWaitingRequestEndsWhenTheMobileIsGone() {
         aliceTalksWithBob();
         carol.dial(BOB);
         carol.news();

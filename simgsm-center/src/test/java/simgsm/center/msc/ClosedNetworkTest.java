@@ -93,7 +93,7 @@ class ClosedNetworkTest {
     }
 
     @Test
-    void thePictureOfTheNetworkSaysWhoIsBarred() {
+    void theSnapshotMarksBarredSubscribers() {
         attach(ANA);
         assertEquals(
                 List.of("5550100 true false", "5550101 false false", "5550102 false true"),
@@ -238,7 +238,7 @@ class ClosedNetworkTest {
     }
 
     @Test
-    void aTemporaryIdentityOfSomebodyElseLeadsToTheRealCard() {
+    void aTemporaryIdentityOfAnotherSubscriberLeadsToTheRealCard() {
         Tmsi anas = (Tmsi) attach(ANA).temporaryIdentity.orElseThrow();
         TestMobile eva = connect();
         eva.requestUpdate(anas);
@@ -317,7 +317,7 @@ class ClosedNetworkTest {
     }
 
     @Test
-    void whoeverFailsToProveHimselfForAServiceIsDetached() {
+    void aFailedAuthenticationForAServiceDetaches() {
         TestMobile mobile = attach(ANA);
         requestService(mobile, MobilityManagement.NO_KEY);
         mobile.prove(EVA);
@@ -380,7 +380,7 @@ class ClosedNetworkTest {
     }
 
     @Test
-    void aCallToNobodysOrABarredNumberIsCause1AndToAnAbsentOne27() {
+    void aCallToAnUnassignedOrBarredNumberIsCause1AndToAnAbsentOne27() {
         assertEquals(Optional.of(Cause.UNASSIGNED_NUMBER), releaseCauseOfCallTo(attach(ANA), "5559999"));
         network.everybodyVanishes();
         assertEquals(Optional.of(Cause.UNASSIGNED_NUMBER), releaseCauseOfCallTo(attach(ANA), "5550102"));
@@ -411,7 +411,7 @@ class ClosedNetworkTest {
     }
 
     @Test
-    void aMessageToNobodysOrABarredNumberIsRefusedWithRpCause1() {
+    void aMessageToAnUnassignedOrBarredNumberIsRefusedWithRpCause1() {
         TestMobile sender = attach(ANA);
         assertEquals(new RelayMessage.RpError(1, RpCause.UNASSIGNED_NUMBER), answerToMessage(sender, 1, "5559999"));
         assertEquals(new RelayMessage.RpError(2, RpCause.UNASSIGNED_NUMBER), answerToMessage(sender, 2, "5550102"));

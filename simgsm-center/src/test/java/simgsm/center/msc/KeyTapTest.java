@@ -35,7 +35,7 @@ class KeyTapTest {
     }
 
     @Test
-    void nothingIsHeardWhileNobodyWatches() {
+    void nothingIsDecodedWithoutAWatcher() {
         ActiveCall call = network.activeCall("5550100", "5550200");
 
         play(call.caller(), "1", SpeechCodec.Kind.A_LAW);

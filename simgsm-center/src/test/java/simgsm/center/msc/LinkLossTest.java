@@ -58,7 +58,7 @@ class LinkLossTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9})
-    void aCallerWhoVanishesLeavesNothingBehind(int step) {
+    void aVanishedCallerLeavesNothingBehind(int step) {
         playTo(step);
         caller.vanish();
         assertTrue(network.exchange.calls().isEmpty());
@@ -67,7 +67,7 @@ class LinkLossTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9})
-    void aCalledPartyWhoVanishesLeavesNothingBehind(int step) {
+    void aVanishedCalledPartyLeavesNothingBehind(int step) {
         playTo(step);
         called.vanish();
         assertTrue(network.exchange.calls().isEmpty());
@@ -76,7 +76,7 @@ class LinkLossTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9})
-    void twoWhoFallSilentLeaveNothingBehind(int step) {
+    void twoSilentMobilesLeaveNothingBehind(int step) {
         playTo(step);
         caller.answersPings = false;
         called.answersPings = false;

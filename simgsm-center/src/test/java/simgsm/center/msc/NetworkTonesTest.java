@@ -84,7 +84,7 @@ class NetworkTonesTest {
     }
 
     @Test
-    void theNetworkReleasesWhoListensForThirtySeconds() {
+    void theNetworkReleasesAListeningCallerAfterThirtySeconds() {
         TestMobile caller = network.attach("5550100");
         caller.dial("5550999");
         caller.next(CallControl.CallProceeding.class);
@@ -129,7 +129,7 @@ class NetworkTonesTest {
     }
 
     @Test
-    void aCallerWhoVanishesIsPlayedNothingMore() {
+    void noToneIsPlayedToAVanishedCaller() {
         TestMobile caller = network.attach("5550100");
         caller.dial("5550999");
         caller.vanish();

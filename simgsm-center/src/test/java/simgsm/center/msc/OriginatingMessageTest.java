@@ -85,7 +85,7 @@ class OriginatingMessageTest extends MessageStage {
     }
 
     @Test
-    void aSenderWhoVanishesBeforeTheAcknowledgementHasStillSent() {
+    void aMessageIsSentThoughItsSenderVanishesBeforeTheAcknowledgement() {
         network.commitsAtOnce = false;
         TestMobile sender = network.attach("5550100");
         sender.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);

@@ -60,7 +60,7 @@ class RandomTrafficTest {
 
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
-    void norInAClosedNetworkAndNobodyComesInUnproved(long seed) {
+    void norInAClosedNetworkAndNoMobileRegistersUnproved(long seed) {
         network = new TestNetwork(
                 List.of(NUMBERS).stream().map(RandomTrafficTest::card).toList());
         misbehave(seed);

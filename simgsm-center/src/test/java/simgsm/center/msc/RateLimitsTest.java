@@ -52,7 +52,7 @@ class RateLimitsTest {
     }
 
     @Test
-    void whoeverRegistersHasSaidWhoItIs() {
+    void aRegisteredTerminalHasSentItsIdentity() {
         TestMobile mobile = network.attach("5550100");
         network.passSeconds(300);
         assertEquals(Optional.empty(), mobile.closedFor);

@@ -25,7 +25,7 @@ class RegistrationTest {
     private final TestNetwork network = new TestNetwork();
 
     @Test
-    void aTerminalIsAskedWhoItIsAsSoonAsItConnects() {
+    void aTerminalIsAskedForItsIdentityAsSoonAsItConnects() {
         TestMobile mobile = network.connect("5550100");
         mobile.next(CcmMessage.IdentityRequest.class);
         mobile.ccm(new CcmMessage.IdentityResponse("SimGSM phone", "001017500000017"));
@@ -209,7 +209,7 @@ class RegistrationTest {
     }
 
     @Test
-    void aMobileThatDoesNotSayWhoItIsLosesItsChannelAfter12Seconds() {
+    void aMobileWithoutAnIdentityLosesItsChannelAfter12Seconds() {
         TestMobile mobile = network.connect("5550100");
         mobile.received.clear();
         mobile.requestUpdate(mobile.imsi);
@@ -249,7 +249,7 @@ class RegistrationTest {
     }
 
     @Test
-    void anAnswerThatNobodyAskedForGetsMmStatus98() {
+    void anUnrequestedAnswerGetsMmStatus98() {
         TestMobile mobile = network.attach("5550100");
         mobile.requestService(MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL);
         mobile.tell(new MobilityManagement.TmsiReallocationComplete());
@@ -259,7 +259,7 @@ class RegistrationTest {
     }
 
     @Test
-    void serviceIsRefusedToWhoeverIsNotRegisteredHere() {
+    void serviceIsRefusedToAnUnregisteredMobile() {
         TestMobile stranger = network.connect("5550100");
         stranger.received.clear();
         stranger.establish(new MobilityManagement.CmServiceRequest(
@@ -271,7 +271,7 @@ class RegistrationTest {
     }
 
     @Test
-    void nobodyIsServedUnderAnothersIdentity() {
+    void noMobileIsServedUnderAnotherIdentity() {
         TestMobile victim = network.attach("5550100");
         TestMobile thief = network.attach("5550101");
         thief.establish(new MobilityManagement.CmServiceRequest(

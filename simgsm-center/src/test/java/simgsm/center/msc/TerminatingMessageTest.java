@@ -42,7 +42,7 @@ class TerminatingMessageTest extends MessageStage {
     }
 
     @Test
-    void aMessageToWhoeverIsAwayWaitsAndIsDeliveredWhenHeAppears() {
+    void aMessageToADetachedReceiverWaitsAndIsDeliveredWhenItAttaches() {
         TestMobile sender = network.attach("5550100");
         send(sender, submit("5550200", "first"));
         send(sender, submit("5550200", "second"));
@@ -173,7 +173,7 @@ class TerminatingMessageTest extends MessageStage {
     }
 
     @Test
-    void aReceiverWhoVanishesInTheMiddleGetsTheMessageWhenHeComesBack() {
+    void aReceiverThatVanishesInTheMiddleGetsTheMessageWhenItComesBack() {
         TestMobile sender = network.attach("5550100");
         TestMobile receiver = network.attach("5550200");
         send(sender, submit("5550200", "hello"));
@@ -214,7 +214,7 @@ class TerminatingMessageTest extends MessageStage {
     }
 
     @Test
-    void aReportGoesBackToASenderWhoAskedForIt() {
+    void aRequestedReportGoesBackToTheSender() {
         TestMobile sender = network.attach("5550100");
         TestMobile receiver = network.attach("5550200");
         send(sender, submit("5550200", "hello", true, Optional.empty()));

@@ -81,7 +81,7 @@ class UssdTest {
     }
 
     @Test
-    void aSubscriberIsToldItsOwnNumber() {
+    void aSubscriberGetsItsOwnNumber() {
         ask("*100#");
 
         assertEquals(result("5550100"), end());
@@ -133,7 +133,7 @@ class UssdTest {
     }
 
     @Test
-    void aRobotThatIsBusyOrVanishesIsToldAsThat() {
+    void aRobotThatIsBusyOrVanishesIsReportedAsThat() {
         TestMobile robot = network.attach("5550200");
         ask("*200*5550200#");
         robot.answerPaging();

@@ -238,7 +238,7 @@ class CenterLoopTest {
 
     /** It is read no faster than it may send, in portions; the other connections are served in between. */
     @Test
-    void aFloodDelaysNobodyElseAndIsAnsweredInFull() throws Exception {
+    void aFloodDelaysNoOtherConnectionAndIsAnsweredInFull() throws Exception {
         try (TestClient flooder = new TestClient(loop.port());
                 TestClient good = new TestClient(loop.port())) {
             int flood = 3 * TerminalConnection.LOCAL_BURST_FRAMES / 2;
@@ -275,7 +275,7 @@ class CenterLoopTest {
     }
 
     @Test
-    void silentPeersDelayNobody() throws Exception {
+    void silentPeersDelayNoOtherConnection() throws Exception {
         List<TestClient> silent = new ArrayList<>();
         try {
             for (int i = 0; i < 200; i++) {
@@ -299,7 +299,7 @@ class CenterLoopTest {
     }
 
     @Test
-    void anErrorThatNothingCanBeReliedUponAfterEndsTheLoopAndIsTold() throws Exception {
+    void anErrorOfTheVirtualMachineEndsTheLoopAndIsReported() throws Exception {
         loop.post(exchange -> {
             throw new LinkageError("on purpose");
         });

@@ -300,7 +300,7 @@ class SmppDeliveryTest extends SmppStage {
     }
 
     @Test
-    void whenAQueueIsFullTheSenderIsToldSo() {
+    void aFullQueueRefusesTheSendersMessage() {
         TestCenter.Application sender = sender();
         for (int i = 0; i < 200_000; i++) {
             sender.submit(i, message("1", SERVICE, 0, 0, new byte[] {0x41}));

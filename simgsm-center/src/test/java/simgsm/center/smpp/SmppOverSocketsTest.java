@@ -261,7 +261,7 @@ class SmppOverSocketsTest {
     }
 
     @Test
-    void anApplicationThatDoesNotReadHoldsUpNobody() throws IOException {
+    void anApplicationThatDoesNotReadDelaysNoOther() throws IOException {
         try (SmppClient deaf = transceiver();
                 SmppClient other = bound(port, SmppCommand.BIND_TRANSCEIVER, "other", "5550301")) {
             for (int i = 0; i < 500; i++) {

@@ -98,7 +98,7 @@ class SmppReceiptTest extends SmppStage {
     }
 
     @Test
-    void nobodyHearsOfTheMessagesOfOthers() {
+    void anApplicationHearsNothingOfTheMessagesOfOthers() {
         sender().submit(1, text("5550100", SERVICE, "x"));
         network.commit();
         TestCenter.Application other = network.bound(SmppCommand.BIND_TRANSMITTER, "other", "");

@@ -202,7 +202,7 @@ class MessageHistoryTest {
     }
 
     @Test
-    void everyKindOfValidityEndsTheMessageAndTheSenderIsTold() {
+    void everyKindOfValidityEndsTheMessageAndIsReportedToTheSender() {
         isThere = false;
         Timestamp inAnHour = Timestamp.of(START.plusSeconds(3_600).atOffset(java.time.ZoneOffset.UTC));
         submit("five minutes", Optional.of(new ValidityPeriod.Relative(0)));

@@ -39,7 +39,7 @@ class HistoryWordsTest {
     }
 
     @Test
-    void theCourseOfAMessageThatWaitsIsToldInOrder() {
+    void theCourseOfAMessageThatWaitsIsReportedInOrder() {
         List<String> lines = HistoryWords.lines(Scene.waiting(), texts("en"));
         assertEquals("Message 1 from 5550100 to 5550201", lines.get(0));
         assertTrue(lines.get(1).endsWith(" accepted and stored"), lines.get(1));

@@ -77,7 +77,7 @@ class MonitorPanelTest {
         "es,OPEN_TO_OTHERS,abierta a otras m\u00e1quinas",
         "es,CLOSED,red cerrada"
     })
-    void theHeaderSaysWhoMayCome(String language, NetworkAccess who, String words) {
+    void theHeaderNamesTheNetworksAccess(String language, NetworkAccess who, String words) {
         access = who;
         panel = build(language);
 
@@ -399,7 +399,7 @@ class MonitorPanelTest {
     }
 
     @Test
-    void aProgramThatDoesNotStartIsToldInWords() {
+    void aProgramThatDoesNotStartIsReportedInWords() {
         panel = new MonitorPanel(
                 texts("en"),
                 new NotingOperator() {

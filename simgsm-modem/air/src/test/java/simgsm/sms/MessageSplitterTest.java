@@ -15,7 +15,7 @@ import simgsm.octets.OctetString;
 
 class MessageSplitterTest {
     @Test
-    void helloIsPackedAsEverybodyPacksIt() {
+    void helloIsPackedAsInTheStandard() {
         assertEquals(
                 new UserData(false, DataCodingScheme.GSM_7BIT, 5, OctetString.ofHex("e8329bfd06")),
                 UserData.of("hello"));

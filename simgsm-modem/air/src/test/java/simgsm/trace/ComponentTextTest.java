@@ -53,7 +53,7 @@ class ComponentTextTest {
             a406020103810101                     | reject of invoke 3; problem unrecognized operation
             a4050500800102                       | reject of invoke unknown; problem badly structured component
             """)
-    void aComponentIsToldFieldByField(String hex, String expected) {
+    void aComponentIsReportedFieldByField(String hex, String expected) {
         List<Field> fields = new ArrayList<>();
         ComponentText.add(fields, OctetString.ofHex(hex));
         assertEquals(
@@ -62,7 +62,7 @@ class ComponentTextTest {
     }
 
     @Test
-    void whatIsWrongWithAComponentIsTold() {
+    void whatIsWrongWithAComponentIsReported() {
         List<Field> fields = new ArrayList<>();
         ComponentText.add(fields, OctetString.ofHex("ff00"));
         assertEquals(List.of(new Field("wrong", "unrecognized component: its tag is 0xff")), fields);

@@ -39,7 +39,7 @@ class MessageTextTest {
     }
 
     @Test
-    void aSetupIsToldFieldByField() {
+    void aSetupIsReportedFieldByField() {
         MessageText text = MessageText.ofLayer3(
                 OctetString.ofHex("13050401a05c0811819471000000105e0791947100000020"), Direction.DOWNLINK);
 
@@ -54,7 +54,7 @@ class MessageTextTest {
     }
 
     @Test
-    void aSupplementaryServiceIsToldWithItsOperationAndText() {
+    void aSupplementaryServiceIsReportedWithItsOperationAndText() {
         MessageText request = MessageText.ofLayer3(
                 OctetString.ofHex("0b3b1c14a11202010102013b300a04010f0405aa180c36027f0100"), Direction.UPLINK);
 
@@ -75,7 +75,7 @@ class MessageTextTest {
     }
 
     @Test
-    void whatAMobileCanDoIsToldInWords() {
+    void whatAMobileCanDoIsReportedInWords() {
         List<Field> fields = MessageText.ofLayer3(
                         OctetString.ofHex("03050406600402000581" + "5e0791947100000020"), Direction.UPLINK)
                 .fields();
@@ -92,7 +92,7 @@ class MessageTextTest {
     }
 
     @Test
-    void causesIdentitiesAndAreasAreToldInWords() {
+    void causesIdentitiesAndAreasAreReportedInWords() {
         assertEquals(
                 "[send sequence number: 0, updating type: imsi attach, key sequence: 7, old area: 262/42 area 1,"
                         + " identity: IMSI 262420000000017, classmark: phase 2, power class 4]",
@@ -147,7 +147,7 @@ class MessageTextTest {
     }
 
     @Test
-    void radioLinkMessagesAreToldByWhatTheyCarryOrByThemselves() {
+    void radioLinkMessagesAreReportedByWhatTheyCarryOrByThemselves() {
         for (RslCodecTest.Example example : RslCodecTest.examples()) {
             MessageText text = MessageText.ofRsl(example.message());
             assertFalse(text.name().isEmpty());

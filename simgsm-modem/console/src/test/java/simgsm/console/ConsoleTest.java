@@ -175,7 +175,7 @@ class ConsoleTest {
     }
 
     @Test
-    void whoPrintsIntoAQueueIsNeverHeldUpByAReaderWhoHasStopped() throws Exception {
+    void printingIntoAQueueIsNotDelayedByAStoppedReader() throws Exception {
         PipedOutputStream stuck = new PipedOutputStream(new PipedInputStream(16));
         EventOutputQueue queue = new EventOutputQueue(new PrintStream(stuck, false, StandardCharsets.UTF_8), () -> {});
         for (int i = 0; i < 100_000; i++) {

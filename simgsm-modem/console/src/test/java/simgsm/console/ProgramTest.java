@@ -46,7 +46,7 @@ class ProgramTest {
     }
 
     @Test
-    void anErrorOfOutputIsToldOnce() {
+    void anErrorOfOutputIsReportedOnce() {
         StandardOutput out = broken("No space left on device");
         run(out);
         out.hasFailed(new PrintStream(error, true, StandardCharsets.UTF_8));

@@ -64,7 +64,7 @@ class QuickStartTest {
     }
 
     @Test
-    void aRunThatMakesAnArchiveIsToldFromOneThatUsesIt() throws IOException {
+    void aRunThatMakesAnArchiveDiffersFromOneThatUsesIt() throws IOException {
         ProgramFolder programs = new ProgramFolder(folder, false);
         assertTrue(QuickStart.writesAtEnd(QuickStart.options(programs, "simgsm-phone.jar")));
         Files.writeString(archive(MAKE), "archive");

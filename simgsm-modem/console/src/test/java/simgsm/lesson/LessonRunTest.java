@@ -102,7 +102,7 @@ class LessonRunTest {
     }
 
     @Test
-    void aNewTryForgetsWhatWasCounted() throws Exception {
+    void aNewTryBeginsCountingAtZero() throws Exception {
         LessonRun run = run("step a", "again p start", "when p end", "at-most 1 p order");
         event(run, "p", "start");
         event(run, "p", "order");

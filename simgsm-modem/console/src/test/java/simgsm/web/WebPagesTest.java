@@ -239,7 +239,7 @@ class WebPagesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"gzip", "deflate, gzip;q=0.5", "*", "br,gzip"})
-    void aPageIsCompressedForWhoTakesThat(String encodings) throws IOException {
+    void aPageIsCompressedForAClientThatAcceptsIt(String encodings) throws IOException {
         Answer answer = get("/", "Accept-Encoding: " + encodings);
         assertEquals("gzip", answer.headers().get("content-encoding"));
         assertEquals("Accept-Encoding", answer.headers().get("vary").replace("Origin, ", ""));
@@ -250,7 +250,7 @@ class WebPagesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"identity", "gzip;q=0", "gzip; q=0.000, br", "xgzip"})
-    void aPageIsPlainForWhoDoesNot(String encodings) throws IOException {
+    void aPageIsPlainForAClientThatDoesNot(String encodings) throws IOException {
         Answer answer = get("/", "Accept-Encoding: " + encodings);
         answer.expect(200, PAGE);
         assertNull(answer.headers().get("content-encoding"));
@@ -269,7 +269,7 @@ class WebPagesTest {
     }
 
     @Test
-    void halfARequestIsClosedAndHoldsNobodyUp() throws IOException {
+    void halfARequestIsClosedAndDelaysNoOther() throws IOException {
         try (Socket half = new Socket(InetAddress.getLoopbackAddress(), port.port())) {
             half.getOutputStream().write("GET /parts HTTP/1.1\r\nHost: local".getBytes(StandardCharsets.US_ASCII));
             get("/parts").expect(200, "[parts]");

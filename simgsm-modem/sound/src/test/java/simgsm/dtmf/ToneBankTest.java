@@ -43,7 +43,7 @@ class ToneBankTest {
     }
 
     @Test
-    void aToneShowsItsPeakAndLeaksIntoTheOthersAsTold() {
+    void aToneShowsItsPeakAndLeaksAsDocumented() {
         short[] samples = new short[20 + 20 * 40];
         for (int i = 0; i < samples.length; i++) {
             samples[i] = (short) Math.rint(10_000 * Math.sin(2 * Math.PI * 770 * i / 8000));

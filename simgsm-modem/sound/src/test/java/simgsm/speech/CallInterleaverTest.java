@@ -105,7 +105,7 @@ class CallInterleaverTest {
     }
 
     @Test
-    void whoPausesHimselfIsSilentOnceTheOtherIsHalfASecondAhead() {
+    void aPausedDirectionIsSilentOnceTheOtherIsHalfASecondAhead() {
         sent(1, 1);
         received(1, 41);
         sent(2, 2);

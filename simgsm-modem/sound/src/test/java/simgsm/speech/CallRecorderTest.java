@@ -125,7 +125,7 @@ class CallRecorderTest {
     }
 
     @Test
-    void aSlowDiskHoldsNobodyUp() throws Exception {
+    void aSlowDiskDelaysNoCall() throws Exception {
         CallRecorder recorder = CallRecorder.open(folder.resolve("long.wav"));
         assertTimeoutPreemptively(Duration.ofSeconds(20), () -> call(recorder, 100_000, 1));
         recorder.close();

@@ -52,7 +52,7 @@ class ModemTest {
     }
 
     @Test
-    void aCallerWhoHangsUpWhileItRingsIsReleasedAndTheNextCallRingsItsWholeTime() {
+    void aHangUpWhileItRingsReleasesTheCallAndTheNextRingsItsWholeTime() {
         CalledModem ringing = new CalledModem(1500);
         ringing.pass(1000);
         ringing.callerHangsUp();
@@ -132,7 +132,7 @@ class ModemTest {
     }
 
     @Test
-    void aMinuteWithoutAKeyEndsTheCallAndTheReasonIsTold() {
+    void aMinuteWithoutAKeyEndsTheCallAndTheReasonIsReported() {
         scene.pass(160);
         scene.pass(59_980);
         assertFalse(scene.told.contains("ended 16"));
@@ -180,7 +180,7 @@ class ModemTest {
     }
 
     @Test
-    void aCallerWhoFallsSilentInSpeechOnlyIsKept() {
+    void aCallWithoutSpeechIsKept() {
         scene.pass(30_000);
         assertFalse(scene.told.contains("ended 41"));
     }

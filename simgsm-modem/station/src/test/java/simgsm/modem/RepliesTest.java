@@ -26,7 +26,7 @@ class RepliesTest {
     }
 
     @Test
-    void aReplyIsSentOnceAndTold() {
+    void aReplyIsSentOnceAndReported() {
         int id = reply();
         scene.pass(50_000);
         assertEquals(List.of("sms sent " + id), scene.told);

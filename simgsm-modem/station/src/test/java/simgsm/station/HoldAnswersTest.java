@@ -186,7 +186,7 @@ class HoldAnswersTest {
     }
 
     @Test
-    void theOtherPartysHoldIsTold() {
+    void theOtherPartysHoldIsReported() {
         scene.down(new Facility(TO_OWN, HoldNotification.encode(true)));
         scene.down(new Facility(TO_OWN, HoldNotification.encode(true)));
         scene.down(new Facility(TO_OWN, HoldNotification.encode(false)));

@@ -199,7 +199,7 @@ class KeySignallingTest {
     }
 
     @Test
-    void acknowledgementsThatNobodyWaitsForAreNoHarm() {
+    void unexpectedAcknowledgementsAreIgnored() {
         active();
         scene.down(new StopDtmfAcknowledge(own.answered()));
         scene.down(new StartDtmfAcknowledge(own.answered(), '1'));

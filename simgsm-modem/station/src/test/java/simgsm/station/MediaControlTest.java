@@ -28,7 +28,7 @@ class MediaControlTest {
     }
 
     @Test
-    void aSocketIsOpenedTowardsTheCentreAndItsAddressTold() throws ProtocolViolation {
+    void aSocketIsOpenedTowardsTheCentreAndItsAddressSent() throws ProtocolViolation {
         scene.ownMedia = Optional.of(OWN);
         MgcpMessage answer = answer(MgcpMessage.create(7, "1", CENTER));
 

@@ -29,7 +29,7 @@ class MessageReportsTest extends MessageStage {
     }
 
     @Test
-    void deliveryIsToldAfterTheLastPart() {
+    void deliveryIsReportedAfterTheLastPart() {
         int id = scene.station.sendMessage(Scene.OTHER, "x".repeat(200));
         scene.acceptService();
         CpData first = expectSubmit();
@@ -48,7 +48,7 @@ class MessageReportsTest extends MessageStage {
     }
 
     @Test
-    void aReportForSomebodyElseTellsNothingAndOneOfFailureIsTheLast() {
+    void aReportForAnotherReceiverIsIgnoredAndOneOfFailureIsTheLast() {
         int id = scene.station.sendMessage(new Msisdn("5550777"), "hello");
         scene.acceptService();
         acknowledge(expectSubmit());

@@ -166,7 +166,7 @@ class MobileCallTest {
     }
 
     @Test
-    void theNetworksDisconnectIsReleasedAndItsCauseTold() {
+    void theNetworksDisconnectIsReleasedAndItsCauseReported() {
         Scene scene = active();
         scene.down(new Disconnect(TO_OWN, Cause.USER_ALERTING_NO_ANSWER));
         scene.expect(new Release(OWN, Optional.empty()));
@@ -185,7 +185,7 @@ class MobileCallTest {
     }
 
     @Test
-    void aBusyCalledPartyIsTold() {
+    void aBusyCalledPartyIsReported() {
         Scene scene = dialled();
         scene.down(new CallProceeding(TO_OWN));
         scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY));
@@ -223,7 +223,7 @@ class MobileCallTest {
     }
 
     @Test
-    void aCallerWhoGivesUpStopsTheRinging() {
+    void aReleaseByTheCallerStopsTheRinging() {
         Scene scene = ringing();
         scene.down(new Disconnect(THEIRS, Cause.NORMAL_CALL_CLEARING));
         scene.expect(new Release(TO_THEIRS, Optional.empty()));
@@ -442,7 +442,7 @@ class MobileCallTest {
     }
 
     @Test
-    void t303EndsACallThatNobodyProceedsWith() {
+    void t303EndsACallWithoutCallProceeding() {
         Scene scene = dialled();
         scene.pass(30 * Scene.SECOND - 1);
         scene.expectNothing();

@@ -29,7 +29,7 @@ import simgsm.station.context.StationIdentity;
 /** What a station is brought. */
 class ReceivingMessagesTest extends MessageStage {
     @Test
-    void aDeliveredMessageIsAcknowledgedAndToldOnce() {
+    void aDeliveredMessageIsAcknowledgedAndReportedOnce() {
         openForDelivery();
         delivered(7, deliver(UserData.of("hola")));
         assertEquals(List.of("message from 5550200: hola"), scene.reported.lines());
@@ -58,7 +58,7 @@ class ReceivingMessagesTest extends MessageStage {
     }
 
     @Test
-    void aMessageThatComesAgainOverANewLinkIsAcknowledgedButNotTold() {
+    void aMessageThatComesAgainOverANewLinkIsAcknowledgedButNotReported() {
         openForDelivery();
         OctetString tpdu = deliver(UserData.of("hola"));
         delivered(1, tpdu);
@@ -107,7 +107,7 @@ class ReceivingMessagesTest extends MessageStage {
     }
 
     @Test
-    void aMessageThatComesAgainInANewTransactionBeforeItsAcknowledgementArrivedIsToldOnce() {
+    void aMessageThatComesAgainInANewTransactionBeforeItsAcknowledgementArrivedIsReportedOnce() {
         openForDelivery();
         OctetString tpdu = deliver(UserData.of("hola"));
         down(1, tpdu);
@@ -133,7 +133,7 @@ class ReceivingMessagesTest extends MessageStage {
     }
 
     @Test
-    void aSenderWithANameIsToldByIt() {
+    void aSenderWithANameIsReportedByIt() {
         openForDelivery();
         delivered(
                 1,
@@ -191,7 +191,7 @@ class ReceivingMessagesTest extends MessageStage {
     }
 
     @Test
-    void aMessageThatFindsNoRoomIsRefusedWithCause22AndTheNetworkIsToldWhenThereIsRoom() {
+    void aMessageThatFindsNoRoomIsRefusedWithCause22AndTheNetworkIsReportedWhenThereIsRoom() {
         scene.station.setMemoryAvailable(false);
         openForDelivery();
         refused(1, deliver(UserData.of("hola")));
@@ -208,7 +208,7 @@ class ReceivingMessagesTest extends MessageStage {
     }
 
     @Test
-    void withoutARefusalTheNetworkIsNotTold() {
+    void withoutARefusalTheNetworkIsNotNotified() {
         scene.station.setMemoryAvailable(false);
         scene.station.setMemoryAvailable(true);
         scene.expectNothing();

@@ -38,7 +38,7 @@ class RegistrationTest {
     private static final OctetString RAND = OctetString.ofHex("23553cbe9637a89d218ae64dae47bf35");
 
     @Test
-    void theCentreAsksWhoItIsAndThenTheStationRegistersByItsImsi() {
+    void theCentreAsksForTheIdentityAndThenTheStationRegistersByItsImsi() {
         Scene scene = new Scene();
         scene.linkUp();
         scene.expectNothing();
@@ -84,7 +84,7 @@ class RegistrationTest {
     }
 
     @Test
-    void theImeiIsToldWhenTheNetworkAsks() {
+    void theImeiIsSentWhenTheNetworkAsks() {
         Scene scene = new Scene();
         scene.linkUp();
         scene.identify();
@@ -251,7 +251,7 @@ class RegistrationTest {
     }
 
     @Test
-    void pagingForSomebodyElseIsIgnored() {
+    void pagingForAnotherMobileIsIgnored() {
         Scene scene = Scene.registered();
         scene.page(new Tmsi(0x7777));
         scene.expectNothing();
@@ -262,7 +262,7 @@ class RegistrationTest {
     }
 
     @Test
-    void aPagedChannelThatNobodyUsesIsLeftAfterT3240() {
+    void aPagedChannelWithoutUseIsLeftAfterT3240() {
         Scene scene = Scene.registered();
         scene.page(Scene.TMSI);
         scene.expectFirst(PagingResponse.class);
@@ -291,7 +291,7 @@ class RegistrationTest {
     }
 
     @Test
-    void aDetachThatNobodyAnswersEndsAfterFiveSeconds() {
+    void aDetachWithoutAnAnswerEndsAfterFiveSeconds() {
         Scene scene = Scene.registered();
         scene.station.powerOff();
         scene.expect(ImsiDetachIndication.class);

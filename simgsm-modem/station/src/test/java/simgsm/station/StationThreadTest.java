@@ -239,7 +239,7 @@ class StationThreadTest {
     }
 
     @Test
-    void anErrorEndsTheThreadAndIsTold() throws Exception {
+    void anErrorEndsTheThreadAndIsReported() throws Exception {
         thread.start();
         thread.execute(() -> {
             throw new LinkageError("as a test does");

@@ -35,7 +35,7 @@ class TablesTest {
             MobileCallState.RELEASE_REQUEST);
 
     @Test
-    void theEndOfACallIsToldExactlyOnceOnEveryWay() {
+    void theEndOfACallIsReportedExactlyOnceOnEveryWay() {
         forAllCallRows((state, event, row) -> {
             boolean begins = !RELEASE_REPORTED.contains(state)
                     && RELEASE_REPORTED.contains(row.next())
@@ -144,7 +144,7 @@ class TablesTest {
     }
 
     @Test
-    void everyEndOfAMessageIsToldExactlyOnce() {
+    void everyEndOfAMessageIsReportedExactlyOnce() {
         for (OutgoingMessageState state : OutgoingMessageState.values()) {
             for (OutgoingMessageEvent event : OutgoingMessageEvent.values()) {
                 OutgoingMessageTable.TABLE.row(state, event).ifPresent(row -> {

@@ -159,7 +159,7 @@ class UssdTest {
     }
 
     @Test
-    void theNetworksErrorIsTold() {
+    void theNetworksErrorIsReported() {
         request("*999#");
         end(ComponentCodec.encode(new Component.ReturnError(1, SsError.UNEXPECTED_DATA_VALUE)));
 
@@ -187,7 +187,7 @@ class UssdTest {
     }
 
     @Test
-    void aRefusedConnectionIsTold() {
+    void aRefusedConnectionIsReported() {
         assertTrue(scene.station.sendUssd("*100#"));
         scene.expectFirst(CmServiceRequest.class);
         scene.down(new CmServiceReject(RejectCause.CONGESTION));

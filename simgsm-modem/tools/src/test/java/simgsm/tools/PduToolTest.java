@@ -26,7 +26,7 @@ class PduToolTest {
     }
 
     @Test
-    void aSubmitIsToldInWords() {
+    void aSubmitIsReportedInWords() {
         assertEquals("""
                 SMS-SUBMIT
                 TP-RD: take duplicates
@@ -41,7 +41,7 @@ class PduToolTest {
     }
 
     @Test
-    void aDeliverAndAReportAreToldInWords() {
+    void aDeliverAndAReportAreReportedInWords() {
         String deliver = PduTool.decode("440c91947100000010000462111221000040070500032a020141");
         String report = PduTool.decode("06010c91947100000020621112210000406211122100004046");
 

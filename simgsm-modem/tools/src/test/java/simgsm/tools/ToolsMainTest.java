@@ -61,7 +61,7 @@ class ToolsMainTest {
     }
 
     @Test
-    void tonesLast100MillisecondsEachUnlessToldOtherwise() throws IOException {
+    void tonesLast100MillisecondsEachByDefault() throws IOException {
         run("tones", "1 2", file("a.wav"));
         assertEquals(2 * 200 * 8, SpeechFile.readAll(folder.resolve("a.wav")).length);
         run("tones", "--tone-ms=50", "12", "--pause-ms", "40", file("b.wav"), "--level", "-20.5");

@@ -25,7 +25,7 @@ class HandsetKeysTest {
     }
 
     @Test
-    void sentIsToldOnceTheLastToneHasLeftAndNotBefore() {
+    void sentIsReportedOnceTheLastToneHasLeftAndNotBefore() {
         Bench bench = Bench.connected();
         bench.handset.press(DtmfKey.sequence("12"));
         bench.speechMillis(280);
@@ -35,7 +35,7 @@ class HandsetKeysTest {
     }
 
     @Test
-    void eachPressIsToldByItself() {
+    void eachPressIsReportedByItself() {
         Bench bench = Bench.connected();
         bench.handset.press(DtmfKey.sequence("12"));
         bench.handset.press(DtmfKey.sequence("3"));

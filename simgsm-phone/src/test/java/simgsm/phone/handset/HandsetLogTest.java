@@ -33,7 +33,7 @@ class HandsetLogTest {
     }
 
     @Test
-    void aCallWithAnOrderIsToldFromItsBeginningToItsEnd() {
+    void aCallWithAnOrderIsReportedFromItsBeginningToItsEnd() {
         Bench bench = new Bench();
         bench.phoneBook.write(1, new SimPhoneBook.Entry("5550200", "Robot"));
         bench.handset.dial(new Msisdn("5550200"));
@@ -90,7 +90,7 @@ class HandsetLogTest {
     }
 
     @Test
-    void messagesAndCodesAreTold() {
+    void messagesAndCodesAreShown() {
         Bench bench = new Bench();
         bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
         bench.handset.accept(new StationEvent.UssdReceived("your number: 5550100", false));
@@ -98,7 +98,7 @@ class HandsetLogTest {
     }
 
     @Test
-    void aCodeWithoutAnAnswerIsToldWithItsReasonUnlessTheUserEndedIt() {
+    void aCodeWithoutAnAnswerIsReportedWithItsReasonUnlessTheUserEndedIt() {
         Bench bench = new Bench();
         bench.handset.accept(new StationEvent.UssdEnded(UssdEnding.CANCELLED, Optional.empty()));
         bench.handset.accept(new StationEvent.UssdEnded(UssdEnding.COMPLETED, Optional.empty()));

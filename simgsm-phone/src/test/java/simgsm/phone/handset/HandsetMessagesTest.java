@@ -171,7 +171,7 @@ class HandsetMessagesTest {
     }
 
     @Test
-    void aBroadcastIsAnnouncedAndNobodyCallsItsChannel() {
+    void aBroadcastIsAnnouncedAndItsChannelCannotBeCalled() {
         Bench bench = new Bench();
         bench.handset.accept(new StationEvent.BroadcastReceived(50, 1, "storm"));
         assertEquals(1, bench.snapshot().unread(MessageFolder.BROADCASTS));

@@ -229,7 +229,7 @@ class EditorPanelTest {
     }
 
     @Test
-    void applyPutsTheWorldUnderTheRobotsAndWhoStandsInAWallGoesElsewhere() throws Exception {
+    void applyPutsTheWorldUnderTheRobotsAndMovesARobotOutOfAWall() throws Exception {
         var robot = bench.simulation.robots().get(0);
         double x = robot.xMeters();
         double y = robot.yMeters();

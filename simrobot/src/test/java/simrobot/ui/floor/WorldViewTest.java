@@ -181,7 +181,7 @@ class WorldViewTest {
     }
 
     @Test
-    void aFloorAtRestIsToldFromOneThatMoves() {
+    void aFloorAtRestDiffersFromOneThatMoves() {
         bench.simulation.step();
         var before = bench.simulation.snapshot();
         bench.simulation.step();

@@ -287,7 +287,7 @@ class SimRobotPanelTest {
     }
 
     @Test
-    void aModemThatRingsSaysWhoCalls() throws Exception {
+    void aRingingModemNamesTheCaller() throws Exception {
         TelephoneSnapshot line = WindowBench.line("robot", true, true, WindowBench.noOrders(), "");
         StationSnapshot ringing = new StationSnapshot(
                 true,

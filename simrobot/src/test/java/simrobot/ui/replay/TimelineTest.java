@@ -56,7 +56,7 @@ class TimelineTest {
     }
 
     @Test
-    void thePositionIsTold() {
+    void thePositionIsReported() {
         assertEquals("Recording at 0:00:30.00 of 0:01:40.00", bench.spoken("timeline"));
         assertEquals("0:00:30.00 / 0:01:40.00", bench.spoken("timeline.time"));
     }

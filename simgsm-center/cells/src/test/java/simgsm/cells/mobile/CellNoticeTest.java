@@ -52,7 +52,7 @@ class CellNoticeTest {
     }
 
     @Test
-    void theCellIsToldWhenItChangesAndTheLevelWhenItDoes() {
+    void theCellIsSentWhenItChangesAndTheLevelWhenItDoes() {
         notice.tell(cell(7001), -71);
         notice.tell(cell(7001), -71.2);
         notice.tell(cell(7001), -75);

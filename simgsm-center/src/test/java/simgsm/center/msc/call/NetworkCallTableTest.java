@@ -73,7 +73,7 @@ class NetworkCallTableTest {
 
     @ParameterizedTest
     @EnumSource(NetworkCallState.class)
-    void theCallIsToldExactlyWhenALiveLegIsClearedByOthersThanTheCall(NetworkCallState state) {
+    void theCallIsNotifiedExactlyWhenALiveLegIsClearedByOthersThanTheCall(NetworkCallState state) {
         for (NetworkCallEvent event : NetworkCallEvent.values()) {
             NetworkCallTable.ROWS.row(state, event).ifPresent(row -> {
                 boolean ends = !state.isClearing() && row.next().isClearing();

@@ -62,7 +62,7 @@ class CommandDialogueTest implements CommandDialogue.Listener {
     }
 
     @Test
-    void echoAndHalfLinesAreNoAnswersAndCodesAreToldApart() {
+    void echoAndHalfLinesAreNoAnswersAndCodesAreDistinguished() {
         ask(ModemCommand.query("AT+CLCC", "+CLCC:"));
         received("AT+CLCC\r\r\n+CL");
         received("CC: 1,1,0\r\n\r\nRI");
