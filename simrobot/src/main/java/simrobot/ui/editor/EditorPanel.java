@@ -47,7 +47,7 @@ public final class EditorPanel extends JPanel {
     private final EditorView floor;
     private final ItemSidebar sidebar;
     private final TextLine title = new TextLine("editor.file", Theme::title, Ink.TEXT);
-    private final TextLine state = new TextLine("editor.state", Theme::base, Ink.QUIET);
+    private final TextLine state = new TextLine("editor.state", Theme::base, Ink.QUIET).overTwoRows();
     private final Map<EditorTool, JToggleButton> tools = new EnumMap<>(EditorTool.class);
     private final UserAction undo;
     private final UserAction redo;

@@ -2,6 +2,7 @@ package simrobot.ui.panel;
 
 import java.awt.BorderLayout;
 import java.awt.Container;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
@@ -113,6 +114,7 @@ final class NewRobotForm extends JPanel {
         if (SwingUtilities.getRoot(this) instanceof Container window) {
             window.validate();
         }
+        scrollRectToVisible(new Rectangle(getWidth(), getHeight()));
         name.requestFocusInWindow();
     }
 
