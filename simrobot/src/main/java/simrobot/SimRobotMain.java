@@ -184,6 +184,7 @@ public final class SimRobotMain {
             RefusalTexts refusals = new RefusalTexts(arguments.language());
             WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, recent, refusals);
             model.setResolution(WorldFile.resolution(arguments));
+            model.watch(record);
             simRobot.start();
             ports.start();
             built.behaviours().start(simRobot, event -> {

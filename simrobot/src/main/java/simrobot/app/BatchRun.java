@@ -83,6 +83,9 @@ public final class BatchRun {
                     written.close();
                 }
             }
+            if (recorder != null) {
+                recorder.finish();
+            }
         } catch (UncheckedIOException e) {
             throw e.getCause();
         } finally {

@@ -13,6 +13,9 @@ import simrobot.simulation.SimulationThread;
 
 /** A recording of the session that can be started and stopped, by {@code --record} or from the window. */
 public final class SessionRecording implements AutoCloseable {
+    /** A file that could not be written to the end. */
+    record Failure(Path file, IOException why) {}
+
     private final SimulationThread simulation;
     private volatile SessionRecorder recorder;
     private volatile Path file;
@@ -42,9 +45,18 @@ public final class SessionRecording implements AutoCloseable {
         });
     }
 
-    /** The file that is being written. */
+    /** The file that is being written; empty when its disk has refused it. */
     Optional<Path> file() {
-        return Optional.ofNullable(file);
+        return failure().isPresent() ? Optional.empty() : Optional.ofNullable(file);
+    }
+
+    /** Why the recording ended by itself, such as a full disk, until it is stopped or another one starts. */
+    Optional<Failure> failure() {
+        SessionRecorder current = recorder;
+        Path path = file;
+        return current == null || path == null
+                ? Optional.empty()
+                : current.failure().map(why -> new Failure(path, why));
     }
 
     /** Records an event, if a recording runs; any thread may call. */

@@ -50,6 +50,8 @@ public final class WindowModel implements OperatorActions {
     private final ListeningPorts ports;
     private final RobotEventLog log;
     private final SessionRecording recording;
+    private final List<SessionRecording> recordings = new CopyOnWriteArrayList<>();
+    private List<SessionRecording.Failure> recordingFailures = List.of();
     private final FileExports exports;
     private final RefusalTexts refusals;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
@@ -106,6 +108,7 @@ public final class WindowModel implements OperatorActions {
         simulation = simRobot.simulation();
         callMonitor = simRobot.callMonitor();
         recording = new SessionRecording(simulation);
+        recordings.add(recording);
         log = new RobotEventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
         ports.p2os().setWorldLoader(file -> read(file, ClientRequests::mayLoad, () -> {}));
         simRobot.onAdded(this::added);
@@ -132,6 +135,11 @@ public final class WindowModel implements OperatorActions {
         log.add(robot.name(), new RobotEvent.Removed(robot.number().digits()));
     }
 
+    /** Tells of a recording that another part runs, as {@code --record} does, when it ends by itself. */
+    public void watch(SessionRecording other) {
+        recordings.add(other);
+    }
+
     /** The width of a pixel, for pictures that are loaded from now on. */
     public void setResolution(OptionalDouble meters) {
         resolutionMeters = meters;
@@ -139,6 +147,7 @@ public final class WindowModel implements OperatorActions {
 
     /** The newest snapshot; the same object as long as nothing has changed. For the event thread only. */
     public WindowSnapshot snapshot() {
+        tellOfFailure();
         WindowSnapshot now = new WindowSnapshot(
                 simulation.snapshot(),
                 lines.stream().map(this::snapshot).toList(),
@@ -155,6 +164,19 @@ public final class WindowModel implements OperatorActions {
             newest = now;
         }
         return newest;
+    }
+
+    /** A recording that ends by itself is told of once. */
+    private void tellOfFailure() {
+        List<SessionRecording.Failure> failures = recordings.stream()
+                .flatMap(running -> running.failure().stream())
+                .toList();
+        for (SessionRecording.Failure ended : failures) {
+            if (!recordingFailures.contains(ended)) {
+                tell(refusals.unwritable(ended.file(), ended.why()));
+            }
+        }
+        recordingFailures = failures;
     }
 
     private List<OpenPort> openPorts() {

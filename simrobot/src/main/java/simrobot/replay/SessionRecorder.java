@@ -6,6 +6,7 @@ import java.lang.System.Logger.Level;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Executor;
@@ -39,7 +40,7 @@ public final class SessionRecorder implements AutoCloseable {
     private final BlockingQueue<Supplier<byte[]>> queue = new ArrayBlockingQueue<>(QUEUE_RECORDS);
     private final AtomicBoolean flushRequested = new AtomicBoolean();
     private final Thread writer;
-    private volatile boolean failed;
+    private volatile IOException failure;
     private boolean closed;
 
     SessionRecorder(String name, OutputStream file, Simulation simulation, Executor simulationThread) {
@@ -83,26 +84,26 @@ public final class SessionRecorder implements AutoCloseable {
     }
 
     private synchronized void step(long timeNanos) {
-        if (!closed && !failed) {
+        if (!closed && failure == null) {
             encoder.step(timeNanos);
         }
     }
 
     private synchronized void flush() {
         flushRequested.set(false);
-        if (!closed && !failed) {
+        if (!closed && failure == null) {
             encoder.flush();
         }
     }
 
     private void queue(Supplier<byte[]> record) {
         try {
-            if (!failed && !queue.offer(record, FULL_QUEUE_SECONDS, TimeUnit.SECONDS)) {
-                fail("the disk takes no more data");
+            if (failure == null && !queue.offer(record, FULL_QUEUE_SECONDS, TimeUnit.SECONDS)) {
+                fail(new IOException("the disk takes no more data"));
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            fail("interrupted");
+            fail(new IOException("interrupted"));
         }
     }
 
@@ -118,16 +119,35 @@ public final class SessionRecorder implements AutoCloseable {
                     simulationThread.execute(this::flush);
                 }
             }
-        } catch (IOException | RuntimeException e) {
-            fail(String.valueOf(e.getMessage()));
+        } catch (IOException e) {
+            fail(e);
+        } catch (RuntimeException e) {
+            fail(new IOException(e.toString(), e));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    private void fail(String why) {
-        failed = true;
-        LOG.log(Level.WARNING, "{0}: recording ends: {1}", name, why);
+    private void fail(IOException why) {
+        failure = why;
+        LOG.log(Level.WARNING, "{0}: recording ends: {1}", name, why.getMessage());
+    }
+
+    /** Why the recording ended before its time, such as a full disk; any thread may ask. */
+    public Optional<IOException> failure() {
+        return Optional.ofNullable(failure);
+    }
+
+    /**
+     * Writes the rest, as {@link #close} does.
+     *
+     * @throws IOException naming the file, if a part of the session is not in it
+     */
+    public void finish() throws IOException {
+        close();
+        if (failure != null) {
+            throw new IOException(name + ": " + failure.getMessage(), failure);
+        }
     }
 
     /** Writes the rest; on the simulation's thread, or when that has ended. Safe to call twice. */
@@ -137,7 +157,7 @@ public final class SessionRecorder implements AutoCloseable {
             if (closed) {
                 return;
             }
-            if (!failed) {
+            if (failure == null) {
                 encoder.end();
             }
             closed = true;

@@ -3,6 +3,7 @@ package simrobot.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -149,6 +150,17 @@ class BatchRunTest {
         assertNoThreads("behaviour Untracked");
         try (Recording recording = Recording.open(record)) {
             assertEquals(1, new ReplayCursor(recording).robots().size());
+        }
+    }
+
+    @Test
+    void aRunWhoseRecordCouldNotBeWrittenFails() throws Exception {
+        try (BrokenPipe pipe = new BrokenPipe(folder.resolve("run.rec"))) {
+            pipe.breakOff();
+            List<String> options = List.of("--run=600", "--behaviour=wander", "--record=" + pipe.path());
+            IOException failure = assertThrows(
+                    IOException.class, () -> BatchRun.run(SimRobotOptions.all().parse(options), ROOM));
+            assertTrue(failure.getMessage().startsWith(pipe.path() + ": "), failure.getMessage());
         }
     }
 

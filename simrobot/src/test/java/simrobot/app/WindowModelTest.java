@@ -15,6 +15,7 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
@@ -38,6 +39,7 @@ import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.TelephoneSnapshot;
+import simrobot.ui.WindowSnapshot;
 import simrobot.ui.panel.RefusalTexts;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
@@ -188,6 +190,25 @@ class WindowModelTest {
         model.setPower("ghost", false);
         model.place(null, 1, 1, 1, placements::add);
         assertEquals(RobotStatus.STOPPED, status());
+    }
+
+    @Test
+    void aRecordingThatItsDiskEndsIsToldOfAndNoLongerShown() throws Exception {
+        try (BrokenPipe pipe = new BrokenPipe(folder.resolve("session.rec"))) {
+            model.record(Optional.of(pipe.path()));
+            status();
+            assertEquals(Optional.of(pipe.path()), model.snapshot().recording());
+            pipe.breakOff();
+            model.setBehaviour("robot", BehaviourKind.WANDER);
+            simRobot.simulation().withSimulation(owned -> owned.run(60_000));
+            status();
+            while (model.snapshot().notice().isEmpty()) {
+                LockSupport.parkNanos(1_000_000);
+            }
+            WindowSnapshot told = model.snapshot();
+            assertTrue(told.notice().startsWith(pipe.path() + ": "), told.notice());
+            assertEquals(Optional.empty(), told.recording());
+        }
     }
 
     @Test

@@ -1,9 +1,12 @@
 package simrobot.replay;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.io.OutputStream;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
@@ -55,5 +58,23 @@ class SlowDiskTest {
         recorder.close();
         assertEquals(0, disk.writesOfSimulation.get());
         assertTrue(disk.octets.get() > 1_000_000, disk.octets + " octets");
+        assertEquals(Optional.empty(), recorder.failure());
+    }
+
+    @Test
+    void aFullDiskIsReportedWithTheFilesName() {
+        Simulation simulation = new Simulation(World.bare(), 1);
+        simulation.addRobot("r");
+        OutputStream full = new OutputStream() {
+            @Override
+            public void write(int octet) throws IOException {
+                throw new IOException("No space left on device");
+            }
+        };
+        SessionRecorder recorder = new SessionRecorder("session.rec", full, simulation, act -> {});
+        simulation.run(100);
+        IOException refused = assertThrows(IOException.class, recorder::finish);
+        assertEquals("session.rec: No space left on device", refused.getMessage());
+        assertEquals("No space left on device", recorder.failure().orElseThrow().getMessage());
     }
 }

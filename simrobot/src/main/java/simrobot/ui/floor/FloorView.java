@@ -65,11 +65,12 @@ public abstract class FloorView extends PaintedComponent {
     protected abstract Area floorArea();
 
     /** Binds keys while the view has the focus. @param modifiers of InputEvent */
-    protected final void bind(String id, Runnable act, int modifiers, int... keys) {
+    protected final UserAction bind(String id, Runnable act, int modifiers, int... keys) {
         UserAction action = new UserAction(actions + "." + id, "", act);
         for (int key : keys) {
             action.bind(this, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(key, modifiers));
         }
+        return action;
     }
 
     /** What the four arrow keys do, dx and dy in steps to the right and up. */

@@ -13,6 +13,7 @@ import simgsm.draw.Face;
 import simgsm.draw.Ink;
 import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 import simrobot.drawing.Layers;
 import simrobot.drawing.NumberTexts;
 import simrobot.drawing.RobotPainter;
@@ -54,6 +55,9 @@ public final class WorldView extends FloorView {
     private Ruler ruler;
     private boolean live = true;
 
+    /** Without a ruler it is disabled, and the window has the key. */
+    private final transient UserAction hideRuler;
+
     /** Receives the place for a new robot; the heading is NaN until the mouse has been dragged. */
     public interface PlaceListener {
         void at(double xMeters, double yMeters, double headingRadians);
@@ -75,7 +79,8 @@ public final class WorldView extends FloorView {
         bindArrows("nudge", (dx, dy) -> nudge(dx, dy, 0), InputEvent.ALT_DOWN_MASK);
         bind("turn.left", () -> nudge(0, 0, TURN_RADIANS), InputEvent.ALT_DOWN_MASK, KeyEvent.VK_PAGE_UP);
         bind("turn.right", () -> nudge(0, 0, -TURN_RADIANS), InputEvent.ALT_DOWN_MASK, KeyEvent.VK_PAGE_DOWN);
-        bind("letGo", () -> measure(null), 0, KeyEvent.VK_ESCAPE);
+        hideRuler = bind("letGo", () -> measure(null), 0, KeyEvent.VK_ESCAPE);
+        hideRuler.setEnabled(false);
     }
 
     private void arrow(int dx, int dy, boolean begin) {
@@ -233,6 +238,7 @@ public final class WorldView extends FloorView {
     /** @param newRuler null hides the ruler */
     void measure(Ruler newRuler) {
         change(() -> ruler = newRuler);
+        hideRuler.setEnabled(newRuler != null);
         repaint();
     }
 

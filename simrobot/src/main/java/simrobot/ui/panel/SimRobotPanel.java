@@ -56,6 +56,7 @@ public final class SimRobotPanel extends JPanel {
     private final BusyRobotNotice busyNotice;
     private final TimelinePanel timeline;
     private final PresentationView presentation;
+    private final transient UserAction endPresentation;
     private final RunningPage runningPage;
     private String selected;
     private String requested;
@@ -98,6 +99,9 @@ public final class SimRobotPanel extends JPanel {
         setName("simrobot");
         UserAction presenting = new UserAction("presentation", texts.of("presentation"), this::switchPresentation);
         presenting.bindInWindow(running, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
+        endPresentation = new UserAction("presentation.end", texts.of("presentation"), this::switchPresentation);
+        endPresentation.bindInWindow(running, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+        endPresentation.setEnabled(false);
         show(first);
     }
 
@@ -169,6 +173,7 @@ public final class SimRobotPanel extends JPanel {
     /** Full screen with the floor and one large line, and back. */
     private void switchPresentation() {
         runningPage.setPresenting(!runningPage.isPresenting());
+        endPresentation.setEnabled(runningPage.isPresenting());
         Display.maximize(this, runningPage.isPresenting());
     }
 

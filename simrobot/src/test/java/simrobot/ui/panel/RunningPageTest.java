@@ -2,6 +2,7 @@ package simrobot.ui.panel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -13,6 +14,7 @@ import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.AbstractButton;
+import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
@@ -27,6 +29,7 @@ import simgsm.ui.Lamp;
 import simgsm.ui.Theme;
 import simgsm.ui.pane.Divider;
 import simrobot.ui.TextLine;
+import simrobot.ui.floor.WorldView;
 import vericommand.LocalizedText;
 import vericommand.OrderCourse;
 import vericommand.VeriCommandSnapshot;
@@ -221,6 +224,28 @@ class RunningPageTest {
             assertTrue(isShown(bench.component("status.stopped"), bench.panel));
             assertTrue(isShown(bench.component("scope.picture"), bench.panel));
         }
+    }
+
+    @Test
+    void escapeEndsAPresentationAfterItHasHiddenTheRuler() throws Exception {
+        KeyStroke escape = KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0);
+        WindowBench bench = bench(Locale.ENGLISH, 1100, 800);
+        press(bench, escape);
+        assertFalse(isShown(bench.component("presentation"), bench.panel));
+        press(bench);
+        WorldView world = (WorldView) bench.component("world");
+        Action inTheFloor = world.getActionMap()
+                .get(world.getInputMap(JComponent.WHEN_FOCUSED).get(escape));
+        world.toggleRuler();
+        assertTrue(inTheFloor.isEnabled());
+        inTheFloor.actionPerformed(new ActionEvent(world, 0, ""));
+        assertNull(world.ruler());
+        // Swing passes a key on to the window where its action is disabled
+        assertFalse(inTheFloor.isEnabled());
+        press(bench, escape);
+        bench.resize(1100, 800);
+        assertTrue(isShown(bench.component("tool.power"), bench.panel));
+        assertFalse(isShown(bench.component("presentation"), bench.panel));
     }
 
     @Test
