@@ -107,7 +107,7 @@ public final class VeriCommand {
 
     /**
      * A short message. A reply of this suite is no order and gets no reply; nor do messages without a valid order from a
-     * sender with 30 such replies within 60 s, until a minute has passed. Valid orders are always taken.
+     * sender with 300 such replies within 60 s, until a minute has passed. Valid orders are always taken.
      *
      * @param from the number that the network has authenticated
      * @param nowNanos the time now, by any clock that only goes forward
