@@ -20,7 +20,7 @@ final class FacePainter {
             return;
         }
         double length = Math.hypot(x2 - x1, y2 - y1);
-        double brightness = Lit.towards(eye, x1, y1, x2, y2);
+        double brightness = FaceBrightness.towards(eye, x1, y1, x2, y2);
         ColumnRange columns = ColumnRange.of(eye, a1, l1, a2, l2);
         for (int c = columns.first(); c <= columns.last(); c++) {
             double share = ColumnRange.share(eye.slope(c), a1, l1, a2, l2);

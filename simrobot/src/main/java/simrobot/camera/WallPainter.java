@@ -100,7 +100,7 @@ final class WallPainter {
                 return;
             }
             double length = Math.hypot(a2 - a1, l2 - l1);
-            double lit = Lit.towards(eye, s[i], s[i + 1], s[i + 2], s[i + 3]);
+            double lit = FaceBrightness.towards(eye, s[i], s[i + 1], s[i + 2], s[i + 3]);
             for (int c = columns.first(); c <= columns.last(); c++) {
                 double share = ColumnRange.share(eye.slope(c), a1, l1, a2, l2);
                 double ahead = a1 + share * (a2 - a1);
@@ -129,7 +129,7 @@ final class WallPainter {
             if (columns.first() > columns.last()) {
                 return;
             }
-            double lit = Lit.towards(eye, s[i], s[i + 1], s[i] + s[i + 4], s[i + 1] + s[i + 5]);
+            double lit = FaceBrightness.towards(eye, s[i], s[i + 1], s[i] + s[i + 4], s[i + 1] + s[i + 5]);
             for (int c = columns.first(); c <= columns.last(); c++) {
                 double ahead = a1 + ColumnRange.share(eye.slope(c), a1, l1, a2, l2) * (a2 - a1);
                 if (ahead < depth[c]) {

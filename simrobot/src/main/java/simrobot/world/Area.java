@@ -9,11 +9,11 @@ import java.util.stream.IntStream;
  */
 public record Area(double minXMeters, double minYMeters, double maxXMeters, double maxYMeters, double rotationRadians) {
     public Area {
-        Finite.check("x1", minXMeters);
-        Finite.check("y1", minYMeters);
-        Finite.check("x2", maxXMeters);
-        Finite.check("y2", maxYMeters);
-        Finite.check("rotation", rotationRadians);
+        FiniteCheck.check("x1", minXMeters);
+        FiniteCheck.check("y1", minYMeters);
+        FiniteCheck.check("x2", maxXMeters);
+        FiniteCheck.check("y2", maxYMeters);
+        FiniteCheck.check("rotation", rotationRadians);
         if (minXMeters > maxXMeters || minYMeters > maxYMeters) {
             throw new IllegalArgumentException("an area's first corner lies beyond its second");
         }

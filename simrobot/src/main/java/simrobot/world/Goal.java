@@ -13,6 +13,6 @@ public record Goal(String type, String name, Position position, double headingRa
         Objects.requireNonNull(type);
         Objects.requireNonNull(name);
         Objects.requireNonNull(position);
-        Finite.check("heading", headingRadians);
+        FiniteCheck.check("heading", headingRadians);
     }
 }

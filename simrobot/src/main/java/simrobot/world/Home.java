@@ -19,7 +19,7 @@ public record Home(String name, Position position, double headingRadians, Option
         Objects.requireNonNull(name);
         Objects.requireNonNull(position);
         Objects.requireNonNull(area);
-        Finite.check("heading", headingRadians);
+        FiniteCheck.check("heading", headingRadians);
     }
 
     @Override

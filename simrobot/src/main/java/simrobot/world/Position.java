@@ -3,8 +3,8 @@ package simrobot.world;
 /** A place on the floor, in metres. */
 public record Position(double xMeters, double yMeters) {
     public Position {
-        Finite.check("x", xMeters);
-        Finite.check("y", yMeters);
+        FiniteCheck.check("x", xMeters);
+        FiniteCheck.check("y", yMeters);
     }
 
     /** Shifted, and rounded to 1 nm against floating-point error where it changes. */

@@ -5,10 +5,10 @@ import java.util.List;
 /** A straight wall between two places, in metres; both ends may be the same place. */
 public record Segment(double x1Meters, double y1Meters, double x2Meters, double y2Meters) implements WorldItem {
     public Segment {
-        Finite.check("x1", x1Meters);
-        Finite.check("y1", y1Meters);
-        Finite.check("x2", x2Meters);
-        Finite.check("y2", y2Meters);
+        FiniteCheck.check("x1", x1Meters);
+        FiniteCheck.check("y1", y1Meters);
+        FiniteCheck.check("x2", x2Meters);
+        FiniteCheck.check("y2", y2Meters);
     }
 
     /** A wall from one place to another. */

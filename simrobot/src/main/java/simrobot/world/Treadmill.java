@@ -14,8 +14,8 @@ import java.util.Objects;
 public record Treadmill(Area area, double speedMetersPerSecond, double directionRadians) implements WorldItem {
     public Treadmill {
         Objects.requireNonNull(area);
-        Finite.check("belt speed", speedMetersPerSecond);
-        Finite.check("direction", directionRadians);
+        FiniteCheck.check("belt speed", speedMetersPerSecond);
+        FiniteCheck.check("direction", directionRadians);
     }
 
     @Override

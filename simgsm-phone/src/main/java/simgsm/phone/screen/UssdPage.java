@@ -9,7 +9,7 @@ import simgsm.station.context.StationEvent;
 /** A USSD dialogue on the display. */
 final class UssdPage extends ScreenPage {
     private final UnaryOperator<String> names;
-    private final UssdDialog dialog = new UssdDialog();
+    private final DisplayedUssd dialog = new DisplayedUssd();
     private Screen shown = new Screen.Ussd(Screen.Ussd.Phase.WAITING, "", "");
 
     /** @param names the name of a number */

@@ -39,7 +39,7 @@ public final class HandsetPanel extends JPanel {
     private final SignalBars signal;
     private final ToneScopePanel scope;
     private final EventsPanel events;
-    private final HandsetFoot foot;
+    private final HandsetFooter foot;
     private final Map<PhoneKey, PhoneKeyButton> keys = new EnumMap<>(PhoneKey.class);
     private HandsetSnapshot shown;
 
@@ -69,7 +69,7 @@ public final class HandsetPanel extends JPanel {
         add(scope, HandsetLayout.SCOPE);
         events = new EventsPanel(texts, new WordsText(texts, clock.getZone()));
         add(events, HandsetLayout.EVENTS);
-        foot = new HandsetFoot(texts, this::toggle);
+        foot = new HandsetFooter(texts, this::toggle);
         add(foot, HandsetLayout.FOOT);
         UserAction goToEvents = new UserAction("events.go", texts.of("events.title"), this::goToEvents)
                 .onKey(this, KeyEvent.VK_2, InputEvent.ALT_DOWN_MASK);

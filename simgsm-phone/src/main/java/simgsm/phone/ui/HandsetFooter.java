@@ -15,7 +15,7 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /** The row below the keys: what can be folded open, and whether there is sound, in words where there is room for them. */
-final class HandsetFoot extends JPanel {
+final class HandsetFooter extends JPanel {
     private static final int ICON = 12;
 
     private final TextBundle texts;
@@ -24,7 +24,7 @@ final class HandsetFoot extends JPanel {
     private String soundWords = "";
 
     /** @param toggled opens or closes a fold */
-    HandsetFoot(TextBundle texts, Consumer<HandsetFold> toggled) {
+    HandsetFooter(TextBundle texts, Consumer<HandsetFold> toggled) {
         super(null);
         this.texts = texts;
         setOpaque(false);

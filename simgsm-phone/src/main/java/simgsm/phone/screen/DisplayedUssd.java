@@ -6,7 +6,7 @@ import simgsm.ss.UssdText;
 import simgsm.station.context.StationEvent;
 
 /** A USSD dialogue on the display: the network's texts and the reply being typed. */
-final class UssdDialog {
+final class DisplayedUssd {
     /** What a key asks for. */
     enum Wish {
         NOTHING,

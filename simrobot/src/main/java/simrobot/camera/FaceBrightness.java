@@ -1,8 +1,8 @@
 package simrobot.camera;
 
 /** Computes the brightness of the visible side of an upright face. */
-final class Lit {
-    private Lit() {}
+final class FaceBrightness {
+    private FaceBrightness() {}
 
     static double towards(PinholeView eye, double x1, double y1, double x2, double y2) {
         double nx = y2 - y1;

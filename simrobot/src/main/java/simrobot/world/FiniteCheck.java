@@ -1,8 +1,8 @@
 package simrobot.world;
 
 /** Rejects coordinates that are not finite. */
-final class Finite {
-    private Finite() {}
+final class FiniteCheck {
+    private FiniteCheck() {}
 
     static void check(String what, double value) {
         if (!Double.isFinite(value)) {
