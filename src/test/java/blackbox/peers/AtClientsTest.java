@@ -205,6 +205,7 @@ class AtClientsTest {
     void modemManagerRegistersSendsAnOrderAndCalls() throws Exception {
         Peer.MODEM_MANAGER.require();
         Peer.MMCLI.require();
+        Peer.require(System.getProperty("user.name").equals("root"), "polkitd, which only root can start");
         try {
             begin("ModemManager");
             String printed = run(blocks("ModemManager").get(0));
