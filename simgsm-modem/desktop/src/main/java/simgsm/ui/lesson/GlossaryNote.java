@@ -4,41 +4,61 @@ import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JPanel;
 import simgsm.lesson.Glossary;
 
-/** The explanation of a term below what names it; hidden without one. */
+/**
+ * The explanation of a term below what names it; hidden without one. Glossary and text are made when there is something to
+ * explain: a window that begins with neither is there sooner.
+ */
 public final class GlossaryNote extends JPanel {
-    private final Glossary glossary;
-    private final GlossaryText text = new GlossaryText("glossary.note", Optional.empty(), term -> {});
+    private final Locale language;
+    private Glossary glossary;
+    private GlossaryText text;
 
     public GlossaryNote(Locale language) {
         super(new BorderLayout());
-        glossary = Glossary.in(language);
+        this.language = language;
         setOpaque(false);
-        add(text, BorderLayout.CENTER);
         setVisible(false);
     }
 
     /** Explains a GSM message by its name, and what it carries. */
     public void explainMessage(String name) {
-        List<String> found = Stream.of(glossary.findMessage(name), glossary.findCarried(name))
+        show(Stream.of(glossary().findMessage(name), glossary().findCarried(name))
                 .flatMap(Optional::stream)
-                .toList();
-        text.show(String.join("\n\n", found));
-        setVisible(!found.isEmpty());
-        revalidate();
+                .collect(Collectors.joining("\n\n")));
     }
 
     /** Explains the first term in a text; without a term in it, nothing is shown. */
     public void explain(String words) {
-        Optional<String> term = glossary.parts(words).stream()
+        List<Glossary.Part> parts = words.isEmpty() ? List.of() : glossary().parts(words);
+        show(parts.stream()
                 .map(Glossary.Part::term)
                 .filter(each -> !each.isEmpty())
-                .findFirst();
-        term.ifPresent(name -> text.show(name + ": " + glossary.find(name).orElse("")));
-        setVisible(term.isPresent());
+                .findFirst()
+                .map(name -> name + ": " + glossary().find(name).orElse(""))
+                .orElse(""));
+    }
+
+    private Glossary glossary() {
+        if (glossary == null) {
+            glossary = Glossary.in(language);
+        }
+        return glossary;
+    }
+
+    private void show(String explanation) {
+        if (!explanation.isEmpty()) {
+            if (text == null) {
+                text = new GlossaryText("glossary.note", Optional.empty(), term -> {});
+                add(text, BorderLayout.CENTER);
+            }
+            text.show(explanation);
+        }
+        setVisible(!explanation.isEmpty());
         revalidate();
     }
 }
