@@ -90,16 +90,7 @@ public final class Exchange {
         Function<Msisdn, Optional<Link>> locations =
                 number -> register.ofNumber(number).flatMap(mobility::locationOf);
         MobileMessages mobiles = new MobileMessages(locations);
-        UssdDialogues services = new UssdDialogues(
-                locations,
-                settings.language(),
-                settings.callWaiting(),
-                changed -> store.commit(
-                        MessageStore.NO_TICKET,
-                        List.of(new StoreEntry.Known(
-                                changed.number(),
-                                changed.imsi(),
-                                changed.services().text()))));
+        UssdDialogues services = new UssdDialogues(locations, settings.language(), settings.callWaiting(), this::store);
         shortMessages = new ShortMessageCenter(
                 startedAt, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);
@@ -129,6 +120,11 @@ public final class Exchange {
     public void restore(StoredState stored) {
         stored.subscribers().forEach(known -> register.restore(known.number(), known.imsi(), known.services()));
         shortMessages.restore(stored);
+    }
+
+    private void store(Subscriber changed, Consumer<Boolean> stored) {
+        String services = changed.services().text();
+        shortMessages.commit(new StoreEntry.Known(changed.number(), changed.imsi(), services), stored);
     }
 
     private void attached(Subscriber subscriber) {

@@ -390,7 +390,8 @@ public final class ShortMessageCenter {
         });
     }
 
-    private void commit(StoreEntry entry, Consumer<Boolean> stored) {
+    /** Stores an entry. @param stored is told once whether it is durable */
+    public void commit(StoreEntry entry, Consumer<Boolean> stored) {
         long ticket = nextTicket++;
         otherCommits.put(ticket, stored);
         store.commit(ticket, List.of(entry));

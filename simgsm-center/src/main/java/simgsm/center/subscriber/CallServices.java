@@ -85,7 +85,10 @@ public final class CallServices {
     }
 
     /** Takes over what {@link #text} has written. @throws IllegalArgumentException for any other text */
-    void restore(String text) {
+    public void restore(String text) {
+        forwardedTo.clear();
+        active.clear();
+        callWaiting = Optional.empty();
         for (String part : text.isEmpty() ? new String[0] : text.split(";")) {
             Matcher form = PART.matcher(part);
             Optional<SsCode> service = Stream.of(SsCode.values())

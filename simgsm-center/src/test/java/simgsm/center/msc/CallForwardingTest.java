@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,6 +23,38 @@ class CallForwardingTest extends ThreePhones {
         assertEquals(List.of("21 active +5550102"), bob.code("*21#"));
         assertEquals(List.of("21 inactive"), bob.code("##21#"));
         assertEquals(List.of("21 inactive"), bob.code("*#21#"));
+    }
+
+    @Test
+    void aChangeIsAnsweredOnlyWhenItIsStoredAndUndoneIfItCannotBe() {
+        assertEquals(List.of("43 active"), bob.code("*43#"));
+        disk = Optional.empty();
+        assertEquals(List.of(), bob.code("**21*5550102#"));
+        disk = Optional.of(true);
+        settle();
+        assertEquals(List.of("21 active +5550102"), bob.news());
+
+        disk = Optional.of(false);
+        assertEquals(List.of("refused 34"), bob.code("##002#"));
+        assertEquals(List.of("refused 34"), bob.code("#43#"));
+        assertEquals(List.of("21 active +5550102"), bob.code("*#21#"));
+        assertEquals(List.of("43 active"), bob.code("*#43#"));
+        disk = Optional.of(true);
+        assertEquals(List.of("21 inactive"), bob.code("##21#"));
+    }
+
+    @Test
+    void aPhoneThatGoesAwayBeforeItsChangeIsStoredGetsNoAnswer() {
+        disk = Optional.empty();
+        bob.code("**21*5550102#");
+        bob.station.powerOff();
+        settle();
+        bob.news();
+        disk = Optional.of(true);
+        bob.station.powerOn();
+        settle();
+        assertEquals(List.of(), bob.news());
+        assertEquals(List.of("21 active +5550102"), bob.code("*#21#"));
     }
 
     @ParameterizedTest

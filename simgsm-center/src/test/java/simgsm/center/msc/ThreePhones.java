@@ -160,6 +160,10 @@ abstract class ThreePhones {
 
     private long nowNanos;
     private final List<Phone> phones = new ArrayList<>();
+    private final Deque<Long> unstored = new ArrayDeque<>();
+    /** Whether the disk has room; empty while it has not answered. */
+    Optional<Boolean> disk = Optional.of(true);
+
     final Exchange exchange;
     final Phone alice;
     final Phone bob;
@@ -178,7 +182,7 @@ abstract class ThreePhones {
                         Locale.ENGLISH,
                         false,
                         HandoverAlgorithm.STANDARD),
-                (ticket, entry) -> {},
+                (ticket, entry) -> unstored.add(ticket),
                 event -> {});
         alice = new Phone(ALICE, true);
         bob = new Phone(BOB, true);
@@ -188,7 +192,11 @@ abstract class ThreePhones {
     /** Hands frames over until none is left, then lets 20 ms pass, some times. */
     final void settle() {
         for (int i = 0; i < 10; i++) {
-            while (phones.stream().anyMatch(phone -> !phone.up.isEmpty() || !phone.down.isEmpty())) {
+            while (phones.stream().anyMatch(phone -> !phone.up.isEmpty() || !phone.down.isEmpty())
+                    || disk.isPresent() && !unstored.isEmpty()) {
+                while (disk.isPresent() && !unstored.isEmpty()) {
+                    exchange.committed(nowNanos, unstored.remove(), disk.get());
+                }
                 for (Phone phone : phones) {
                     for (IpaFrame frame = phone.up.poll(); frame != null; frame = phone.up.poll()) {
                         exchange.frameReceived(nowNanos, phone.link, frame);

@@ -32,6 +32,9 @@ final class LinkDialogues {
     private final BiConsumer<UssdSession, String> services;
     private final ServiceProcedures procedures;
     private final List<UssdDialogue> ofMobile = new ArrayList<>(1);
+    /** What the mobile has asked to change, and is stored before it is answered. */
+    private final List<SsRegister> storing = new ArrayList<>(1);
+
     private UssdDialogue ofNetwork;
     private int nextTransaction;
 
@@ -43,10 +46,16 @@ final class LinkDialogues {
     }
 
     boolean needRadio() {
-        return !ofMobile.isEmpty() || ofNetwork != null && ofNetwork.needsRadio();
+        return !ofMobile.isEmpty() || !storing.isEmpty() || ofNetwork != null && ofNetwork.needsRadio();
+    }
+
+    /** The mobile is gone. */
+    void closed() {
+        storing.clear();
     }
 
     void radioLost() {
+        storing.clear();
         List.copyOf(ofMobile).forEach(UssdDialogue::radioLost);
         if (ofNetwork != null) {
             ofNetwork.radioLost();
@@ -100,24 +109,44 @@ final class LinkDialogues {
             return;
         }
         try {
-            begin(ComponentCodec.decode(register.facility()), transaction)
-                    .ifPresent(last -> link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(last))));
+            Component component = ComponentCodec.decode(register.facility());
+            if (!perform(register, component, transaction)) {
+                begin(component, transaction).ifPresent(last -> end(transaction, last));
+            }
         } catch (ComponentFault fault) {
             link.violated(fault.getMessage());
             link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(fault.answer())));
         }
     }
 
-    /** @return what the dialogue ends with at once: a refusal, or the answer to an operation */
+    /** An operation on a supplementary service. @return false if it is none */
+    private boolean perform(SsRegister register, Component component, TransactionIdentifier transaction) {
+        if (!(component instanceof Invoke invoke)) {
+            return false;
+        }
+        storing.add(register);
+        boolean isPerformed = procedures.perform(link.subscriber(), invoke, last -> {
+            if (storing.remove(register)) {
+                end(transaction, last);
+                link.touch();
+            }
+        });
+        if (!isPerformed) {
+            storing.remove(register);
+        }
+        return isPerformed;
+    }
+
+    private void end(TransactionIdentifier transaction, Component last) {
+        link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(last)));
+    }
+
+    /** @return what the dialogue is refused with */
     private Optional<Component> begin(Component component, TransactionIdentifier transaction) {
         if (!(component instanceof Invoke invoke)) {
             return Optional.of(new Reject(Optional.empty(), SsProblem.UNRECOGNIZED_COMPONENT));
         }
         if (!invoke.is(SsOperation.PROCESS_UNSTRUCTURED_SS_REQUEST)) {
-            Optional<Component> performed = procedures.perform(link.subscriber(), invoke);
-            if (performed.isPresent()) {
-                return performed;
-            }
             return Optional.of(
                     SsOperation.ofCode(invoke.operation()).isPresent()
                             ? new ReturnError(invoke.id(), SsError.FACILITY_NOT_SUPPORTED)

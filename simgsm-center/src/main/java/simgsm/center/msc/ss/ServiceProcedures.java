@@ -2,6 +2,7 @@ package simgsm.center.msc.ss;
 
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
@@ -38,24 +39,45 @@ final class ServiceProcedures {
     private static final int SHOWN_ALWAYS = ServiceStatus.PROVISIONED | ServiceStatus.ACTIVE;
 
     private final boolean callWaiting;
-    private final Consumer<Subscriber> changed;
+    private final BiConsumer<Subscriber, Consumer<Boolean>> store;
 
     /**
      * Procedures for all subscribers.
      *
      * @param callWaiting whether a second call may wait for subscribers who have not set it
-     * @param changed is given each subscriber whose services have changed
+     * @param store stores the services of a subscriber, who has changed them, and tells whether they are stored
      */
-    ServiceProcedures(boolean callWaiting, Consumer<Subscriber> changed) {
+    ServiceProcedures(boolean callWaiting, BiConsumer<Subscriber, Consumer<Boolean>> store) {
         this.callWaiting = callWaiting;
-        this.changed = changed;
+        this.store = store;
     }
 
-    /** Performs the operation; empty if it is none on a supplementary service. */
-    Optional<Component> perform(Subscriber subscriber, Invoke invoke) {
-        return SsOperation.ofCode(invoke.operation())
-                .filter(OPERATIONS::contains)
-                .map(operation -> perform(subscriber, invoke, operation));
+    /**
+     * Performs an operation on a supplementary service.
+     *
+     * @param answer receives the answer once: of a change as soon as it is stored, else at once
+     * @return false if it is no such operation
+     */
+    boolean perform(Subscriber subscriber, Invoke invoke, Consumer<Component> answer) {
+        Optional<SsOperation> operation = SsOperation.ofCode(invoke.operation()).filter(OPERATIONS::contains);
+        operation.ifPresent(known -> perform(subscriber, invoke, known, answer));
+        return operation.isPresent();
+    }
+
+    private void perform(Subscriber subscriber, Invoke invoke, SsOperation operation, Consumer<Component> answer) {
+        CallServices services = subscriber.services();
+        String before = services.text();
+        Component done = perform(subscriber, invoke, operation);
+        if (operation == SsOperation.INTERROGATE_SS || !(done instanceof ReturnResult)) {
+            answer.accept(done);
+            return;
+        }
+        store.accept(subscriber, isStored -> {
+            if (!isStored) {
+                services.restore(before);
+            }
+            answer.accept(isStored ? done : new ReturnError(invoke.id(), SsError.SYSTEM_FAILURE));
+        });
     }
 
     private Component perform(Subscriber subscriber, Invoke invoke, SsOperation operation) {
@@ -72,9 +94,6 @@ final class ServiceProcedures {
         Optional<SsError> error = perform(subscriber, operation, service.get(), argument);
         if (error.isPresent()) {
             return new ReturnError(invoke.id(), error.get());
-        }
-        if (operation != SsOperation.INTERROGATE_SS) {
-            changed.accept(subscriber);
         }
         ServiceStatus status = status(subscriber.services(), service.get());
         return new ReturnResult(invoke.id(), operation, status.encode(operation));

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import simgsm.air.Msisdn;
@@ -23,14 +24,14 @@ public final class UssdDialogues implements LinkUser {
      * @param locations gives the link of an attached subscriber
      * @param language of the services' texts
      * @param callWaiting whether a second call may wait for subscribers who have not set it
-     * @param changed is given each subscriber whose services have changed
+     * @param store as for {@link ServiceProcedures}
      */
     public UssdDialogues(
             Function<Msisdn, Optional<Link>> locations,
             Locale language,
             boolean callWaiting,
-            Consumer<Subscriber> changed) {
-        procedures = new ServiceProcedures(callWaiting, changed);
+            BiConsumer<Subscriber, Consumer<Boolean>> store) {
+        procedures = new ServiceProcedures(callWaiting, store);
         this.locations = locations;
         services = new UssdServices(this::ask, language);
     }
@@ -66,6 +67,9 @@ public final class UssdDialogues implements LinkUser {
 
     @Override
     public void linkClosed(Link link) {
-        dialogues.remove(link);
+        LinkDialogues closed = dialogues.remove(link);
+        if (closed != null) {
+            closed.closed();
+        }
     }
 }
