@@ -33,12 +33,17 @@ import simgsm.center.ui.MonitorPanel;
 import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.NetworkAccess;
 import simgsm.console.TextBundle;
+import simgsm.dtmf.DtmfGenerator;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.ToneExperiment;
+import simgsm.dtmf.ToneTracer;
 import simgsm.lesson.Lesson;
 import simgsm.lesson.LessonException;
 import simgsm.lesson.LessonLibrary;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.ui.HandsetControls;
 import simgsm.phone.ui.HandsetWindow;
+import simgsm.speech.SpeechCodec;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.lesson.ClassActs;
 import simgsm.ui.lesson.ClassPanel;
@@ -48,6 +53,7 @@ import simgsm.ui.lesson.LessonList;
 import simgsm.ui.lesson.LessonPanel;
 import simgsm.ui.lesson.LessonView;
 import simgsm.ui.lesson.SheetPanel;
+import simgsm.ui.scope.ToneScopePanel;
 import simgsm.ui.window.ProgramWindow;
 import simrobot.control.LoggedEvent;
 import simrobot.control.RobotEventLog;
@@ -76,6 +82,7 @@ final class SuiteWindows {
         CENTER,
         TOWN,
         CLASS,
+        SCOPE,
         LESSONS,
         LESSON,
         SHEET
@@ -154,6 +161,7 @@ final class SuiteWindows {
                         task -> {},
                         Runnable::run);
             case CLASS -> classPanel(locale);
+            case SCOPE -> scope(locale);
             case LESSONS -> new LessonList(LessonLibrary.ofSuite(), locale, nothing(LessonList.Acts.class));
             case LESSON -> lesson(form, locale);
             case SHEET -> sheet(form, locale);
@@ -198,6 +206,23 @@ final class SuiteWindows {
         } catch (LessonException e) {
             throw new AssertionError(e);
         }
+    }
+
+    /** A large scope that hears two keys through noise and a codec. */
+    private static ToneScopePanel scope(Locale locale) {
+        ToneScopePanel panel = new ToneScopePanel(locale, experiment -> {});
+        ToneTracer tracer = new ToneTracer();
+        tracer.tryOut(new ToneExperiment(12, -1.5, Optional.of(SpeechCodec.Kind.GSM_FULL_RATE)));
+        DtmfGenerator generator = new DtmfGenerator();
+        generator.enqueue(DtmfKey.FIVE);
+        generator.enqueue(DtmfKey.STAR);
+        for (int i = 0; i < 14; i++) {
+            short[] frame = new short[160];
+            generator.read(frame);
+            tracer.accept(frame);
+        }
+        panel.show(tracer.newest());
+        return panel;
     }
 
     private static ClassPanel classPanel(Locale locale) {
@@ -260,12 +285,19 @@ final class SuiteWindows {
             case REPLAY -> List.of("plain", "tab.events");
             case CENTER -> List.of("ladder", "alone", "tab 0", "tab 1", "tab 2", "tab 3", "message");
             case TOWN, CLASS, LESSONS -> List.of("plain");
+            case SCOPE ->
+                List.of("plain", "scope.freeze", "scope.cursors", "scope.spectrogram", "scope.predict", "scope.terms");
             case LESSON, SHEET -> LessonLibrary.ofSuite().names();
         };
     }
 
     static void take(JComponent window, String form) {
-        if (form.equals("scope") || form.equals("events")) {
+        if (form.startsWith("scope.")) {
+            ((AbstractButton) ComponentNames.find(window, form).orElseThrow()).doClick(0);
+            if (form.equals("scope.predict")) {
+                ((AbstractButton) ComponentNames.find(window, "scope.practise").orElseThrow()).doClick(0);
+            }
+        } else if (form.equals("scope") || form.equals("events")) {
             ((AbstractButton) ComponentNames.find(window, form + ".switch").orElseThrow()).doClick(0);
         } else if (form.startsWith("tab.") || form.equals("robot.add")) {
             ((AbstractButton) ComponentNames.find(window, form).orElseThrow()).doClick(0);

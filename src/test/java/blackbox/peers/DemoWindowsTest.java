@@ -62,6 +62,16 @@ class DemoWindowsTest {
             faults = faults(whole);
         }
         assertEquals(List.of(), faults);
+        // The user dials first, whichever window has opened last.
+        String focused = focused();
+        while (!focused.equals(TITLES.get(0)) && System.nanoTime() < deadline) {
+            focused = focused();
+        }
+        assertEquals(TITLES.get(0), focused);
+    }
+
+    private String focused() throws Exception {
+        return look(Peer.XDOTOOL, "getwindowfocus", "getwindowname").strip();
     }
 
     private List<String> faults(Rectangle screen) {

@@ -63,6 +63,7 @@ public final class WindowedDemo {
             choice.listenTo(programs.startRobot(
                     Redirect.PIPE,
                     "--no-sound",
+                    "--unfocused",
                     "--console",
                     "--remember-as",
                     ROBOT,
@@ -70,8 +71,13 @@ public final class WindowedDemo {
                     zoom,
                     "--window",
                     layout.robot().toString()));
+            // The phone has the keyboard: the user dials first.
             ProgramWindow window = ProgramWindow.of(
-                    arguments.with("zoom", zoom).with("window", layout.center().toString()), Optional.empty());
+                    arguments
+                            .with("unfocused", "")
+                            .with("zoom", zoom)
+                            .with("window", layout.center().toString()),
+                    Optional.empty());
             choice.onChosen(window::close);
             Optional<String> chosen = CenterWindow.run(
                     programs.center(), arguments, settings, programs.children(), window, CenterWindow.Watch.NONE);

@@ -268,6 +268,9 @@ public final class Program {
                 .flag(
                         "fresh",
                         "with a window: neither use nor keep what windows remember: place, zoom, theme, language")
+                .flag(
+                        "unfocused",
+                        "with a window: leave the keyboard to the window that has it (for programs that start this one)")
                 .value("remember-as", "NAME", "name under which this window's place and zoom are remembered")
                 .flag("no-sound", "use no sound device")
                 .value("seed", "N", "seed of everything random, for runs that repeat")

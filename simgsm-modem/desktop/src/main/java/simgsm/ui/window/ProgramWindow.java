@@ -70,6 +70,7 @@ public final class ProgramWindow {
     private final double zoom;
     private final Optional<WindowPlace> place;
     private final boolean endsWithInput;
+    private final boolean takesFocus;
     private final LessonLibrary lessons;
     private final Optional<WindowMemory> memory;
     private final String rememberedAs;
@@ -92,6 +93,7 @@ public final class ProgramWindow {
         this.place = place;
         this.language = arguments.language();
         this.endsWithInput = arguments.has("end-with-input") && !arguments.has("console");
+        this.takesFocus = !arguments.has("unfocused");
         this.lessons = LessonLibrary.of(arguments);
         this.memory = WindowMemory.of(arguments);
         this.rememberedAs = memory.isPresent() ? WindowMemory.nameOf(arguments) : "";
@@ -236,7 +238,9 @@ public final class ProgramWindow {
         });
         content.least().ifPresent(least -> frame.setMinimumSize(zoomed(least)));
         lay();
+        frame.setAutoRequestFocus(takesFocus);
         frame.setVisible(true);
+        frame.setAutoRequestFocus(true);
         content.shown().run();
         // The icon is painted once the window is there.
         SwingUtilities.invokeLater(() -> frame.setIconImages(WindowIcon.images(content.symbol())));
