@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import vericommand.LocalizedText;
 import vericommand.RobotStatus;
 import vericommand.VeriCommandSettings;
 
@@ -13,13 +14,26 @@ class CallEdgesTest {
     private VirtualSuite suite = new VirtualSuite();
 
     @Test
-    void aMinuteWithoutAKeyClearsTheCallWithCause16() {
+    void aMinuteWithoutAKeyClearsTheCallWithCause16AndTheReasonIsShown() {
         VirtualPhone phone = suite.inCall();
         suite.seconds(59);
         assertEquals(List.of(), phone.releaseCauses);
         suite.seconds(2);
         assertEquals(List.of(16), phone.releaseCauses);
-        assertEquals(List.of("released robot=robot cause=16"), suite.robotLines("released"));
+        List<String> end = List.of("call-idle robot=robot seconds=60", "released robot=robot cause=16");
+        List<String> lines = suite.robotLines;
+        assertEquals(end, lines.subList(lines.size() - 2, lines.size()));
+        LocalizedText shown = suite.telephone.veriCommand().verdictText();
+        assertEquals("The call was ended: no key for 60 s.", shown.english());
+    }
+
+    @Test
+    void aCallThatTheCallerEndsHasNoSuchReason() {
+        VirtualPhone phone = suite.inCall();
+        suite.seconds(59);
+        phone.hangUp();
+        suite.seconds(2);
+        assertEquals(List.of(), suite.robotLines("call-idle"));
     }
 
     @Test
