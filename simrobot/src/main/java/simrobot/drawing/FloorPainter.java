@@ -31,6 +31,8 @@ public final class FloorPainter {
     private static final double NAME_ROW_UNITS = 14;
     /** How much wider than its box a name's plate may be. */
     private static final double WIDEST_PLATE = 1.8;
+    /** How much higher than a plate a box has to be, so that it is seen behind it. */
+    private static final double LEAST_BOX_OF_PLATE = 1.6;
 
     private final Canvas g;
     private final Viewport view;
@@ -166,7 +168,9 @@ public final class FloorPainter {
             name(first, x, y - step / 2, wide, Ink.QUIET);
             name(second, x, y + step / 2, wide, Ink.QUIET);
         } else if (length <= wide * WIDEST_PLATE && isNamed(name)) {
-            WorldPainter.textGround(g, Ink.FLOOR, 0.85, x - length / 2, y - step / 2, length, step);
+            if (high > step * LEAST_BOX_OF_PLATE) {
+                WorldPainter.textGround(g, Ink.FLOOR, 0.85, x - length / 2, y - step / 2, length, step);
+            }
             name(name, x, y, length, Ink.QUIET);
         }
     }
