@@ -145,7 +145,7 @@ class TowerAuthenticationTest {
     }
 
     @Test
-    void aDetachThatNamesAMobileInAConnectionIsIgnored() {
+    void aDetachThatNamesAMobileInAConnectionDoesNotEndIt() {
         String tmsi = register(ANA, TowerStage.IMEI);
         beginService(ANA, tmsi);
 
@@ -159,11 +159,25 @@ class TowerAuthenticationTest {
         String tmsi = register(ANA, TowerStage.IMEI);
 
         String channel = west.access("11", "0501 33 05f4" + tmsi);
+        prove(ANA, channel, "0554");
+        assertEquals("060d00", west.nextLayer3());
         stage.passMillis(10);
         west.leave(channel);
 
         assertEquals(0, stage.exchange.attachedCount());
         assertEquals(0, stage.exchange.linkCount());
+    }
+
+    @Test
+    void anIntruderThatNamesAMobileDoesNotDetachIt() {
+        String tmsi = register(ANA, TowerStage.IMEI);
+
+        String channel = west.access("11", "0501 33 05f4" + tmsi);
+        prove(EVA, channel, "0554");
+
+        assertEquals("0511", west.nextLayer3());
+        assertEquals("060d00", west.nextLayer3());
+        assertEquals(List.of(new ExchangeEvent.Attached(ANA.number())), attachedOrDetached());
     }
 
     private List<ExchangeEvent> attachedOrDetached() {

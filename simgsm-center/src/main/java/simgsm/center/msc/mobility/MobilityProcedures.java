@@ -133,9 +133,13 @@ public final class MobilityProcedures implements LinkUser {
         } else if (message instanceof MobilityManagement.CmServiceAbort) {
             abortService(link);
         } else if (message instanceof MobilityManagement.ImsiDetachIndication indication) {
-            namedBy(link, indication.identity())
-                    .filter(named -> named == link || named.radio().isIdle())
-                    .ifPresent(named -> leave(named, link));
+            namedBy(link, indication.identity()).ifPresent(named -> {
+                if (named == link) {
+                    leave(link);
+                } else {
+                    prove(link, named.subscriber(), this::leave);
+                }
+            });
         } else if (!(message instanceof MobilityManagement.MmStatus)
                 && !authenticationOf(link).receive(message)
                 && !(updates.containsKey(link) && updates.get(link).receive(message))) {
@@ -202,13 +206,13 @@ public final class MobilityProcedures implements LinkUser {
         });
     }
 
-    /** IMSI DETACH, which is not authenticated (TS 24.008, 4.3.4). */
-    private void leave(Link named, Link from) {
-        named.loseTransactions();
-        detach(named);
-        if (named != from) {
-            named.forget();
-        }
+    /**
+     * IMSI DETACH of the link's own subscriber. The standard asks for no proof (TS 24.008, 4.3.4), and lets the network ask for
+     * one on each connection (4.3.2.2).
+     */
+    private void leave(Link link) {
+        link.loseTransactions();
+        detach(link);
     }
 
     /** Time without a message after which a subscriber over towers is detached (TS 24.008, 4.4.2); 0 for never. */
