@@ -108,7 +108,7 @@ final class OrderDisplay {
         verdictText = said(in -> in.text("verdict.unfinished"));
     }
 
-    /** The call has ended for want of a key; the words of its last order give way to the reason. */
+    /** The call has ended because it had no key; the reason replaces the words of its last order. */
     void callIdle(int seconds) {
         keys(keys);
         verdictWord = VeriCommandSnapshot.IDLE;

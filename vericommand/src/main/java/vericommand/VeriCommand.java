@@ -71,7 +71,7 @@ public final class VeriCommand {
         }
     }
 
-    /** The modem clears the call, in which no key has come for so long; no order of the call is under way. */
+    /** The modem clears the call, which had no key for 60 s; no order of the call is under way. */
     public void callIdle(int seconds) {
         if (call != null) {
             callEnded();

@@ -135,7 +135,7 @@ public final class WindowModel implements OperatorActions {
         log.add(robot.name(), new RobotEvent.Removed(robot.number().digits()));
     }
 
-    /** Tells of a recording that another part runs, as {@code --record} does, when it ends by itself. */
+    /** Reports when a recording that another part runs, as {@code --record} does, ends by itself. */
     public void watch(SessionRecording other) {
         recordings.add(other);
     }
@@ -166,7 +166,7 @@ public final class WindowModel implements OperatorActions {
         return newest;
     }
 
-    /** A recording that ends by itself is told of once. */
+    /** A recording that ends by itself is reported once. */
     private void tellOfFailure() {
         List<SessionRecording.Failure> failures = recordings.stream()
                 .flatMap(running -> running.failure().stream())

@@ -96,7 +96,7 @@ final class RobotControl {
         veriCommand.speech(samples);
     }
 
-    /** The modem clears the call, in which no key has come for so long; {@link #callEnded} follows. */
+    /** The modem clears the call, which had no key for 60 s; {@link #callEnded} follows. */
     void callIdle(int seconds) {
         LOG.log(Level.INFO, robot.name() + ": the call is ended, no key has come for " + seconds + " s");
         tell(new RobotEvent.CallIdle(seconds));

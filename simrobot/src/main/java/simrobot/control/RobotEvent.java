@@ -117,7 +117,7 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** No key has come in the call for so long, so the modem clears it; {@link CallReleased} follows. */
+    /** The modem clears the call, which had no key for 60 s; {@link CallReleased} follows. */
     record CallIdle(int seconds) implements RobotEvent {
         @Override
         public Event line(String robot) {

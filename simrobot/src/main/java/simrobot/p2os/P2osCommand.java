@@ -4,7 +4,7 @@ import java.util.List;
 
 /** A client's command; one record per command that the robot supports, units as on the wire. */
 public sealed interface P2osCommand {
-    /** Number 0: the first step of the handshake, later a sign of life. */
+    /** Number 0: the first step of the handshake, later the keep-alive. */
     record Pulse() implements P2osCommand {}
 
     /** Number 1: the second step of the handshake, later the opening of the session. */

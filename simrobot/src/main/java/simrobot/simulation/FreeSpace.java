@@ -13,7 +13,7 @@ final class FreeSpace {
     /** The circle's radius, and more than a contact's gap and all rounding. */
     private static final double RIM_METERS = Pioneer2Dx.RADIUS_METERS + 4 * MovingDisc.SKIN_METERS;
 
-    /** After a look that did not help, the next is this many steps later. */
+    /** After a look that found no free space, the next is this many steps later. */
     private static final int PATIENCE_STEPS = 10;
 
     private double wallX;

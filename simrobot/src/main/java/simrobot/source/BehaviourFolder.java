@@ -209,7 +209,7 @@ public final class BehaviourFolder implements AutoCloseable {
         listener.loaded(kind);
     }
 
-    /** Empty if the classes are those of before, or the file only helps others. */
+    /** Empty if the classes are unchanged. */
     private List<BehaviourKind> ofSource(Path file) throws SourceException {
         SortedMap<String, byte[]> classes = new TreeMap<>(compiler.compile(file));
         if (isSame(classes, compiled.get(file))) {

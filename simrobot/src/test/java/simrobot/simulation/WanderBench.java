@@ -32,23 +32,26 @@ public final class WanderBench {
         Path folder = Files.createTempDirectory("wander");
         System.out.println("| robots | world m | start-up CPU s | robot-seconds per CPU second | times Stage |");
         System.out.println("|---|---|---|---|---|");
-        for (int[] row : ROBOTS_SECONDS_STAGE) {
-            Path world = folder.resolve("wander" + row[0] + ".map");
-            Files.writeString(world, WanderWorld.map(row[0], 1));
-            double startUp = median(jar, world, 1);
-            double run = median(jar, world, row[1]);
-            double figure = row[0] * (row[1] - 1.0) / (run - startUp);
-            System.out.println(String.format(
-                    Locale.ROOT,
-                    "| %d | %d | %.2f | %.0f | %s |",
-                    row[0],
-                    WanderWorld.sideMeters(row[0]),
-                    startUp,
-                    figure,
-                    row[2] == 0 ? "" : String.format(Locale.ROOT, "%.1f", figure / row[2])));
-            Files.delete(world);
+        Path world = folder.resolve("wander.map");
+        try {
+            for (int[] row : ROBOTS_SECONDS_STAGE) {
+                Files.writeString(world, WanderWorld.map(row[0], 1));
+                double startUp = median(jar, world, 1);
+                double run = median(jar, world, row[1]);
+                double figure = row[0] * (row[1] - 1.0) / (run - startUp);
+                System.out.println(String.format(
+                        Locale.ROOT,
+                        "| %d | %d | %.2f | %.0f | %s |",
+                        row[0],
+                        WanderWorld.sideMeters(row[0]),
+                        startUp,
+                        figure,
+                        row[2] == 0 ? "" : String.format(Locale.ROOT, "%.1f", figure / row[2])));
+            }
+        } finally {
+            Files.deleteIfExists(world);
+            Files.delete(folder);
         }
-        Files.delete(folder);
     }
 
     private static double median(Path jar, Path world, int seconds) throws IOException, InterruptedException {

@@ -27,7 +27,7 @@ public final class WindowedDemo {
     private WindowedDemo() {}
 
     /**
-     * @param isZoomGiven on the command line; a remembered zoom was not asked for, and gives way without a word
+     * @param isZoomGiven on the command line; a remembered zoom is reduced without a notice
      * @return the lesson that the user has chosen in one of the windows, if any
      */
     public static Optional<String> run(Arguments arguments, CenterSettings settings, boolean isZoomGiven)

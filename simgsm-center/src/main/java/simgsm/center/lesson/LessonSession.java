@@ -83,7 +83,7 @@ final class LessonSession implements AutoCloseable {
      * @param folder in which tools run and files are handed in
      * @param own where a teacher's own lesson lies
      * @param manner the further options of a program, such as {@code --headless}
-     * @param language of what the student is told
+     * @param language of the student's texts
      */
     LessonSession(
             LessonRun run,

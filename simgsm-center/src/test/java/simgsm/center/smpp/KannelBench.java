@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Semaphore;
+import simgsm.center.demo.DemoPrograms;
 import simgsm.center.smpp.pdu.SmppAddress;
 import simgsm.center.smpp.pdu.SmppCodec;
 import simgsm.center.smpp.pdu.SmppCommand;
@@ -91,8 +92,12 @@ public final class KannelBench {
         int messages = args.length > 0 ? Integer.parseInt(args[0]) : 30_000;
         int rounds = args.length > 1 ? Integer.parseInt(args[1]) : 2;
         Path folder = Files.createTempDirectory("kannel-bench");
-        kannel(folder, messages, rounds);
-        centre(folder, messages, rounds);
+        try {
+            kannel(folder, messages, rounds);
+            centre(folder, messages, rounds);
+        } finally {
+            DemoPrograms.remove(folder);
+        }
     }
 
     private static void kannel(Path folder, int messages, int rounds) throws Exception {

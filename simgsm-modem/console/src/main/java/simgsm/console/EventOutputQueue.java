@@ -56,8 +56,8 @@ final class EventOutputQueue implements AutoCloseable {
     }
 
     /**
-     * Waits until the events that wait take little memory: for the thread that reads commands, so that commands whose
-     * answers nobody reads do not fill the heap.
+     * Waits until the events that wait take little memory: for the thread that reads commands, so that answers
+     * that are not read do not fill the heap.
      */
     synchronized void awaitRoom() throws InterruptedException {
         while (octets.get() > maxOctets) {

@@ -124,7 +124,7 @@ public final class Drawing {
         return end == 0 ? "" : text.substring(0, end) + "\u2026";
     }
 
-    /** The text in rows of whole words, at most so many; the last is cut with an ellipsis to fit. */
+    /** The text in rows of whole words, up to the given number; the last is cut with an ellipsis to fit. */
     public static List<String> wrapped(Font font, String text, double width, int mostRows) {
         List<String> rows = new ArrayList<>();
         String rest = text.strip();

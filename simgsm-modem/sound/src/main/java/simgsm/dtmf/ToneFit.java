@@ -67,7 +67,7 @@ final class ToneFit {
     double sinceOnset;
     /** They sounded for all the time that could be looked at. */
     boolean open;
-    /** After a look in vain: whether the tones were off their frequency rather than too short. */
+    /** After a look that found no key: whether the tones were off their frequency rather than too short. */
     boolean offFrequency;
 
     private int hops;

@@ -12,7 +12,7 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
     /** A tone could not be sent. */
     record ReplyToneFailed(DtmfKey key) implements ModemEvent {}
 
-    /** An accepted call had no key for so long; the modem clears it, and its release follows. */
+    /** An accepted call had no key for 60 s; the modem clears it, and its release follows. */
     record CallIdle(int seconds) implements ModemEvent {}
 
     /** A key in an accepted call that may have been lost with the speech, or whose report could not be read; an order that it belongs to cannot be trusted. */

@@ -237,7 +237,7 @@ class HandsetPanelTest {
             bench.panel.setSize(bench.panel.getPreferredSize());
             bench.paint(1);
         });
-        SwingUtilities.invokeAndWait(() -> {}); // the sizes are told by now
+        SwingUtilities.invokeAndWait(() -> {}); // the sizes have been set
         JTextArea events = (JTextArea) bench.find("events");
         Rectangle seen = events.getVisibleRect();
         assertTrue(seen.height > 0 && seen.height < events.getHeight(), seen.toString());

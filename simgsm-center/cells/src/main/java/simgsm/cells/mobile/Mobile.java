@@ -231,7 +231,7 @@ public final class Mobile {
         }
     }
 
-    /** Closes the terminal's connection, as a network that is gone: the terminal says so, comes again and registers. */
+    /** Closes the terminal's connection, as without a network: the terminal reports it, connects again and registers. */
     public void letGo(String reason) {
         port.close(reason);
     }

@@ -245,7 +245,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     }
 
     /**
-     * With the controller of the last tower the network is gone, and with it what it knows of the mobiles: their terminals are
+     * With the controller of the last tower the network and its records of the mobiles are gone: their terminals are
      * let go and register anew. A tower that is switched off is a hole in the coverage only.
      */
     @Override

@@ -267,7 +267,7 @@ public final class TowerChannel {
         }
     }
 
-    /** The mobile has gone to another channel, or its signal is lost, without a word. */
+    /** The mobile has gone to another channel, or its signal is lost, without a message. */
     public void forsake(boolean isReported) {
         if (user != null && isReported && !isClosed) {
             tower.send(RslPdu.of(RslType.CONNECTION_FAILURE, number).with(RslElement.CAUSE, RADIO_LINK_FAILURE));

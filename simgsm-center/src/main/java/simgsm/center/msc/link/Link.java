@@ -138,7 +138,7 @@ public final class Link implements Lifeline {
         return context.users();
     }
 
-    /** Has the exchange look at this link before it returns to its driver: something may need the radio no longer. */
+    /** Has the exchange look at this link before it returns to its driver: a transaction may have released the radio. */
     public void touch() {
         context.touched().add(this);
     }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -100,11 +99,13 @@ class WindowMemoryTest {
     }
 
     @Test
-    void whereNothingCanBeWrittenNothingIsRemembered() throws IOException {
+    void whereNothingCanBeWrittenNothingIsRemembered() throws Exception {
         WindowMemory none =
                 new WindowMemory(Files.writeString(home.resolve("file"), "").resolve("folder"));
         none.keep("robot", PLACE, 100, SCREEN);
+        assertFalse(none.recall(given(), "robot", SCREEN).has("window"));
         none.forget();
+        assertFalse(none.recall(given(), "robot", SCREEN).has("window"));
     }
 
     @Test

@@ -94,7 +94,7 @@ final class AttachedCall {
         machine = new StateMachine<>(AttachedCallTable.TABLE, "attached modem", this::perform);
     }
 
-    /** The modem is ready; the calls of before have been ended. */
+    /** The modem is ready; earlier calls have been ended. */
     void ready(ModemSetup whatItCan) {
         setup = whatItCan;
     }

@@ -32,7 +32,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     /** {@link #nextDeadlineNanos} of a modem that waits for nothing. */
     public static final long NO_DEADLINE = Long.MAX_VALUE;
 
-    /** Without an octet for this time, nothing of a dialogue of before is under way any more. */
+    /** Without an octet for this time, no earlier dialogue is under way. */
     static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
 
     private static final long ATTENTION_MILLIS = 500;

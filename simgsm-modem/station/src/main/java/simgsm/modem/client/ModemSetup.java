@@ -142,7 +142,7 @@ final class ModemSetup {
         }
     }
 
-    /** Whether a call rings already: it is not hung up, as one of before is. */
+    /** Whether a call rings already: it is not hung up, as an earlier one is. */
     boolean isRinging() {
         return answers.containsKey(SetupStep.CALL_LIST)
                 && answers.get(SetupStep.CALL_LIST).lines().stream()

@@ -82,7 +82,7 @@ public final class MobileRegistration {
                 || state() == MobileRegistrationState.ATTEMPTING_TO_UPDATE && rejectCause.isPresent();
     }
 
-    /** Whether the station is switched off and its farewell is over. */
+    /** Whether the station is switched off and its detach has ended. */
     public boolean isOff() {
         return state() == MobileRegistrationState.NULL;
     }
