@@ -117,9 +117,11 @@ public final class VeriCommandPanel extends JPanel {
             case "refused" -> verdict.show(StatusMark.CROSS, Ink.WARNING, told);
             case "invalid" -> verdict.show(StatusMark.CROSS, Ink.DANGER, told);
             default -> {
-                String waiting = order.keys().isEmpty() ? "order.waiting" : "order.reading";
+                boolean isReading = order.inCall() && !order.keys().isEmpty();
                 verdict.show(
-                        order.keys().isEmpty() ? StatusMark.RING : StatusMark.HALF_DISC, Ink.QUIET, texts.of(waiting));
+                        isReading ? StatusMark.HALF_DISC : StatusMark.RING,
+                        Ink.QUIET,
+                        texts.of(isReading ? "order.reading" : "order.waiting"));
             }
         }
     }

@@ -349,6 +349,27 @@ class SimRobotPanelTest {
     }
 
     @Test
+    void keysAreReadInACallOnly() throws Exception {
+        VeriCommandSnapshot inCall = WindowBench.orders("*", "", "", "", 0);
+        WindowBench bench = bench(WindowBench.line("robot", true, true, inCall, "1"));
+        assertEquals("Verdict: reading", bench.spoken("order.verdict"));
+        VeriCommandSnapshot ended = new VeriCommandSnapshot(
+                "5550100",
+                false,
+                false,
+                false,
+                "*",
+                inCall.words(),
+                "",
+                inCall.verdictText(),
+                OrderCourse.NONE,
+                0,
+                List.of());
+        bench = bench(WindowBench.line("robot", true, false, ended, "1"));
+        assertEquals("Verdict: waiting for keys", bench.spoken("order.verdict"));
+    }
+
+    @Test
     void aFaultIsMarkedAtItsPositionWithWhatWasExpected() throws Exception {
         VeriCommandSnapshot order = WindowBench.orders(
                 "**#*A", "", "invalid", "Not a valid command: * or # or digit expected at key 5.", 5);
