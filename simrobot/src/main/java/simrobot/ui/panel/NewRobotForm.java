@@ -132,16 +132,25 @@ final class NewRobotForm extends JPanel {
             addedName = name.getText().strip();
             operator.addRobot(addedName, number.getText().strip(), place, EventThread.onEventThread(this::answered));
         } catch (IllegalArgumentException notANumber) {
-            problem.show(texts.of("newcomer.numbers", notANumber.getMessage()));
+            refuse(texts.of("newcomer.numbers", notANumber.getMessage()));
         }
     }
 
     private void answered(Optional<String> refusal) {
-        problem.show(refusal.orElse(""));
-        if (refusal.isEmpty()) {
+        if (refusal.isPresent()) {
+            refuse(refusal.get());
+        } else {
+            problem.show("");
             view.requestSelection(addedName);
             close();
         }
+    }
+
+    /** Shows why, and brings the reason and the buttons below it into view: a low window shows the fields alone. */
+    private void refuse(String why) {
+        problem.show(why);
+        Rectangle reason = SwingUtilities.convertRectangle(problem.getParent(), problem.getBounds(), this);
+        scrollRectToVisible(new Rectangle(0, reason.y, getWidth(), getHeight() - reason.y));
     }
 
     private void close() {

@@ -110,7 +110,7 @@ public final class ModemPanel extends JPanel {
         number.show(line.number());
         network.show(network(modem));
         signal.show(modem.signalBars(SignalBars.BARS));
-        showCall(modem.callState());
+        showCall(modem);
         peer.show(modem.peer().map(Msisdn::digits).orElse(""));
         codec.show(CodecText.of(modem.codec(), modem.heardCodec(), language));
         showSound(line.audible());
@@ -173,8 +173,12 @@ public final class ModemPanel extends JPanel {
         }
     }
 
-    private void showCall(MobileCallState state) {
-        if (state == MobileCallState.NULL) {
+    /** Where the panel is too narrow for the line of the network, a refusal stands here: without a network there is no call. */
+    private void showCall(StationSnapshot modem) {
+        MobileCallState state = modem.callState();
+        if (isStacked && modem.rejectCause().isPresent()) {
+            call.show(StatusMark.SLASHED_RING, Ink.DANGER, refusal(modem));
+        } else if (state == MobileCallState.NULL) {
             call.show(StatusMark.RING, Ink.QUIET, texts.of("modem.call.none"));
         } else if (state == MobileCallState.ACTIVE) {
             call.show(StatusMark.DISC, Ink.GOOD, texts.of("modem.call.active"));

@@ -12,6 +12,7 @@ import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
@@ -74,6 +75,22 @@ class RobotsInTheWindowTest {
         bench.type("newcomer.x", "far");
         bench.click("newcomer.add");
         assertEquals("expected a number, found far", bench.spoken("newcomer.problem"));
+    }
+
+    @Test
+    void whyARobotIsNotAddedIsInViewInAWindowThatShowsOnlyPartOfTheForm() throws Exception {
+        bench.resize(1024, 416).resize(1024, 416);
+        bench.click("tool.inspector");
+        bench.resize(1024, 416).click("robot.add");
+        bench.resize(1024, 416).resize(1024, 416);
+        JComponent problem = (JComponent) bench.component("newcomer.problem");
+        assertTrue(problem.getVisibleRect().height < problem.getHeight());
+        bench.refusal = Optional.of("another robot has the number 5550200");
+        bench.click("newcomer.add");
+        bench.settle();
+        assertEquals(problem.getHeight(), problem.getVisibleRect().height);
+        JComponent button = (JComponent) bench.component("newcomer.add");
+        assertEquals(button.getHeight(), button.getVisibleRect().height);
     }
 
     @Test

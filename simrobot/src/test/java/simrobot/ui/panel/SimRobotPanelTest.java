@@ -26,6 +26,7 @@ import simgsm.station.call.MobileCallState;
 import simgsm.ui.Keycaps;
 import simgsm.ui.Lamp;
 import simgsm.ui.NumberedLabel;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import simrobot.ui.TelephoneSnapshot;
 import vericommand.Instruction;
@@ -284,6 +285,10 @@ class SimRobotPanelTest {
                 line.robot(), line.number(), refused, line.heard(), line.orders(), line.tones(), line.audible()));
         assertEquals(words, bench.spoken("modem.network"));
         assertTrue(bench.spoken("lamp.link").endsWith("refused"), bench.spoken("lamp.link"));
+        // the demo's size has no room for the line of the network
+        bench.resize(1024, 416).resize(1024, 416).show();
+        assertEquals(Optional.empty(), ComponentNames.find(bench.panel, "modem.network"));
+        assertEquals("Call: " + words, bench.spoken("modem.call"));
     }
 
     @Test

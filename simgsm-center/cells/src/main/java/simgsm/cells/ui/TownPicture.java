@@ -1,5 +1,6 @@
 package simgsm.cells.ui;
 
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -40,12 +41,14 @@ final class TownPicture {
     private final TextBundle texts;
     private final Canvas g;
     private final Map<String, Integer> towerIndices = new HashMap<>();
+    private final MapLabels labels;
 
     TownPicture(TownSnapshot snapshot, MapScale scale, TextBundle texts, Canvas g) {
         this.snapshot = snapshot;
         this.scale = scale;
         this.texts = texts;
         this.g = g;
+        labels = new MapLabels(new Rectangle2D.Double(scale.left(), scale.top(), scale.width(), scale.height()));
         List<Tower> towers = snapshot.town().towers();
         for (int i = 0; i < towers.size(); i++) {
             towerIndices.put(towers.get(i).name(), i);
@@ -77,10 +80,11 @@ final class TownPicture {
         for (int i = 0; i < snapshot.cells().size(); i++) {
             tower(snapshot.town().towers().get(i), snapshot.cells().get(i), i);
         }
+        scaleBar();
         for (MobileState mobile : snapshot.mobiles()) {
             mobile(mobile, selected.filter(mobile.number()::equals).isPresent());
         }
-        scaleBar();
+        snapshot.mobiles().forEach(this::number);
     }
 
     private void rings(Hill hill) {
@@ -244,7 +248,34 @@ final class TownPicture {
             g.draw(Outline.circle(x, y, radius + g.px(5)));
         }
         markOf(mobile.state()).draw(g, x, y, radius, Ink.TEXT);
-        chip(mobile.number(), Face.MONO_SMALL, x, y + radius + g.px(12), Optional.empty());
+        labels.take(new Rectangle2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
+    }
+
+    /** The number stands below its mobile, or where it covers no other name: above, beside, or a row further away. */
+    private void number(MobileState mobile) {
+        double x = scale.x(mobile.place().xMetres());
+        double y = scale.y(mobile.place().yMetres());
+        double width = g.width(mobile.number(), Face.MONO_SMALL) + 2 * g.px(CHIP_PADDING_UNITS);
+        double height = g.px(CHIP_HEIGHT_UNITS);
+        double below = y + g.px(MOBILE_UNITS + 12) - height / 2;
+        double above = y - g.px(MOBILE_UNITS + 12) - height / 2;
+        double aside = width / 2 + g.px(MOBILE_UNITS + 6);
+        double left = x - width / 2;
+        List<Rectangle2D> places = new ArrayList<>();
+        for (double[] corner : new double[][] {
+            {left, below},
+            {left, above},
+            {left + aside, y - height / 2},
+            {left - aside, y - height / 2},
+            {left + aside, above},
+            {left - aside, above},
+            {left, above - height},
+            {left, below + 2 * height}
+        }) {
+            places.add(new Rectangle2D.Double(corner[0], corner[1], width, height));
+        }
+        Rectangle2D place = labels.place(places);
+        chip(mobile.number(), Face.MONO_SMALL, place, Optional.empty());
     }
 
     static StatusMark markOf(MobileState.State state) {
@@ -258,18 +289,28 @@ final class TownPicture {
 
     /** A text on a card, with the colour of its cell at the left. */
     private void chip(String text, Face face, double x, double y, Optional<Ink> cell) {
-        double stripe = cell.isPresent() ? g.px(5) : 0;
-        double width = g.width(text, face) + 2 * g.px(CHIP_PADDING_UNITS) + stripe;
+        double width = g.width(text, face) + 2 * g.px(CHIP_PADDING_UNITS) + stripe(cell);
         double height = g.px(CHIP_HEIGHT_UNITS);
         double left = Math.max(scale.left(), Math.min(scale.left() + scale.width() - width, x - width / 2));
+        Rectangle2D card = new Rectangle2D.Double(left, y - height / 2, width, height);
+        labels.take(card);
+        chip(text, face, card, cell);
+    }
+
+    private void chip(String text, Face face, Rectangle2D card, Optional<Ink> cell) {
         g.ink(Ink.CARD, 0.85);
-        g.fill(Outline.round(left, y - height / 2, width, height, g.px(4)));
+        g.fill(Outline.round(card.getX(), card.getY(), card.getWidth(), card.getHeight(), g.px(4)));
+        double stripe = stripe(cell);
         cell.ifPresent(ink -> {
             g.ink(ink);
-            g.bar(left, y - height / 2, stripe, height);
+            g.bar(card.getX(), card.getY(), stripe, card.getHeight());
         });
         g.ink(Ink.TEXT);
-        g.text(text, face, left + stripe + (width - stripe) / 2, y);
+        g.text(text, face, card.getX() + stripe + (card.getWidth() - stripe) / 2, card.getCenterY());
+    }
+
+    private double stripe(Optional<Ink> cell) {
+        return cell.isPresent() ? g.px(5) : 0;
     }
 
     /** A length of 1, 2 or 5 times a power of ten, about a sixth of the picture. */
@@ -283,6 +324,7 @@ final class TownPicture {
         double y = scale.top() + scale.height() - g.px(12);
         g.ink(Ink.CARD, 0.85);
         g.fill(Outline.round(x - g.px(6), y - g.px(18), length + g.px(12), g.px(24), g.px(4)));
+        labels.take(new Rectangle2D.Double(x - g.px(6), y - g.px(18), length + g.px(12), g.px(24)));
         g.ink(Ink.TEXT);
         g.pen(1.4);
         g.draw(Outline.polyline(x, y - g.px(4), x, y, x + length, y, x + length, y - g.px(4)));
