@@ -91,10 +91,11 @@ public final class Center implements AutoCloseable {
      */
     public static Center open(CenterSettings settings, Path data, int port) throws IOException {
         InetAddress address = settings.address();
-        warnIfOpen(address, settings);
         DataDirectory directory = DataDirectory.take(data);
         try {
-            return open(directory, CenterLoop.open(address, port, settings.limits()), settings);
+            Center center = open(directory, CenterLoop.open(address, port, settings.limits()), settings);
+            warnIfOpen(address, settings);
+            return center;
         } catch (IOException e) {
             directory.close();
             throw e;

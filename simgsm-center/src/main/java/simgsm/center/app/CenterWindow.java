@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -198,8 +197,7 @@ public final class CenterWindow implements CenterActions {
         words.addAll(List.of("--center", center.reachedAt(), "--end-with-input"));
         words.addAll(List.of("--window", place.apply(cascade).toString()));
         arguments.text("lang").ifPresent(language -> words.addAll(List.of("--lang", language)));
-        words.addAll(List.of("--zoom", String.valueOf(Math.round(Theme.zoom() * 100))));
-        words.addAll(List.of("--theme", Theme.appearance().name().toLowerCase(Locale.ROOT)));
+        words.addAll(ProgramWindow.presentLook());
         words.addAll(WindowMemory.passedOn(arguments));
         children.start(jar, number, words, ProcessBuilder.Redirect.DISCARD);
     }

@@ -244,10 +244,7 @@ public final class ClassDemo {
             synchronized (ClassDemo.this) {
                 from = Math.max(0, board.beganNanos(phone).orElse(readyNanos) - readyNanos);
             }
-            List<String> options = new ArrayList<>(List.of("--replay", recording));
-            options.addAll(List.of("--replay-from", String.valueOf(TimeUnit.NANOSECONDS.toSeconds(from))));
-            options.addAll(
-                    List.of("--end-with-input", "--lang", settings.language().getLanguage()));
+            List<String> options = replayOptions(recording, TimeUnit.NANOSECONDS.toSeconds(from), settings.language());
             programs.children().start("simrobot.jar", "", options, Redirect.DISCARD);
         }
 
@@ -276,6 +273,15 @@ public final class ClassDemo {
                     ? Optional.of(texts.of("class.addresses", String.join(", ", roll.hosts())))
                     : Optional.empty();
         }
+    }
+
+    /** The options of a SimRobot that shows a recording in the teacher's language, zoom and colours. */
+    static List<String> replayOptions(String recording, long fromSeconds, Locale language) {
+        List<String> options = new ArrayList<>(List.of("--replay", recording));
+        options.addAll(List.of("--replay-from", String.valueOf(fromSeconds), "--end-with-input"));
+        options.addAll(List.of("--lang", language.getLanguage()));
+        options.addAll(ProgramWindow.presentLook());
+        return options;
     }
 
     private int runWindowed(DemoPrograms programs) throws Exception {

@@ -74,13 +74,22 @@ public final class DemoPrograms implements AutoCloseable {
         try {
             return Center.open(settings, data, CenterSettings.DEFAULT_PORT);
         } catch (IOException e) {
-            Center center = Center.open(settings, data, 0);
+            Center center = openAnywhere(settings, data, e);
             LOG.log(
                     System.Logger.Level.WARNING,
                     "port {0} is taken, perhaps by another demo; this one has port {1}",
                     String.valueOf(CenterSettings.DEFAULT_PORT),
                     String.valueOf(center.port()));
             return center;
+        }
+    }
+
+    /** Opens it on a free port. @throws IOException the first failure where another port does not help */
+    private static Center openAnywhere(CenterSettings settings, Path data, IOException first) throws IOException {
+        try {
+            return Center.open(settings, data, 0);
+        } catch (IOException e) {
+            throw first;
         }
     }
 

@@ -2,7 +2,10 @@ package simgsm.net;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
 import java.net.StandardSocketOptions;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.ServerSocketChannel;
@@ -47,8 +50,18 @@ public final class Acceptor implements AutoCloseable {
             server.close();
             throw new IOException(
                     "cannot listen on " + address.getAddress().getHostAddress() + " port " + address.getPort() + ": "
-                            + e.getMessage(),
+                            + (isOwn(address.getAddress()) ? e.getMessage() : "not an address of this machine"),
                     e);
+        }
+    }
+
+    private static boolean isOwn(InetAddress address) {
+        try {
+            return address.isAnyLocalAddress()
+                    || address.isLoopbackAddress()
+                    || NetworkInterface.getByInetAddress(address) != null;
+        } catch (SocketException e) {
+            return true; // The interfaces are not known, and the system's own words stand.
         }
     }
 

@@ -303,4 +303,16 @@ class SelectorLoopTest {
                 () -> loop.listen(taken, new ConnectionLimits(1, 1), endpoint -> new Echo(endpoint, 1)));
         assertTrue(failure.getMessage().contains("port " + port), failure.getMessage());
     }
+
+    /** 192.0.2.0/24 is kept for documents (RFC 5737); no machine has an address of it. */
+    @Test
+    void anAddressOfAnotherMachineIsNamedAsSuch() {
+        IOException failure = assertThrows(
+                IOException.class,
+                () -> loop.listen(
+                        new InetSocketAddress("192.0.2.1", 3003),
+                        new ConnectionLimits(1, 1),
+                        endpoint -> new Echo(endpoint, 1)));
+        assertEquals("cannot listen on 192.0.2.1 port 3003: not an address of this machine", failure.getMessage());
+    }
 }

@@ -25,9 +25,8 @@ final class MapLabels {
         double least = Double.POSITIVE_INFINITY;
         for (Rectangle2D choice : choices) {
             Rectangle2D inside = moved(choice);
-            double covered = taken.stream()
-                    .mapToDouble(other -> covered(inside, other))
-                    .sum();
+            double covered =
+                    taken.stream().mapToDouble(other -> covered(inside, other)).sum();
             if (covered < least) {
                 least = covered;
                 best = inside;

@@ -54,7 +54,8 @@ class TownPictureTest {
             assertEquals(1, numbers.size());
             for (Written other : names) {
                 assertFalse(
-                        other != numbers.get(0) && other.box().intersects(numbers.get(0).box()),
+                        other != numbers.get(0)
+                                && other.box().intersects(numbers.get(0).box()),
                         mobile.number() + " covers " + other.text());
             }
         }

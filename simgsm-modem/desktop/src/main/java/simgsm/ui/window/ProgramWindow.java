@@ -152,6 +152,15 @@ public final class ProgramWindow {
                 : OptionalInt.empty();
     }
 
+    /** The options with which a program that this one starts has zoom and colours as this one has them now. */
+    public static List<String> presentLook() {
+        return List.of(
+                "--zoom",
+                String.valueOf(Math.round(Theme.zoom() * HUNDRED_PERCENT)),
+                "--theme",
+                Theme.appearance().name().toLowerCase(Locale.ROOT));
+    }
+
     /** Opens the window and returns when its user or {@link #close} has closed it. */
     public void show(Supplier<Content> made) throws InterruptedException {
         SwingUtilities.invokeLater(() -> {
