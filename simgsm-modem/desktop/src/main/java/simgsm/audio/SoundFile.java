@@ -43,6 +43,9 @@ public final class SoundFile {
                 throw new IOException("expected at most ten minutes");
             }
             short[] samples = new short[octets.length / OCTETS];
+            if (samples.length == 0) {
+                throw new IOException("expected sound, found no sample");
+            }
             ByteBuffer.wrap(octets)
                     .order(format.isBigEndian() ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN)
                     .asShortBuffer()

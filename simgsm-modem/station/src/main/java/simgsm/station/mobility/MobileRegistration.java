@@ -302,8 +302,8 @@ public final class MobileRegistration {
             context.log()
                     .trace(
                             Level.INFO,
-                            "unregistered {0}",
-                            rejectCause.map(RejectCause::title).orElse(""));
+                            "unregistered{0}",
+                            rejectCause.map(cause -> ": " + cause.title()).orElse(""));
             context.events().add(report);
         }
     }
