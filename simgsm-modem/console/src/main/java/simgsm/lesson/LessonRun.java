@@ -62,12 +62,18 @@ public final class LessonRun {
             return; // a right answer stays
         }
         answers.put(name, text.strip());
-        Event event = Event.of(name).with("text", text.strip());
+        Event event = Event.of(name).with("text", octets(text.strip()));
         List<String> words = words(text);
         for (int i = 0; i < words.size(); i++) {
             event = event.with("n" + (i + 1), words.get(i));
         }
         event(STUDENT, event.with("count", words.size()));
+    }
+
+    /** An answer without the signs that Wireshark writes between octets and before them: {@code 55:05}, {@code 0x03}. */
+    private static String octets(String text) {
+        return text.replaceAll("(?i)\\b0x(?=[0-9a-f])", "")
+                .replaceAll("(?i)(?<=\\b[0-9a-f]{2}):(?=[0-9a-f]{2}\\b)", "");
     }
 
     /**

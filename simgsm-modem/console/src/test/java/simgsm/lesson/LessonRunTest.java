@@ -292,4 +292,13 @@ class LessonRunTest {
     void anActionWithAnotherInputIsRefused(String line) {
         assertThrows(LessonException.class, () -> run(line, "do tool x", "step a", "when p x"));
     }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0345", "03 45", "0x03 0x45", "03:45", "0x0345", "0X03 0x45"})
+    void octetsMayBeWrittenAsWiresharkShowsThem(String typed) throws Exception {
+        LessonRun run = run("step a", "answer a", "when student a text=0345");
+        run.answer("a", typed);
+        assertTrue(run.isDone("a"), typed);
+        assertEquals(typed, run.answers().get("a"));
+    }
 }
