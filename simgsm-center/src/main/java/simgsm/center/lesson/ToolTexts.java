@@ -44,7 +44,9 @@ final class ToolTexts {
     private static String complaint(String output) {
         List<String> own = output.lines()
                 .filter(line -> line.matches("(simgsm-[a-z]+|simrobot): .*"))
-                .map(line -> line.substring(line.indexOf(' ') + 1).replaceFirst("; see --help$", ""))
+                .map(line -> line.substring(line.indexOf(' ') + 1)
+                        .replaceFirst("; see --help$", "")
+                        .replaceFirst("^--[a-z-]+:? ", ""))
                 .toList();
         return own.isEmpty() ? output : String.join("\n", own);
     }

@@ -37,6 +37,14 @@ class ToolTextsTest {
     }
 
     @Test
+    void anOptionThatWasNotTypedIsLeftOut() {
+        Event failed = Event.of("drive")
+                .with("status", 2)
+                .with("output", "simrobot: --behaviour Mine: line 1: ';' expected; see --help");
+        assertEquals("drive: Mine: line 1: ';' expected", ToolTexts.of(failed, english));
+    }
+
+    @Test
     void aCompilersErrorIsReportedWhole() {
         Event failed = Event.of("java").with("status", 1).with("output", "Forge.java:3: error\nint x");
         assertEquals("java: Forge.java:3: error\nint x", ToolTexts.of(failed, spanish));

@@ -56,14 +56,15 @@ final class SheetHtml {
         boolean isHead = !isTable;
         if (isHead) {
             end();
-            html.append("<table border='1' cellspacing='0' cellpadding='4' width='100%'>");
+            html.append("<table border='1' cellspacing='0' cellpadding='4' width='100%' style='margin-top:8px'>");
             isTable = true;
         }
         html.append(isHead ? "<tr bgcolor='" + headColor + "'>" : "<tr>");
+        String cellTag = isHead ? "th align='left'" : "td";
         Arrays.stream(line.substring(1).split("(?<!\\\\)\\|"))
-                .forEach(cell -> html.append("<td valign='top'>")
+                .forEach(cell -> html.append("<" + cellTag + " valign='top'>")
                         .append(inline(cell.strip().replace("\\|", "|")))
-                        .append("</td>"));
+                        .append(isHead ? "</th>" : "</td>"));
         html.append("</tr>");
     }
 
@@ -91,7 +92,9 @@ final class SheetHtml {
             if (i % 2 == 1) {
                 out.append("<tt>").append(escaped).append("</tt>");
             } else {
-                out.append(escaped.replaceAll("\\[([^]]*)]\\([^)]*\\)", "$1")
+                // The list of all sheets is not in the window.
+                out.append(escaped.replaceAll(" \u00b7 \\[[^]]*]\\(README[.]md\\)", "")
+                        .replaceAll("\\[([^]]*)]\\([^)]*\\)", "$1")
                         .replaceAll("\\*\\*([\\p{L}][^*]*)\\*\\*", "<b>$1</b>")
                         .replaceAll("(?<![*\\p{L}])\\*([\\p{L}¿][^*]*)\\*(?![*\\p{L}])", "<i>$1</i>"));
             }
