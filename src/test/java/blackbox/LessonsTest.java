@@ -146,6 +146,16 @@ class LessonsTest {
     }
 
     @Test
+    void aNumberOutsideItsRangeIsRefusedInTheStudentsLanguage(@TempDir Path folder) throws Exception {
+        Path solution = Files.write(folder.resolve("mine.txt"), List.of("act margin 50"));
+        FinishedProgram run = FinishedProgram.run(
+                "simgsm-center", "--lesson", "walk-through-town", "--check", solution.toString(), "--lang", "es");
+        assertEquals(1, run.status(), run.output() + run.error());
+        assertTrue(run.error().contains("Se espera un número entero de 0 a 40, y hay 50"), run.error());
+        assertTrue(run.output().contains("check step=set result=fail"), run.output());
+    }
+
+    @Test
     void linesThatLackWordsAreNamed(@TempDir Path folder) throws Exception {
         Path solution = Files.write(folder.resolve("mine.txt"), List.of("tool"));
         FinishedProgram run = FinishedProgram.run(

@@ -45,23 +45,6 @@ final class LessonSession implements AutoCloseable {
     private static final int END_SECONDS = 10;
 
     private static final String CENTRE = "centre";
-    /** What a student has to know without having waited for it; called by the thread of a program's console. */
-    interface Troubles {
-        /** A program has refused a line of this action. */
-        void refused(String action, String why);
-
-        /** A program has ended; {@code isFault}: before it was ready, or with an exit status other than 0. */
-        void ended(String program, int status, boolean isFault);
-    }
-
-    private static final Troubles NONE = new Troubles() {
-        @Override
-        public void refused(String action, String why) {}
-
-        @Override
-        public void ended(String program, int status, boolean isFault) {}
-    };
-
     private final LessonRun run;
     private final DemoPrograms programs;
     private final LessonEvents events;
@@ -77,7 +60,7 @@ final class LessonSession implements AutoCloseable {
     /** The latest action; empty before the first one. */
     private volatile String acted = "";
 
-    private volatile Troubles troubles = NONE;
+    private volatile LessonConsole.Troubles troubles = LessonConsole.NONE;
 
     /**
      * @param folder in which tools run and files are handed in
@@ -108,7 +91,7 @@ final class LessonSession implements AutoCloseable {
         return events;
     }
 
-    void onTrouble(Troubles listener) {
+    void onTrouble(LessonConsole.Troubles listener) {
         troubles = listener;
     }
 
@@ -180,35 +163,23 @@ final class LessonSession implements AutoCloseable {
         events.begun(name);
         Process process = programs.start(
                 program.jar() + ".jar", number < 0 ? "" : options.get(number + 1), Redirect.PIPE, options);
-        consoles.put(name, new ChildConsole(name, process, new ChildConsole.Listener() {
-            private boolean isReady;
-
+        LessonConsole listener = new LessonConsole(name, process, events) {
             @Override
-            public void line(String line) {}
-
-            @Override
-            public void event(Event event) {
-                isReady |= event.name().equals("ready");
-                if (event.name().equals("ready") && event.fields().containsKey("at")) {
-                    atPorts.put(name, Integer.valueOf(event.fields().get("at").split(",")[0]));
-                }
-                events.add(name, event);
-                if (event.name().equals("error") && !acted.isEmpty()) {
-                    troubles.refused(acted, event.fields().getOrDefault("text", ""));
-                }
+            String action() {
+                return acted;
             }
 
             @Override
-            public void ended() {
-                events.ended(name);
-                try {
-                    int status = process.waitFor();
-                    troubles.ended(name, status, !isReady || status != 0);
-                } catch (InterruptedException e) {
-                    Thread.currentThread().interrupt();
-                }
+            Troubles troubles() {
+                return troubles;
             }
-        }));
+
+            @Override
+            void atPort(int port) {
+                atPorts.put(name, port);
+            }
+        };
+        consoles.put(name, new ChildConsole(name, process, listener));
     }
 
     /**

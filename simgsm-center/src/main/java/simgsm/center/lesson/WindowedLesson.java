@@ -37,7 +37,7 @@ import simgsm.ui.window.WindowIcon;
 import simgsm.ui.window.WindowPlace;
 
 /** {@code --demo --lesson NAME}: the suite with the lesson's panel at its right. */
-public final class WindowedLesson implements LessonActs, LessonSession.Troubles {
+public final class WindowedLesson implements LessonActs, LessonConsole.Troubles {
     private static final double SHARE_OF_SCREEN = 0.24;
     private static final int LEAST_WIDTH = 270;
     private static final int MOST_WIDTH = 460;
@@ -212,6 +212,12 @@ public final class WindowedLesson implements LessonActs, LessonSession.Troubles 
         if (isFault) {
             notice = faultOf(program, status);
         }
+        refresh();
+    }
+
+    @Override
+    public void idle(String seconds) {
+        notice = CenterTexts.in(language).of("lesson.idle", seconds);
         refresh();
     }
 
