@@ -74,7 +74,7 @@ class LessonConsoleTest {
     }
 
     @Test
-    void whatAnActionIsRefusedForIsTold() throws Exception {
+    void theRefusalOfAnActionIsReported() throws Exception {
         LessonConsole console = console("-version");
         console.event(Event.of("error").with("text", "typed on the console"));
         action = "play";
@@ -83,7 +83,7 @@ class LessonConsoleTest {
     }
 
     @Test
-    void aRobotThatHangsUpForWantOfKeysIsTold() throws Exception {
+    void aRobotThatHangsUpForWantOfKeysIsReported() throws Exception {
         console("-version").event(Event.of("call-idle").with("robot", "robot").with("seconds", 60));
         assertEquals(List.of("idle 60"), told);
     }
