@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -46,6 +47,7 @@ public final class CenterWindow implements CenterActions {
      * What else happens with the centre and its window.
      *
      * @param opened run on the event thread when the window is made
+     * @param spoken receives, on the event thread, each other language that the user chooses
      * @param mayBeginLesson whether the window's help begins lessons, each of which ends what runs
      * @param takenNumbers those of others, which no program that the window starts gets
      */
@@ -53,9 +55,11 @@ public final class CenterWindow implements CenterActions {
             Consumer<ExchangeEvent> events,
             Consumer<ExchangeSnapshot> snapshots,
             Runnable opened,
+            Consumer<Locale> spoken,
             boolean mayBeginLesson,
             Set<String> takenNumbers) {
-        public static final Watch NONE = new Watch(event -> {}, snapshot -> {}, () -> {}, true, Set.of());
+        public static final Watch NONE =
+                new Watch(event -> {}, snapshot -> {}, () -> {}, language -> {}, true, Set.of());
     }
 
     private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {
@@ -88,7 +92,9 @@ public final class CenterWindow implements CenterActions {
         }
         AtomicBoolean isOpen = new AtomicBoolean();
         window.show(language -> {
-            if (!isOpen.getAndSet(true)) {
+            if (isOpen.getAndSet(true)) {
+                watch.spoken().accept(language);
+            } else {
                 watch.opened().run();
             }
             return MonitorWindow.content(operator, CenterTexts.in(language));

@@ -68,10 +68,15 @@ public final class ClassDemo {
     private boolean isChanged = true;
     private Optional<String> notice = Optional.empty();
     private long readyNanos;
+    /** Of the class's window. */
+    private volatile Locale language;
+    /** On the event thread, once it is open. */
+    private ClassFrame frame;
 
     private ClassDemo(Arguments arguments, CenterSettings settings) throws UsageException, SocketException {
         this.arguments = arguments;
         this.settings = settings;
+        language = settings.language();
         roll = new ClassRoll((int) arguments.integer("class", 1, 1, MOST_STUDENTS), settings);
         for (int i = 0; i < roll.students(); i++) {
             board.add(roll.name(i), roll.phone(i), roll.robot(i));
@@ -134,7 +139,7 @@ public final class ClassDemo {
                                 .toList());
             case "lesson" -> {
                 String name = event.fields().getOrDefault("name", "");
-                notice = Optional.of(CenterTexts.in(settings.language()).of("class.lesson", name));
+                notice = Optional.of(CenterTexts.in(language).of("class.lesson", name));
                 isChanged = true;
             }
             default -> {
@@ -244,7 +249,7 @@ public final class ClassDemo {
             synchronized (ClassDemo.this) {
                 from = Math.max(0, board.beganNanos(phone).orElse(readyNanos) - readyNanos);
             }
-            List<String> options = replayOptions(recording, TimeUnit.NANOSECONDS.toSeconds(from), settings.language());
+            List<String> options = replayOptions(recording, TimeUnit.NANOSECONDS.toSeconds(from), language);
             programs.children().start("simrobot.jar", "", options, Redirect.DISCARD);
         }
 
@@ -265,7 +270,7 @@ public final class ClassDemo {
 
         @Override
         public Optional<String> warning() {
-            TextBundle texts = CenterTexts.in(settings.language());
+            TextBundle texts = CenterTexts.in(language);
             if (settings.address().isLoopbackAddress()) {
                 return Optional.of(texts.of("class.bind"));
             }
@@ -327,7 +332,7 @@ public final class ClassDemo {
         CenterWindow.Watch watch = new CenterWindow.Watch(
                 event -> {},
                 snapshot -> {},
-                () -> ClassFrame.open(
+                () -> frame = ClassFrame.open(
                         settings.language(),
                         screen.x() + screen.width() - column,
                         screen.y(),
@@ -335,6 +340,10 @@ public final class ClassDemo {
                         screen.height(),
                         acts,
                         this::view),
+                chosen -> {
+                    language = chosen;
+                    frame.speak(chosen);
+                },
                 false,
                 roll.numbers().collect(Collectors.toSet()));
         CenterWindow.run(programs.center(), arguments, settings, programs.children(), window, watch);

@@ -124,7 +124,12 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
                     programs.children(),
                     window,
                     new CenterWindow.Watch(
-                            session.centerEvents(), session.trace(), () -> opened.open(place), true, Set.of()));
+                            session.centerEvents(),
+                            session.trace(),
+                            () -> opened.open(place),
+                            language -> {},
+                            true,
+                            Set.of()));
             opened.end();
             return chosen.or(() -> Optional.ofNullable(opened.next));
         } finally {

@@ -35,7 +35,7 @@ import simgsm.ui.UserAction;
 public final class ClassPanel extends JPanel {
     private static final List<String> COLUMNS = List.of("phone", "robot", "orders", "keys", "collisions", "seconds");
     /** Numbers of seven digits have to be seen whole. */
-    private static final int[] WIDTHS_UNITS = {72, 72, 62, 50, 68, 72};
+    private static final int[] WIDTHS_UNITS = {72, 72, 62, 52, 68, 86};
 
     private static final int ROW_UNITS = 26;
     private static final int CLOCK_UNITS = 22;

@@ -27,14 +27,21 @@ import simgsm.ui.lesson.ClassView;
 
 /** The window of a class. */
 public final class ClassFrame {
-    private ClassFrame() {}
+    private final JFrame frame = new JFrame();
+    private final ClassActs acts;
+    private ClassPanel panel;
+    private Optional<ClassView> newest = Optional.empty();
+
+    private ClassFrame(ClassActs acts) {
+        this.acts = acts;
+    }
 
     /** Opens the window, which is closed with the program's other windows only; on the event thread. The place is in pixels of the screen. */
-    public static void open(
+    public static ClassFrame open(
             Locale language, int x, int y, int width, int height, ClassActs acts, Supplier<ClassView> source) {
-        ClassPanel panel = new ClassPanel(language, acts, new Frames(DesktopTexts.in(language)));
-        JFrame frame = new JFrame(DesktopTexts.in(language).of("class.title"));
-        frame.setContentPane(panel);
+        ClassFrame opened = new ClassFrame(acts);
+        JFrame frame = opened.frame;
+        opened.speak(language);
         // The results last as long as the class: there is no other way back to them.
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
@@ -45,9 +52,24 @@ public final class ClassFrame {
         });
         frame.setBounds(x, y, width, height);
         frame.setIconImages(WindowIcon.images(Symbol.PERSON));
-        WindowKeys.install(frame.getRootPane(), language);
         frame.setVisible(true);
-        new SnapshotPoller<>(source, panel::show).start();
+        new SnapshotPoller<>(source, opened::show).start();
+        return opened;
+    }
+
+    private void show(ClassView view) {
+        newest = Optional.of(view);
+        panel.show(view);
+    }
+
+    /** Shows the class in a language; on the event thread. */
+    public void speak(Locale language) {
+        panel = new ClassPanel(language, acts, new Frames(DesktopTexts.in(language)));
+        frame.setTitle(DesktopTexts.in(language).of("class.title"));
+        frame.setContentPane(panel);
+        WindowKeys.install(frame.getRootPane(), language);
+        newest.ifPresent(panel::show);
+        frame.validate();
     }
 
     private record Frames(TextBundle words) implements ClassPanel.Frames {
