@@ -41,8 +41,9 @@ class LayeringTest {
             simgsm.ss                : simgsm.octets simgsm.air simgsm.sms
             simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.ss
             simgsm.speech            :
-            simgsm.dtmf              : simgsm.speech
-            simgsm.scope             : simgsm.dtmf
+            simgsm.tone              : simgsm.speech
+            simgsm.dtmf              : simgsm.speech simgsm.tone
+            simgsm.scope             : simgsm.tone simgsm.dtmf
             simgsm.console           : simgsm.file
             simgsm.lesson            : simgsm.file simgsm.console
             simgsm.web               : simgsm.console
@@ -52,7 +53,7 @@ class LayeringTest {
             simgsm.ui.pane           : simgsm.console simgsm.draw simgsm.ui
             simgsm.ui.file           :
             simgsm.ui.lesson         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.file simgsm.ui.pane
-            simgsm.ui.scope          : simgsm.console simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui simgsm.ui.lesson
+            simgsm.ui.scope          : simgsm.console simgsm.tone simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.ui.window         : simgsm.file simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.file simgsm.ui.lesson
             simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
             simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context
@@ -70,12 +71,12 @@ class LayeringTest {
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
-            simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
+            simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
             simgsm.phone.store       : simgsm.air simgsm.sim simgsm.station.context
             simgsm.phone.screen      : simgsm.air simgsm.sim simgsm.ss simgsm.dtmf simgsm.speech simgsm.draw simgsm.station.context simgsm.phone.store
-            simgsm.phone.handset     : simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
-            simgsm.phone.ui          : simgsm.ss simgsm.air simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.store simgsm.phone.screen simgsm.phone.handset
-            simgsm.phone             : simgsm.file simgsm.octets simgsm.modem.at.command simgsm.modem.at.port simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.store simgsm.phone.screen simgsm.phone.handset simgsm.phone.ui
+            simgsm.phone.handset     : simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
+            simgsm.phone.ui          : simgsm.ss simgsm.air simgsm.sms simgsm.tone simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.store simgsm.phone.screen simgsm.phone.handset
+            simgsm.phone             : simgsm.file simgsm.octets simgsm.modem.at.command simgsm.modem.at.port simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.store simgsm.phone.screen simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim simgsm.ss
             simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
             simgsm.center.journal    : simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
@@ -83,19 +84,19 @@ class LayeringTest {
             simgsm.center.smpp       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.smpp.pdu
             simgsm.center.msc.link   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.trace simgsm.center.subscriber
             simgsm.center.msc.mobility : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.center.subscriber simgsm.center.msc.link
-            simgsm.center.msc.call   : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.ss simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.msc.link simgsm.center.msc.mobility
+            simgsm.center.msc.call   : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.msc.link simgsm.center.msc.mobility
             simgsm.center.msc.sms    : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link
             simgsm.center.msc.ss     : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.ss simgsm.center.subscriber simgsm.center.msc.link
             simgsm.center.bsc.handover : simgsm.octets
             simgsm.center.bsc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.abis.rsl simgsm.rr simgsm.center.subscriber simgsm.center.msc.link simgsm.center.bsc.handover
-            simgsm.center.msc        : simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
+            simgsm.center.msc        : simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.tone simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
             simgsm.center.records    : simgsm.file simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.web        : simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.capture    : simgsm.octets simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
             simgsm.center.ui.ladder  : simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.lesson simgsm.center.msc
             simgsm.center.ui         : simgsm.air simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc simgsm.center.ui.ladder
-            simgsm.center.app        : simgsm.file simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.dtmf simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
+            simgsm.center.app        : simgsm.file simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.tone simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app
             simgsm.center.lesson     : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.dtmf simgsm.console simgsm.lesson simgsm.ui simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app simgsm.center.demo
             simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.lesson simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
@@ -124,14 +125,14 @@ class LayeringTest {
             simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.process simrobot.world simrobot.robot simrobot.simulation
             simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
-            simrobot.control         : simgsm.file simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
-            simrobot.ui              : vericommand simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.file simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
+            simrobot.control         : simgsm.file simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
+            simrobot.ui              : vericommand simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.file simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
             simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
-            simrobot.ui.telephone    : vericommand simgsm.air simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.scope simrobot.ui
-            simrobot.ui.panel        : vericommand simgsm.air simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay simrobot.ui.telephone
-            simrobot.app             : simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.modem.client simrobot.bitmap simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simgsm.ui.window simgsm.file
+            simrobot.ui.telephone    : vericommand simgsm.air simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.scope simrobot.ui
+            simrobot.ui.panel        : vericommand simgsm.air simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay simrobot.ui.telephone
+            simrobot.app             : simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.modem.client simrobot.bitmap simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simgsm.ui.window simgsm.file
             simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.panel simrobot.app
             """);
 
@@ -272,6 +273,7 @@ class LayeringTest {
         "simgsm.abis",
         "simgsm.sms",
         "simgsm.ss",
+        "simgsm.tone",
         "simgsm.dtmf",
         "simgsm.station..",
         "simgsm.modem",

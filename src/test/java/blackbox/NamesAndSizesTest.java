@@ -18,9 +18,6 @@ class NamesAndSizesTest {
     private static final int FILES_PER_PACKAGE = 40;
     private static final int LINES_PER_PACKAGE = 3_000;
 
-    /** Packages that are too large and are to be split. */
-    private static final Set<String> TOO_LARGE = Set.of("simgsm.dtmf");
-
     /** Nested classes of one name differ by the class around them, such as the states of two tables. */
     @Test
     void noTopLevelClassNameStandsTwiceNorAsAVisibleNestedClass() {
@@ -58,7 +55,6 @@ class NamesAndSizesTest {
                 tooLarge.put(nameOf(folder), files.size() + " files, " + lines + " lines");
             }
         });
-        tooLarge.keySet().removeAll(TOO_LARGE);
         assertEquals(Map.of(), tooLarge);
     }
 

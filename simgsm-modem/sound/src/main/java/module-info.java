@@ -3,4 +3,5 @@ module simgsm.sound {
     exports simgsm.dtmf;
     exports simgsm.scope;
     exports simgsm.speech;
+    exports simgsm.tone;
 }

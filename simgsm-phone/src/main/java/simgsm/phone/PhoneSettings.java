@@ -11,7 +11,6 @@ import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
-import simgsm.dtmf.ToneSet;
 import simgsm.phone.screen.KeyMode;
 import simgsm.phone.screen.UserSettings;
 import simgsm.sim.SimCard;
@@ -20,6 +19,7 @@ import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
+import simgsm.tone.ToneSet;
 
 /**
  * The phone's settings, from the command line.

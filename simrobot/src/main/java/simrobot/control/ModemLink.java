@@ -9,13 +9,13 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
-import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
 import simgsm.modem.AnsweringModem;
 import simgsm.modem.CallDecision;
 import simgsm.modem.ModemEvent;
 import simgsm.station.context.StationEvent;
+import simgsm.tone.ToneExperiment;
 import vericommand.ReplyTone;
 
 /**

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import simgsm.dtmf.ToneExperiment;
+import simgsm.tone.ToneExperiment;
 import simrobot.process.BehaviourKind;
 import simrobot.robot.Placement;
 import simrobot.world.World;

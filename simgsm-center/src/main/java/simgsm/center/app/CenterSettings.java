@@ -14,7 +14,7 @@ import simgsm.center.capture.CapturePlan;
 import simgsm.center.net.PortLimits;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
-import simgsm.dtmf.ToneSet;
+import simgsm.tone.ToneSet;
 
 /**
  * The options of the command line.

@@ -8,7 +8,7 @@ import java.util.random.RandomGenerator;
 import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.subscriber.HomeRegister;
-import simgsm.dtmf.ToneSet;
+import simgsm.tone.ToneSet;
 
 /**
  * Settings of an exchange.

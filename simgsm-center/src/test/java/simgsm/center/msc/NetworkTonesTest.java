@@ -15,9 +15,9 @@ import simgsm.air.Cause;
 import simgsm.air.ProtocolViolation;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.dtmf.Goertzel;
-import simgsm.dtmf.ToneLevel;
-import simgsm.dtmf.ToneSet;
 import simgsm.speech.SpeechCodec;
+import simgsm.tone.ToneLevel;
+import simgsm.tone.ToneSet;
 
 /** The centre with {@code --tones}: callers hear ring-back and failure in-band (TS 24.008, 5.5.1 and 5.4.4.1.1). */
 class NetworkTonesTest {

@@ -18,9 +18,9 @@ import simgsm.air.Msisdn;
 import simgsm.center.msc.call.CallProgress;
 import simgsm.center.smsc.StoreEntry;
 import simgsm.center.subscriber.HomeRegister;
-import simgsm.dtmf.ToneSet;
 import simgsm.sim.SimCard;
 import simgsm.sim.Subscription;
+import simgsm.tone.ToneSet;
 
 /** An exchange with a clock moved by hand and a store that commits when told to. */
 final class TestNetwork {

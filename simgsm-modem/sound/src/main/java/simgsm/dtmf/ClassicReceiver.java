@@ -2,6 +2,7 @@ package simgsm.dtmf;
 
 import java.util.Arrays;
 import java.util.function.Consumer;
+import simgsm.tone.ToneLevel;
 
 /**
  * A receiver as textbooks have it: eight Goertzel filters and their second harmonics over blocks of 102 or 205 samples, and a

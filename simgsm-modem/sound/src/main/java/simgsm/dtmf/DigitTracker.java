@@ -1,6 +1,7 @@
 package simgsm.dtmf;
 
 import java.util.function.Consumer;
+import simgsm.tone.ToneLevel;
 
 /** Follows the keys that stand out from hop to hop: when one is certain, and when its tone is over. */
 final class DigitTracker {

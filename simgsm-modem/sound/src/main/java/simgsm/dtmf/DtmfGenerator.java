@@ -3,6 +3,8 @@ package simgsm.dtmf;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.Consumer;
+import simgsm.tone.Sine;
+import simgsm.tone.ToneLevel;
 
 /**
  * Generates the tones of keys, sample by sample: a queue of keys of fixed length,

@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import simgsm.tone.ToneLevel;
+
 /**
  * The measures of two tones at one moment that distinguish a key from other sound: one number per {@link Kind}. Powers are on
  * the scale of squared amplitudes.

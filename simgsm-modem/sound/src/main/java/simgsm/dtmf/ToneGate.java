@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import simgsm.tone.ToneLevel;
+
 /**
  * The first, cheap test, every fourth hop: do one row's and one column's tone stand out in the last 20 ms? Its window is smooth:
  * seven hops of the {@link ToneBank}, turned into step with one another, under a Hann window. What lies 100 Hz or more

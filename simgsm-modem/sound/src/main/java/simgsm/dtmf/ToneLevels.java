@@ -1,6 +1,7 @@
 package simgsm.dtmf;
 
 import java.util.Arrays;
+import simgsm.tone.ToneLevel;
 
 /**
  * The levels of the eight DTMF frequencies as a receiver measured them last, and what it requires of each group. Immutable;

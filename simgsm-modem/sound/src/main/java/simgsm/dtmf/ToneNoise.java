@@ -1,6 +1,7 @@
 package simgsm.dtmf;
 
 import java.util.Random;
+import simgsm.tone.ToneLevel;
 
 /** White noise in the whole band of speech, 0 to 4 kHz, of a power that is named relative to a key's two tones. */
 public final class ToneNoise {

@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import simgsm.tone.ToneExperiment;
+
 /**
  * How a {@link ToneExperiment} went so far, compared with what is heard of the sound as it is.
  *

@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import simgsm.tone.ToneLevel;
+
 /**
  * How a key sounds when it is sent.
  *

@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import simgsm.tone.ToneExperiment;
+
 /**
  * What a tone scope shows, immutable: the last stretch of sound, and what two receivers made of it. With an experiment all of
  * it is what is heard of the disturbed sound.

@@ -2,6 +2,8 @@ package simgsm.dtmf;
 
 import java.util.Arrays;
 import java.util.List;
+import simgsm.tone.Disturber;
+import simgsm.tone.ToneExperiment;
 
 /**
  * Collects what a tone scope shows from the sound that passes: feed it frames, ask for the newest {@link ToneTrace}. It

@@ -3,9 +3,9 @@ package simgsm.scope;
 import java.util.SplittableRandom;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
-import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
+import simgsm.tone.ToneExperiment;
 
 /** Tones of random keys to practise with where there is no call. They sound for the scope only. Not thread-safe. */
 public final class PracticeTone {

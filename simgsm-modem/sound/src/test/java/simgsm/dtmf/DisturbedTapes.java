@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.function.BiConsumer;
 import simgsm.speech.SpeechCodec;
+import simgsm.tone.ToneLevel;
 
 /** Keys whose beginning is disturbed, keys in noise before a codec, compliant keys at random, and keys over speech. */
 final class DisturbedTapes {

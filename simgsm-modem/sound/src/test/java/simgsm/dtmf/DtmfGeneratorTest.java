@@ -12,6 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import simgsm.tone.ToneLevel;
 
 class DtmfGeneratorTest {
     private static final ToneShape HARD = ToneShape.STANDARD.withRamp(0);

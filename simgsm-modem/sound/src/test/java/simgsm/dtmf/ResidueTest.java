@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import simgsm.tone.ToneLevel;
 
 class ResidueTest {
     private static final int ONSET = 400;

@@ -3,6 +3,7 @@ package simgsm.dtmf;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import simgsm.tone.ToneLevel;
 
 /**
  * A recording in the making, with what a receiver ought to hear in it: digits are laid down one after another, then the

@@ -3,6 +3,7 @@ package simgsm.dtmf;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
+import simgsm.tone.ToneLevel;
 
 class ToneGateTest {
     private static final int HOPS = 40;

@@ -15,6 +15,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.speech.SpeechCodec;
+import simgsm.tone.ToneExperiment;
+import simgsm.tone.ToneLevel;
 
 /** What the tone scope measures. */
 class ToneTracerTest {

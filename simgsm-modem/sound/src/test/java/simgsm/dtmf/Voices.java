@@ -1,6 +1,7 @@
 package simgsm.dtmf;
 
 import java.util.Random;
+import simgsm.tone.ToneLevel;
 
 /** Sounds that are no digits but might be taken for some: voices, music, the tones of the network. */
 final class Voices {

@@ -10,11 +10,11 @@ import simgsm.console.Options;
 import simgsm.console.UsageException;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
-import simgsm.dtmf.ToneLevel;
 import simgsm.dtmf.ToneNoise;
 import simgsm.dtmf.ToneShape;
 import simgsm.file.FileErrors;
 import simgsm.speech.WavWriter;
+import simgsm.tone.ToneLevel;
 
 /** {@code tones KEYS OUT.wav}: DTMF keys as a sound file. */
 final class TonesTool {

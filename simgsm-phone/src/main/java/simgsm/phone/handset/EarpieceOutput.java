@@ -1,11 +1,11 @@
 package simgsm.phone.handset;
 
-import simgsm.dtmf.ToneExperiment;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
 import simgsm.phone.screen.UserSettings;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallMixer;
+import simgsm.tone.ToneExperiment;
 
 /** The sound at the earpiece, which the tone scope shows too: received speech mixed with the phone's own sound. */
 final class EarpieceOutput {

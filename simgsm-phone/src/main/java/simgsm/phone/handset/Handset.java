@@ -10,8 +10,6 @@ import java.util.Queue;
 import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
-import simgsm.dtmf.ToneExperiment;
-import simgsm.dtmf.ToneSet;
 import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.HomeKeys;
 import simgsm.phone.screen.KeyMode;
@@ -29,6 +27,8 @@ import simgsm.ss.UssdText;
 import simgsm.station.StationCommands;
 import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationEvent;
+import simgsm.tone.ToneExperiment;
+import simgsm.tone.ToneSet;
 
 /**
  * The phone without a window. Station, console and window call it on the station's owner thread; {@link #snapshot} may be

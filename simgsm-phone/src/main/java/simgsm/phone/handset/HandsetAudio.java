@@ -8,13 +8,13 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
-import simgsm.dtmf.ToneExperiment;
-import simgsm.dtmf.ToneSet;
 import simgsm.dtmf.ToneTrace;
 import simgsm.phone.screen.RingTone;
 import simgsm.phone.screen.UserSettings;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
+import simgsm.tone.ToneExperiment;
+import simgsm.tone.ToneSet;
 
 /**
  * All sound of the handset: keys sent in a call, the far end's keys and speech, and, without a call, key tones and

@@ -3,11 +3,11 @@ package simgsm.phone.handset;
 import java.util.ArrayList;
 import java.util.List;
 import simgsm.air.Cause;
-import simgsm.dtmf.CadencePlayer;
-import simgsm.dtmf.ProgressTone;
-import simgsm.dtmf.ToneCadence;
-import simgsm.dtmf.ToneSet;
 import simgsm.phone.screen.RingTone;
+import simgsm.tone.CadencePlayer;
+import simgsm.tone.ProgressTone;
+import simgsm.tone.ToneCadence;
+import simgsm.tone.ToneSet;
 
 /**
  * The supervisory tones of a call (TS 22.001, annex F) and the ringing sound. In GSM the phone makes them from the network's

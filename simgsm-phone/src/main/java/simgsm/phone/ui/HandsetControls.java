@@ -1,9 +1,9 @@
 package simgsm.phone.ui;
 
 import java.util.function.ObjLongConsumer;
-import simgsm.dtmf.ToneExperiment;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.screen.PhoneKey;
+import simgsm.tone.ToneExperiment;
 
 /** The window's access to the handset, which another thread owns. */
 @FunctionalInterface

@@ -9,7 +9,6 @@ import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
-import simgsm.dtmf.ToneSet;
 import simgsm.phone.screen.KeyMode;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.phone.screen.Screen;
@@ -18,6 +17,7 @@ import simgsm.sim.SimPhoneBook;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.context.StationEvent;
+import simgsm.tone.ToneSet;
 
 /** A handset on a bench: a fake station, a hand-moved clock, the events as lines, the sent tones heard by a receiver. */
 public final class Bench {

@@ -14,12 +14,12 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.Goertzel;
-import simgsm.dtmf.ToneLevel;
-import simgsm.dtmf.ToneSet;
 import simgsm.phone.screen.KeyMode;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
+import simgsm.tone.ToneLevel;
+import simgsm.tone.ToneSet;
 
 /** What the phone plays by itself. */
 class SupervisoryTonesTest {

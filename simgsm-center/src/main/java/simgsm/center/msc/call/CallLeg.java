@@ -11,10 +11,10 @@ import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.msc.link.PagedTransaction;
 import simgsm.center.msc.link.RadioAccess.SpeechNeed;
-import simgsm.dtmf.ToneSet;
 import simgsm.ss.HoldNotification;
 import simgsm.state.StateMachine;
 import simgsm.timer.Timer;
+import simgsm.tone.ToneSet;
 
 /** One mobile's leg of a call: {@link NetworkCallTable} driven by the mobile's messages, the call, and timers. */
 public final class CallLeg implements PagedTransaction {

@@ -17,8 +17,8 @@ import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkUser;
 import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.center.subscriber.Subscriber;
-import simgsm.dtmf.ToneSet;
 import simgsm.ss.SsCode;
+import simgsm.tone.ToneSet;
 
 /** Number analysis and switching: connects the two legs of each call, and the speech between them. */
 public final class CallSwitch implements LinkUser {

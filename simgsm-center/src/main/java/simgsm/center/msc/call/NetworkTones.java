@@ -7,12 +7,12 @@ import simgsm.abis.IpaFrame;
 import simgsm.abis.RtpPacket;
 import simgsm.air.Cause;
 import simgsm.center.msc.link.Link;
-import simgsm.dtmf.CadencePlayer;
-import simgsm.dtmf.ProgressTone;
-import simgsm.dtmf.ToneCadence;
-import simgsm.dtmf.ToneSet;
 import simgsm.speech.SpeechCodec;
 import simgsm.timer.Timer;
+import simgsm.tone.CadencePlayer;
+import simgsm.tone.ProgressTone;
+import simgsm.tone.ToneCadence;
+import simgsm.tone.ToneSet;
 
 /**
  * Call progress tones of the network to one caller, in A-law frames of 20 ms, pauses included. As a rule a GSM phone makes

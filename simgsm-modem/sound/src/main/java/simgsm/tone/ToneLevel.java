@@ -1,4 +1,4 @@
-package simgsm.dtmf;
+package simgsm.tone;
 
 /**
  * Levels in dBm0 against 16-bit samples: the loudest sine that A-law can carry, a full-scale one, is at 3.14 dBm0

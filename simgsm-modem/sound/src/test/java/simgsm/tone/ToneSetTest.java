@@ -1,4 +1,4 @@
-package simgsm.dtmf;
+package simgsm.tone;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import simgsm.dtmf.DtmfReceiver;
+import simgsm.dtmf.Goertzel;
 
 /** Call-progress tones: frequencies, cadences and levels as the standards' tables have them. */
 class ToneSetTest {

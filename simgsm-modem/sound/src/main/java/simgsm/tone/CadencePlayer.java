@@ -1,4 +1,4 @@
-package simgsm.dtmf;
+package simgsm.tone;
 
 /**
  * Generates a cadence, sample by sample. Bursts rise and fall softly within their own

@@ -1,10 +1,10 @@
-package simgsm.dtmf;
+package simgsm.tone;
 
 /**
  * A sine by rotation of a phasor. In double precision its amplitude drifts by less than 1e-12 in a minute, so that only
  * the rounding to 16 bits is left as noise.
  */
-final class Sine {
+public final class Sine {
     private static final double SAMPLES_PER_SECOND = 8000;
 
     private final double stepCosine;
@@ -12,15 +12,16 @@ final class Sine {
     private double cosine;
     private double sine;
 
-    /** Starts at phase 0 with the given peak. */
-    Sine(double hertz, double amplitude) {
+    /** Starts at phase 0; the amplitude is the peak. */
+    public Sine(double hertz, double amplitude) {
         double step = 2 * Math.PI * hertz / SAMPLES_PER_SECOND;
         stepCosine = Math.cos(step);
         stepSine = Math.sin(step);
         cosine = amplitude;
     }
 
-    double next() {
+    /** The next sample, -amplitude to amplitude. */
+    public double next() {
         double value = sine;
         sine = value * stepCosine + cosine * stepSine;
         cosine = cosine * stepCosine - value * stepSine;

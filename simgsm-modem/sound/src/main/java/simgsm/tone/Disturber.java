@@ -1,4 +1,4 @@
-package simgsm.dtmf;
+package simgsm.tone;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
  * is shorter or longer by as much; noise is measured against the loudest sound of late; a codec comes last. The same sound is disturbed in the
  * same way each time. Owned by one thread.
  */
-final class Disturber {
+public final class Disturber {
     /** Two tones of -10 dBm0: what the noise is measured against until something louder than silence has come. */
     private static final double USUAL_POWER = square(ToneLevel.amplitude(-10));
     /** Below -40 dBm0 nothing counts as sound. */
@@ -30,12 +30,12 @@ final class Disturber {
     /** Where the next sample lies in {@link #past}. */
     private double position = ARM;
 
-    void set(ToneExperiment newExperiment) {
+    public void set(ToneExperiment newExperiment) {
         experiment = newExperiment;
         recoder.set(newExperiment.codec());
     }
 
-    void clear() {
+    public void clear() {
         recoder.clear();
         random = new SplittableRandom(1);
         power = USUAL_POWER;
@@ -44,7 +44,7 @@ final class Disturber {
         position = ARM;
     }
 
-    short[] disturbed(short[] frame) {
+    public short[] disturbed(short[] frame) {
         follow(frame);
         double[] sound = experiment.shiftPercent() == 0 ? unshifted(frame) : shifted(frame);
         double noise = experiment.hasNoise() ? Math.sqrt(power * Math.pow(10, -experiment.snrDecibels() / 10)) : 0;

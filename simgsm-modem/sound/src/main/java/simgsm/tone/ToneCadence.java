@@ -1,4 +1,4 @@
-package simgsm.dtmf;
+package simgsm.tone;
 
 import java.util.List;
 

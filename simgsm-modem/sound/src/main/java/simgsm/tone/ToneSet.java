@@ -1,7 +1,7 @@
-package simgsm.dtmf;
+package simgsm.tone;
 
-import static simgsm.dtmf.ToneCadence.burst;
-import static simgsm.dtmf.ToneCadence.pause;
+import static simgsm.tone.ToneCadence.burst;
+import static simgsm.tone.ToneCadence.pause;
 
 import java.util.EnumMap;
 import java.util.List;
