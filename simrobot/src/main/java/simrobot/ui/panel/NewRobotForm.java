@@ -137,10 +137,8 @@ final class NewRobotForm extends JPanel {
     }
 
     private void answered(Optional<String> refusal) {
-        if (refusal.isPresent()) {
-            refuse(refusal.get());
-        } else {
-            problem.show("");
+        refuse(refusal.orElse(""));
+        if (refusal.isEmpty()) {
             view.requestSelection(addedName);
             close();
         }
@@ -149,8 +147,7 @@ final class NewRobotForm extends JPanel {
     /** Shows why, and brings the reason and the buttons below it into view: a low window shows the fields alone. */
     private void refuse(String why) {
         problem.show(why);
-        Rectangle reason = SwingUtilities.convertRectangle(problem.getParent(), problem.getBounds(), this);
-        scrollRectToVisible(new Rectangle(0, reason.y, getWidth(), getHeight() - reason.y));
+        scrollRectToVisible(new Rectangle(0, getHeight() - 1, 1, 1));
     }
 
     private void close() {
@@ -158,8 +155,6 @@ final class NewRobotForm extends JPanel {
         view.choosePlace(null);
         view.requestFocusInWindow();
     }
-
-    // ---- values ----------------------------------------------------------------------------------------------------
 
     private static String freeName(List<String> taken) {
         int count = taken.size() + 1;

@@ -177,8 +177,6 @@ public final class SimRobotPanel extends JPanel {
         Display.maximize(this, runningPage.isPresenting());
     }
 
-    // ---- editing ---------------------------------------------------------------------------------------------------
-
     /** Pauses the simulation and shows the editor. @param isNew a new world, else the current one */
     private void edit(boolean isNew) {
         pausedBefore = shown.paused();
