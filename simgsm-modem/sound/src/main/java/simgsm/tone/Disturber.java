@@ -30,6 +30,8 @@ public final class Disturber {
     /** Where the next sample lies in {@link #past}. */
     private double position = ARM;
 
+    public Disturber() {}
+
     public void set(ToneExperiment newExperiment) {
         experiment = newExperiment;
         recoder.set(newExperiment.codec());
