@@ -49,7 +49,7 @@ import simrobot.replay.ReplayThread;
 import simrobot.robot.Noise;
 import simrobot.simulation.Simulation;
 import simrobot.ui.floor.WorldPictures;
-import simrobot.ui.panel.RefusalTexts;
+import simrobot.ui.inspector.RefusalTexts;
 import simrobot.ui.panel.SimRobotWindow;
 import simrobot.world.World;
 import vericommand.VeriCommandSettings;

@@ -17,7 +17,7 @@ import simrobot.ui.OperatorActions;
 import simrobot.ui.Timeline;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldPictures;
-import simrobot.ui.panel.RefusalTexts;
+import simrobot.ui.inspector.RefusalTexts;
 import simrobot.world.World;
 import vericommand.Pose;
 

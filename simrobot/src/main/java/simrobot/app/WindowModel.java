@@ -34,7 +34,7 @@ import simrobot.ui.OperatorActions;
 import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldPictures;
-import simrobot.ui.panel.RefusalTexts;
+import simrobot.ui.inspector.RefusalTexts;
 import simrobot.world.MapWriter;
 import simrobot.world.World;
 import vericommand.Pose;

@@ -31,7 +31,7 @@ import simrobot.replay.TimelineMarker;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.WindowSnapshot;
-import simrobot.ui.panel.RefusalTexts;
+import simrobot.ui.inspector.RefusalTexts;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;

@@ -40,7 +40,7 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.WindowSnapshot;
-import simrobot.ui.panel.RefusalTexts;
+import simrobot.ui.inspector.RefusalTexts;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.Pose;

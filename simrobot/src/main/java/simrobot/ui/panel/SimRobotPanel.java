@@ -24,6 +24,8 @@ import simrobot.ui.TextLine;
 import simrobot.ui.WindowSnapshot;
 import simrobot.ui.editor.EditorPanel;
 import simrobot.ui.floor.WorldView;
+import simrobot.ui.inspector.Inspector;
+import simrobot.ui.inspector.RobotList;
 import simrobot.ui.replay.TimelinePanel;
 import simrobot.ui.telephone.ModemPanel;
 import simrobot.ui.telephone.PresentationView;

@@ -28,6 +28,8 @@ import simrobot.process.BehaviourKind;
 import simrobot.robot.SimulatedRobot;
 import simrobot.ui.OpenPort;
 import simrobot.ui.SimRobotTexts;
+import simrobot.ui.inspector.EventTexts;
+import simrobot.ui.inspector.EventsCard;
 import vericommand.RobotStatus;
 
 /** Robots come, go, and are put somewhere by hand; the called robot is shown. */

@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.inspector;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -11,6 +11,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
+import simrobot.ui.panel.WindowBench;
 
 /** The tab of the processes: what can be started, what runs, what is wrong. */
 class ProcessesCardTest {

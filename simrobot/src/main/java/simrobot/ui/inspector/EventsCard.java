@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.inspector;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
@@ -35,7 +35,7 @@ import simrobot.ui.ToolButtons;
 import simrobot.ui.WrappedText;
 
 /** The event log of all robots or of the selected one, the newest at the bottom; lines can be copied. */
-final class EventsCard extends JPanel {
+public final class EventsCard extends JPanel {
     private final TextBundle texts;
     private final EventTexts words;
     private final Rows model = new Rows();
@@ -130,7 +130,7 @@ final class EventsCard extends JPanel {
     }
 
     /** The selected lines, or all. */
-    String copied() {
+    public String copied() {
         List<LoggedEvent> chosen = list.getSelectedValuesList();
         return (chosen.isEmpty() ? model.rows : chosen)
                 .stream().map(words::line).collect(Collectors.joining("\n", "", "\n"));

@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.inspector;
 
 import java.awt.BorderLayout;
 import javax.swing.JPanel;

@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.inspector;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;

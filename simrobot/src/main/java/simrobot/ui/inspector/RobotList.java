@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.inspector;
 
 import java.awt.Component;
 import java.awt.Dimension;
@@ -24,14 +24,14 @@ import simrobot.ui.StatusLamps;
 import vericommand.RobotStatus;
 
 /** The list of all robots with their statuses and numbers. */
-final class RobotList {
+public final class RobotList {
     /**
      * A robot in the list.
      *
      * @param number of its modem, empty when it has none
      * @param calling whether it is in a call
      */
-    record Row(String name, RobotStatus status, String number, boolean calling) {}
+    public record Row(String name, RobotStatus status, String number, boolean calling) {}
 
     private static final int ROWS_SHOWN = 4;
 

@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.inspector;
 
 import java.awt.BorderLayout;
 import java.awt.CardLayout;
@@ -30,7 +30,7 @@ import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
 
 /** The column at the right of the floor: the robots, and the state of the selected one, the processes or the events. */
-final class Inspector extends JPanel {
+public final class Inspector extends JPanel {
     private static final String ROBOT = "robot";
     private static final String EVENTS = "events";
     private static final String PROCESSES = "processes";
@@ -69,7 +69,7 @@ final class Inspector extends JPanel {
      * @param page visible also while the inspector is hidden; the keys are bound to it
      * @param wanted run when a tab is chosen
      */
-    Inspector(
+    public Inspector(
             TextBundle texts,
             Consumer<String> selection,
             OperatorActions operator,
@@ -180,7 +180,7 @@ final class Inspector extends JPanel {
         }
     }
 
-    void show(List<RobotList.Row> rows, Optional<RobotSnapshot> selected, WindowSnapshot newest) {
+    public void show(List<RobotList.Row> rows, Optional<RobotSnapshot> selected, WindowSnapshot newest) {
         names = rows.stream().map(RobotList.Row::name).toList();
         numbers = rows.stream().map(RobotList.Row::number).toList();
         robots.show(rows, selected, newest.ports(), newest.simulation().behaviours());

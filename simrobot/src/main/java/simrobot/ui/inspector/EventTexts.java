@@ -1,4 +1,4 @@
-package simrobot.ui.panel;
+package simrobot.ui.inspector;
 
 import simgsm.console.TextBundle;
 import simrobot.control.LoggedEvent;
@@ -7,14 +7,14 @@ import simrobot.drawing.NumberTexts;
 import simrobot.ui.StatusLamps;
 
 /** Logged events in words. */
-final class EventTexts {
+public final class EventTexts {
     private final TextBundle texts;
 
-    EventTexts(TextBundle texts) {
+    public EventTexts(TextBundle texts) {
         this.texts = texts;
     }
 
-    String of(RobotEvent event) {
+    public String of(RobotEvent event) {
         if (event instanceof RobotEvent.Added added) {
             return texts.of("log.added", added.number());
         } else if (event instanceof RobotEvent.Removed) {
