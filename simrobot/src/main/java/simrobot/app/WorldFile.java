@@ -1,7 +1,6 @@
 package simrobot.app;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -20,6 +19,7 @@ import simrobot.world.WorldReader;
  */
 public final class WorldFile {
     private static final Path FOLDER = Path.of("worlds");
+    private static final String RESOURCES = "/simrobot/world-files/";
     private static final Path DEFAULT = FOLDER.resolve("demo.map");
 
     private WorldFile() {}
@@ -38,20 +38,9 @@ public final class WorldFile {
         if (Files.exists(place)) {
             return BitmapWorld.read(place, resolutionMeters);
         }
-        return WorldReader.read(place, ofProgram(place));
-    }
-
-    /** The content of one of the worlds that the program carries itself. */
-    private static byte[] ofProgram(Path wanted) throws IOException {
-        Path folder = wanted.getParent();
-        boolean mayBe = folder == null || folder.equals(FOLDER);
-        try (InputStream in =
-                mayBe ? WorldFile.class.getResourceAsStream("/simrobot/world-files/" + wanted.getFileName()) : null) {
-            if (in == null) {
-                throw new NoSuchFileException(wanted.toString());
-            }
-            return in.readAllBytes();
-        }
+        byte[] content = ProgramFolder.carried(WorldFile.class, FOLDER, place, RESOURCES)
+                .orElseThrow(() -> new NoSuchFileException(place.toString()));
+        return WorldReader.read(place, content);
     }
 
     /** The option --resolution: metres a pixel. */

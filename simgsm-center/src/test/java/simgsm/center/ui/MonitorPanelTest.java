@@ -37,6 +37,7 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -51,6 +52,7 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Lamp;
 import simgsm.ui.Theme;
 
+@ExtendWith(OnEventThread.class)
 class MonitorPanelTest {
     private final List<String> acts = new ArrayList<>();
     private MonitorPanel panel;
@@ -330,7 +332,7 @@ class MonitorPanelTest {
     /** At 1366x768, in a tall window, and in one that is as large as the screen. */
     @ParameterizedTest
     @CsvSource({"1028, 296", "1160, 700", "1900, 1000"})
-    void aFollowedLadderStaysAtItsEndWhileTheListsComeAndGo(int width, int height) throws Exception {
+    void aFollowedLadderStaysAtItsEndWhileTheListsComeAndGo(int width, int height) {
         panel.show(Scene.passing(101));
         panel.setSize(width, height);
         layOut(panel);
@@ -348,10 +350,10 @@ class MonitorPanelTest {
     }
 
     /** Sizes and what follows from them, as the event queue would bring them. */
-    private void settle() throws Exception {
+    private void settle() {
         for (int i = 0; i < 3; i++) {
             layOut(panel);
-            SwingUtilities.invokeAndWait(() -> {});
+            OnEventThread.performEvents();
         }
     }
 

@@ -2,6 +2,7 @@ package simgsm.console;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.lang.module.ModuleDescriptor;
 import java.lang.module.ModuleFinder;
 import java.lang.module.ModuleReference;
@@ -71,6 +72,21 @@ public record ProgramFolder(Path path, boolean isImage) {
             above = above.getParent();
         }
         return places.stream().filter(Files::exists).findFirst().orElse(wanted);
+    }
+
+    /**
+     * The content of a file that comes with the suite, from the jar of a program's own class.
+     *
+     * @param folder as for {@link #find}
+     * @param resources the folder in the jar
+     * @return empty if the jar has no such file, or another folder is named
+     */
+    public static Optional<byte[]> carried(Class<?> member, Path folder, Path wanted, String resources)
+            throws IOException {
+        boolean mayBe = wanted.getParent() == null || wanted.getParent().equals(folder);
+        try (InputStream in = mayBe ? member.getResourceAsStream(resources + wanted.getFileName()) : null) {
+            return in == null ? Optional.empty() : Optional.of(in.readAllBytes());
+        }
     }
 
     private static Optional<URI> location(Class<?> member) {

@@ -32,11 +32,13 @@ public final class Disturber {
 
     public Disturber() {}
 
+    /** From the next frame on. */
     public void set(ToneExperiment newExperiment) {
         experiment = newExperiment;
         recoder.set(newExperiment.codec());
     }
 
+    /** Forgets the sound so far: the next frame begins anew. */
     public void clear() {
         recoder.clear();
         random = new SplittableRandom(1);
@@ -46,6 +48,7 @@ public final class Disturber {
         position = ARM;
     }
 
+    /** @return the frame disturbed; shorter or longer where frequencies are shifted */
     public short[] disturbed(short[] frame) {
         follow(frame);
         double[] sound = experiment.shiftPercent() == 0 ? unshifted(frame) : shifted(frame);

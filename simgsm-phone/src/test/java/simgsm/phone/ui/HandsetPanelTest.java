@@ -143,8 +143,7 @@ class HandsetPanelTest {
     void theHandsetScalesAsAWholeWithThePanel() {
         PanelBench bench = new PanelBench(Locale.ENGLISH);
         Rectangle before = bench.find("key.5").getBounds();
-        bench.panel.setSize(bench.panel.getWidth() * 2, bench.panel.getHeight() * 2);
-        bench.panel.doLayout();
+        bench.resize(bench.panel.getWidth() * 2, bench.panel.getHeight() * 2);
         Rectangle after = bench.find("key.5").getBounds();
         assertEquals(before.width * 2, after.width, 1);
         assertEquals(before.y * 2, after.y, 1);
@@ -205,8 +204,7 @@ class HandsetPanelTest {
         PanelBench bench = new PanelBench(Bench.connected(), Locale.ENGLISH);
         Rectangle key = bench.find("key.5").getBounds();
         ((AbstractButton) bench.find("scope.switch")).doClick(0);
-        bench.panel.setSize(608, 624);
-        bench.panel.doLayout();
+        bench.resize(608, 624);
         assertEquals(key, bench.find("key.5").getBounds());
         assertEquals(new Rectangle(318, 24, 260, 574), bench.find("scope").getBounds());
     }

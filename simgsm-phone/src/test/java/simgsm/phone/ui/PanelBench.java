@@ -5,13 +5,16 @@ import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.lang.reflect.InvocationTargetException;
 import java.time.Clock;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.ObjLongConsumer;
+import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.Bench;
@@ -20,11 +23,14 @@ import simgsm.phone.screen.PhoneKey;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 
-/** A handset's panel on a bench: acts are noted and go into a handset at once; pictures are painted without a display. */
+/**
+ * A handset's panel on a bench: acts are noted and go into a handset at once; pictures are painted without a display. Panels are
+ * made, laid out and painted by the event thread: the look's styles are for one thread, and sizes that are set become events.
+ */
 final class PanelBench {
     final Bench bench;
     final List<String> acts = new ArrayList<>();
-    final HandsetPanel panel;
+    HandsetPanel panel;
 
     PanelBench(Locale language) {
         this(new Bench(), language);
@@ -35,9 +41,25 @@ final class PanelBench {
         TextBundle texts = new TextBundle(
                 ResourceBundle.getBundle("simgsm.phone.messages", TextBundle.bundleLocale(language)), Locale.ROOT);
         Clock clock = Clock.fixed(Bench.NOON, ZoneOffset.UTC);
-        panel = new HandsetPanel(texts, language, clock, bench.snapshot(), new Controls());
-        panel.setSize(panel.getPreferredSize());
-        layOut();
+        onEventThread(() -> {
+            panel = new HandsetPanel(texts, language, clock, bench.snapshot(), new Controls());
+            panel.setSize(panel.getPreferredSize());
+            layOut();
+        });
+    }
+
+    private static void onEventThread(Runnable act) {
+        if (SwingUtilities.isEventDispatchThread()) {
+            act.run();
+            return;
+        }
+        try {
+            SwingUtilities.invokeAndWait(act);
+        } catch (InvocationTargetException e) {
+            throw new AssertionError(e.getCause());
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
     }
 
     private void layOut() {
@@ -57,8 +79,21 @@ final class PanelBench {
         return ComponentNames.find(panel, name).orElseThrow(() -> new AssertionError("no component named " + name));
     }
 
+    void resize(int width, int height) {
+        onEventThread(() -> {
+            panel.setSize(width, height);
+            panel.doLayout();
+        });
+    }
+
     /** Shows the handset's newest snapshot and paints it at a scale. */
     BufferedImage paint(double scale) {
+        AtomicReference<BufferedImage> picture = new AtomicReference<>();
+        onEventThread(() -> picture.set(painted(scale)));
+        return picture.get();
+    }
+
+    private BufferedImage painted(double scale) {
         panel.show(bench.snapshot());
         Dimension size = panel.getPreferredSize();
         panel.setSize(size);

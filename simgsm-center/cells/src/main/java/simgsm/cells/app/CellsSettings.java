@@ -4,14 +4,18 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import simgsm.cells.net.FollowedRobot;
 import simgsm.cells.snapshot.HandoverRule;
 import simgsm.cells.town.Town;
 import simgsm.cells.town.TownFile;
+import simgsm.cells.town.TownReader;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
@@ -41,6 +45,7 @@ public record CellsSettings(
     public static final int DEFAULT_PORT = 3013;
     private static final int MAX_PORT = 0xffff;
     private static final Path TOWNS = Path.of("worlds");
+    private static final String RESOURCES = "/simgsm/cells/town-files/";
 
     /** @throws IOException naming the town file that cannot be read */
     public static CellsSettings read(Arguments arguments) throws UsageException, IOException {
@@ -51,7 +56,7 @@ public record CellsSettings(
         long seed = arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE);
         HandoverRule handover = arguments.value("handover", HandoverRule::parse).orElse(HandoverRule.STANDARD);
         Path file = arguments.path("town").orElseThrow(() -> new UsageException("--town FILE.town is needed"));
-        Town town = TownFile.read(ProgramFolder.find(CellsSettings.class, TOWNS, file));
+        Town town = town(ProgramFolder.find(CellsSettings.class, TOWNS, file));
         List<FollowedRobot> followed = new ArrayList<>();
         for (String text : arguments.all("follow")) {
             followed.add(Arguments.checked(() -> FollowedRobot.parse(text)));
@@ -66,6 +71,16 @@ public record CellsSettings(
                 handover,
                 List.copyOf(followed),
                 arguments.language());
+    }
+
+    /** Of a file, or of the towns that the jar carries. */
+    private static Town town(Path file) throws IOException {
+        Optional<byte[]> carried = Files.exists(file)
+                ? Optional.empty()
+                : ProgramFolder.carried(CellsSettings.class, TOWNS, file, RESOURCES);
+        return carried.isEmpty()
+                ? TownFile.read(file)
+                : TownReader.read(file.getFileName().toString(), new String(carried.get(), StandardCharsets.UTF_8));
     }
 
     public InetSocketAddress controllerAddress() {
