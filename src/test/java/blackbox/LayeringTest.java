@@ -94,7 +94,7 @@ class LayeringTest {
             simgsm.center.web        : simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.capture    : simgsm.octets simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
-            simgsm.center.ui.ladder  : simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.lesson simgsm.center.msc
+            simgsm.center.ui.ladder  : simgsm.file simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.lesson simgsm.center.msc
             simgsm.center.ui         : simgsm.air simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc simgsm.center.ui.ladder
             simgsm.center.app        : simgsm.file simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.tone simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app

@@ -1,20 +1,20 @@
 package simgsm.phone;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.Reader;
 import java.lang.System.Logger.Level;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Map;
 import java.util.Properties;
 import java.util.TreeMap;
 import simgsm.air.Msisdn;
 import simgsm.console.FolderLock;
 import simgsm.file.FileErrors;
+import simgsm.file.FileReplacement;
 
 /**
  * The file of {@code --data}: what one phone keeps from run to run, as Java's properties in UTF-8. Phones of other numbers may
@@ -69,17 +69,15 @@ final class PhoneData implements AutoCloseable {
         }
         Properties properties = new Properties();
         properties.putAll(texts);
-        Path next = file.resolveSibling(file.getFileName() + ".new");
         try {
             // Octets, not characters: so every character outside ASCII is escaped, half a surrogate pair too.
-            try (OutputStream out = Files.newOutputStream(next)) {
-                properties.store(out, null);
-            }
-            Files.move(next, file, StandardCopyOption.ATOMIC_MOVE);
+            ByteArrayOutputStream octets = new ByteArrayOutputStream();
+            properties.store(octets, null);
+            FileReplacement.write(file, octets.toByteArray());
             known = Map.copyOf(texts);
         } catch (IOException e) {
             unwritten = Map.copyOf(texts);
-            LOG.log(Level.WARNING, "--data: {0} cannot be written: {1}", file, FileErrors.describe(e));
+            LOG.log(Level.WARNING, "--data is not kept: {0}", FileErrors.describe(e));
         }
     }
 

@@ -11,7 +11,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import simgsm.file.FileErrors;
+import simgsm.file.FileReplacement;
 import simrobot.simulation.SimulationSnapshot;
 
 /** Writes pictures of the world and tracks of robots to files; the file's ending selects which. */
@@ -100,7 +100,7 @@ public final class FileExports {
 
     private static void write(byte[] octets, Path file) throws IOException {
         try {
-            FileErrors.naming(file, () -> Files.write(file, octets));
+            FileReplacement.write(file, octets);
         } catch (NoSuchFileException e) {
             throw new IOException(file + " cannot be written, expected a folder that is there", e);
         } catch (AccessDeniedException e) {

@@ -1,6 +1,7 @@
 package simgsm.center.lesson;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -19,6 +20,7 @@ import simgsm.center.app.DataDirectory;
 import simgsm.center.demo.DemoLayout;
 import simgsm.center.demo.DemoPrograms;
 import simgsm.console.Arguments;
+import simgsm.file.FileReplacement;
 import simgsm.lesson.Lesson;
 import simgsm.lesson.LessonLibrary;
 import simgsm.lesson.LessonProgram;
@@ -321,7 +323,7 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
             Path file = folder.resolve(lesson.name() + "-" + run.seed() + (who.isEmpty() ? "" : "-" + who) + ".txt");
             String[] text = new String[1];
             session.events().withRun(each -> text[0] = LessonResult.text(each, student, Instant.now()));
-            Files.writeString(file, text[0]);
+            FileReplacement.write(file, text[0].getBytes(StandardCharsets.UTF_8));
             notice = DesktopTexts.in(language).of("lesson.saved", file.toString());
         });
     }

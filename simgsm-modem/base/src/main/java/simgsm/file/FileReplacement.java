@@ -1,9 +1,11 @@
 package simgsm.file;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.UUID;
@@ -16,7 +18,8 @@ public final class FileReplacement {
     private FileReplacement() {}
 
     /**
-     * Replaces the content of a file, or makes the file. Behind a symbolic link the file that it names is replaced.
+     * Replaces the content of a file, or makes the file. Behind a symbolic link the file that it names is replaced; a device or
+     * a pipe stays what it is, and the content is written to it.
      *
      * @throws FileSystemException naming a file that cannot be written, and why
      */
@@ -26,14 +29,18 @@ public final class FileReplacement {
             throw new FileSystemException(file.toString(), null, "expected a file, found a folder");
         }
         if (Files.exists(target, LinkOption.NOFOLLOW_LINKS) && !Files.isWritable(target)) {
-            throw new FileSystemException(file.toString(), null, "the file is write-protected");
+            throw new AccessDeniedException(file.toString(), null, "the file is write-protected");
+        }
+        if (Files.exists(target) && !Files.isRegularFile(target)) {
+            FileErrors.naming(file, () -> Files.write(target, content));
+            return;
         }
         Path folder = target.toAbsolutePath().getParent();
         if (!Files.isDirectory(folder)) {
-            throw new FileSystemException(file.toString(), null, "the folder does not exist");
+            throw new NoSuchFileException(file.toString(), null, "the folder does not exist");
         }
         if (!Files.isWritable(folder)) {
-            throw new FileSystemException(file.toString(), null, "the folder is write-protected");
+            throw new AccessDeniedException(file.toString(), null, "the folder is write-protected");
         }
         // not Files.createTempFile, whose files only their owner may read
         Path fresh = folder.resolve("." + target.getFileName() + "." + UUID.randomUUID() + ".new");

@@ -2,6 +2,7 @@ package simgsm.file;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -60,6 +61,14 @@ class FileReplacementTest {
         FileReplacement.write(link, NEW);
         assertTrue(Files.isSymbolicLink(link));
         assertArrayEquals(NEW, Files.readAllBytes(file));
+    }
+
+    @Test
+    void aDeviceStaysWhatItIs() throws IOException {
+        Path device = Path.of("/dev/full");
+        Assumptions.assumeTrue(Files.exists(device), "no disk that is always full");
+        assertThrows(IOException.class, () -> FileReplacement.write(device, NEW));
+        assertFalse(Files.isRegularFile(device));
     }
 
     @Test

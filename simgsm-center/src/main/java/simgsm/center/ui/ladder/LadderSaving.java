@@ -1,7 +1,7 @@
 package simgsm.center.ui.ladder;
 
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
+import simgsm.file.FileReplacement;
 import simgsm.ui.file.SaveDialog;
 
 /** Saves the shown messages as text or as a picture, where the user says. */
@@ -51,7 +52,7 @@ final class LadderSaving {
     /** Writes the kind of file that the ending says: a picture for svg, else text. */
     void write(Path file, List<LadderRow> rows, Lifelines lifelines) throws IOException {
         boolean isPicture = String.valueOf(file).toLowerCase(Locale.ROOT).endsWith("." + PICTURE);
-        Files.writeString(
-                file, isPicture ? LadderFile.svg(rows, lifelines, texts.of("window.ladder")) : LadderFile.text(rows));
+        String text = isPicture ? LadderFile.svg(rows, lifelines, texts.of("window.ladder")) : LadderFile.text(rows);
+        FileReplacement.write(file, text.getBytes(StandardCharsets.UTF_8));
     }
 }

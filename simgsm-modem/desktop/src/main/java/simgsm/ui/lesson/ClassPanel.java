@@ -98,11 +98,12 @@ public final class ClassPanel extends JPanel {
                         Arrange.row(Theme.GRID, button(start), button(stop), Arrange.spring(), clock),
                         best,
                         Arrange.growing(new JScrollPane(table)),
+                        // The table makes room for a notice, so that no button moves.
+                        notice,
                         Arrange.row(Theme.GRID, button(replay), button(save), Arrange.spring()),
                         new JLabel(words.of("class.commands")),
                         command,
-                        Arrange.row(Theme.GRID, button(copy), button(large), Arrange.spring()),
-                        notice),
+                        Arrange.row(Theme.GRID, button(copy), button(large), Arrange.spring())),
                 BorderLayout.CENTER);
         acts.warning().ifPresent(notice::show);
         notice.setVisible(acts.warning().isPresent());

@@ -5,7 +5,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +16,7 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
+import simgsm.file.FileReplacement;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
@@ -87,7 +88,7 @@ public final class ClassFrame {
                     UnaryOperator.identity(),
                     replacing);
             if (file.isPresent()) {
-                Files.writeString(file.get(), csv);
+                FileReplacement.write(file.get(), csv.getBytes(StandardCharsets.UTF_8));
             }
         }
 
