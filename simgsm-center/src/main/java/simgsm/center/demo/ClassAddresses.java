@@ -1,6 +1,7 @@
 package simgsm.center.demo;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.DatagramSocket;
 import java.net.Inet4Address;
 import java.net.InetAddress;
@@ -48,7 +49,7 @@ final class ClassAddresses {
         try (DatagramSocket socket = new DatagramSocket()) {
             socket.connect(ELSEWHERE);
             return Optional.of(socket.getLocalAddress().getHostAddress());
-        } catch (IOException | java.io.UncheckedIOException e) {
+        } catch (IOException | UncheckedIOException e) {
             return Optional.empty(); // no way leads out
         }
     }
