@@ -5,6 +5,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import simgsm.file.CsvLine;
 import simgsm.file.FileErrors;
 import simrobot.control.TrackSeries;
 import simrobot.robot.SimulatedRobot;
@@ -44,7 +46,7 @@ final class RunTrack implements AutoCloseable {
 
     private void writeRows(long timeNanos) throws IOException {
         for (SimulatedRobot robot : simulation.robots()) {
-            out.write(robot.name() + ",");
+            out.write(CsvLine.of(List.of(robot.name(), "")));
             TrackSeries.writeRow(out, timeNanos, robot.pose(), robot.status());
         }
     }

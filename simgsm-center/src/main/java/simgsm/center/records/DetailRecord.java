@@ -6,7 +6,7 @@ import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Collectors;
+import simgsm.file.CsvLine;
 
 /**
  * One line of a file of records.
@@ -41,21 +41,18 @@ record DetailRecord(
 
     /** The line, without its end. Times are UTC in milliseconds; seconds count from the answer, or else from the beginning. */
     String line() {
-        return List.of(
-                        type.name().toLowerCase(Locale.ROOT),
-                        String.valueOf(id),
-                        from,
-                        to,
-                        via,
-                        time(began),
-                        answered.map(DetailRecord::time).orElse(""),
-                        time(ended),
-                        seconds(),
-                        result,
-                        cause.map(String::valueOf).orElse(""))
-                .stream()
-                .map(DetailRecord::field)
-                .collect(Collectors.joining(","));
+        return CsvLine.of(List.of(
+                type.name().toLowerCase(Locale.ROOT),
+                String.valueOf(id),
+                from,
+                to,
+                via,
+                time(began),
+                answered.map(DetailRecord::time).orElse(""),
+                time(ended),
+                seconds(),
+                result,
+                cause.map(String::valueOf).orElse("")));
     }
 
     /** Of an unanswered call 0. */
@@ -67,12 +64,5 @@ record DetailRecord(
 
     private static String time(Instant time) {
         return time.truncatedTo(ChronoUnit.MILLIS).toString();
-    }
-
-    /** RFC 4180: quoted if it has a comma, a quote or a line's end. A text that a spreadsheet would compute is quoted apart. */
-    private static String field(String text) {
-        boolean isFormula = text.matches("(?s)[=+@\t\r-].*");
-        String safe = isFormula ? "'" + text : text;
-        return safe.matches("(?s).*[\",\r\n].*") ? '"' + safe.replace("\"", "\"\"") + '"' : safe;
     }
 }

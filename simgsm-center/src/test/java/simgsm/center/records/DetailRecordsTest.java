@@ -81,8 +81,15 @@ class DetailRecordsTest {
         assertTrue(message("Smith, \"Ada\"", NOON).line().startsWith("message,7,\"Smith, \"\"Ada\"\"\",5550200,app,"));
         assertTrue(message("=1+1", NOON).line().startsWith("message,7,'=1+1,"));
         assertTrue(message("+1+1", NOON).line().startsWith("message,7,'+1+1,"));
-        assertTrue(message("\t=1", NOON).line().startsWith("message,7,'\t=1,"));
-        assertTrue(message("\r=1", NOON).line().startsWith("message,7,\"'\r=1\","));
+        assertTrue(message("\t=1", NOON).line().startsWith("message,7,'\\t=1,"));
+        assertTrue(message("\r=1", NOON).line().startsWith("message,7,'\\r=1,"));
+    }
+
+    @Test
+    void aNameWithEndsOfLinesStaysInOneLine() {
+        String line = message("a\r\nmessage,8\u2028\u001b[31m", NOON).line();
+
+        assertTrue(line.startsWith("message,7,\"a\\r\\nmessage,8\\u2028\\u001b[31m\",5550200,app,"), line);
     }
 
     @Test

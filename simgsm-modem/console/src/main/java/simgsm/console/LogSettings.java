@@ -11,6 +11,7 @@ import java.util.logging.Handler;
 import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import simgsm.file.LineText;
 
 /** Writes log records from a level on to standard error, a line each. */
 final class LogSettings {
@@ -62,7 +63,8 @@ final class LogSettings {
                 .orElse(level.getName());
     }
 
-    private static final class OneLine extends Formatter {
+    /** Control characters of a record, such as those of a peer's text, are escaped. */
+    static final class OneLine extends Formatter {
         /** Made for the first record: most runs write none. */
         private DateTimeFormatter time;
 
@@ -73,7 +75,7 @@ final class LogSettings {
             }
             String thrown = record.getThrown() == null ? "" : " (" + record.getThrown() + ")";
             return time.format(Instant.ofEpochMilli(record.getMillis())) + " " + word(record.getLevel()) + " "
-                    + record.getLoggerName() + ": " + formatMessage(record) + thrown + "\n";
+                    + record.getLoggerName() + ": " + LineText.escaped(formatMessage(record) + thrown) + "\n";
         }
     }
 }

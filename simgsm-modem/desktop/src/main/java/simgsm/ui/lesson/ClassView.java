@@ -2,6 +2,7 @@ package simgsm.ui.lesson;
 
 import java.util.List;
 import java.util.Optional;
+import simgsm.file.CsvLine;
 
 /**
  * What the window of a class shows.
@@ -31,7 +32,7 @@ public record ClassView(List<Row> rows, Phase phase, long seconds, Optional<Stri
 
         /** As a line of a CSV file. */
         String line() {
-            return String.join(",", cells);
+            return CsvLine.of(cells);
         }
     }
 }

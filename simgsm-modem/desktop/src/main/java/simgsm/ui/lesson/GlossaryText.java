@@ -12,12 +12,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JEditorPane;
 import javax.swing.KeyStroke;
 import javax.swing.event.HyperlinkEvent;
 import javax.swing.text.DefaultCaret;
 import simgsm.draw.Ink;
+import simgsm.draw.SvgCanvas;
 import simgsm.lesson.Glossary;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
@@ -175,10 +177,9 @@ final class GlossaryText extends JEditorPane {
     }
 
     private static String escaped(String text) {
-        return text.replace("&", "&amp;")
-                .replace("<", "&lt;")
-                .replace("'", "&#39;")
-                .replace("\n\n", "<br><br>")
+        return Stream.of(text.split("\n\n", -1))
+                .map(SvgCanvas::escaped)
+                .collect(Collectors.joining("<br><br>"))
                 // A path may be broken behind each folder.
                 .replace("/", "/" + BREAK)
                 .replace("** ", "**&nbsp;")

@@ -6,6 +6,7 @@ import javax.swing.Action;
 import javax.swing.JButton;
 import javax.swing.plaf.basic.BasicHTML;
 import javax.swing.text.View;
+import simgsm.draw.SvgCanvas;
 
 /** A button in a column, with as many lines of text as the column's width needs. */
 final class WrappingButton extends JButton {
@@ -15,7 +16,7 @@ final class WrappingButton extends JButton {
 
     @Override
     public void setText(String text) {
-        String escaped = text == null ? "" : text.replace("&", "&amp;").replace("<", "&lt;");
+        String escaped = text == null ? "" : SvgCanvas.escaped(text);
         super.setText("<html><body style='text-align:center'>" + escaped + "</body></html>");
     }
 
