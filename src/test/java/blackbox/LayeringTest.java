@@ -52,7 +52,7 @@ class LayeringTest {
             simgsm.ui                : simgsm.console simgsm.draw
             simgsm.ui.pane           : simgsm.console simgsm.draw simgsm.ui
             simgsm.ui.file           :
-            simgsm.ui.lesson         : simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.file simgsm.ui.pane
+            simgsm.ui.lesson         : simgsm.file simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.file simgsm.ui.pane
             simgsm.ui.scope          : simgsm.console simgsm.tone simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.ui.window         : simgsm.file simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.file simgsm.ui.lesson
             simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
@@ -79,7 +79,7 @@ class LayeringTest {
             simgsm.phone             : simgsm.file simgsm.octets simgsm.modem.at.command simgsm.modem.at.port simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.store simgsm.phone.screen simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim simgsm.ss
             simgsm.center.smsc       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
-            simgsm.center.journal    : simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
+            simgsm.center.journal    : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
             simgsm.center.smpp.pdu   : simgsm.octets simgsm.air simgsm.sms
             simgsm.center.smpp       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.smpp.pdu
             simgsm.center.msc.link   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.trace simgsm.center.subscriber
@@ -92,12 +92,12 @@ class LayeringTest {
             simgsm.center.msc        : simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.tone simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
             simgsm.center.records    : simgsm.file simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.web        : simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
-            simgsm.center.capture    : simgsm.octets simgsm.abis
+            simgsm.center.capture    : simgsm.file simgsm.octets simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
             simgsm.center.ui.ladder  : simgsm.file simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.trace simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.lesson simgsm.center.msc
             simgsm.center.ui         : simgsm.air simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc simgsm.center.ui.ladder
             simgsm.center.app        : simgsm.file simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.tone simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
-            simgsm.center.demo       : simgsm.air simgsm.console simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app
+            simgsm.center.demo       : simgsm.file simgsm.air simgsm.console simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app
             simgsm.center.lesson     : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.dtmf simgsm.console simgsm.lesson simgsm.ui simgsm.ui.lesson simgsm.ui.window simgsm.center.msc simgsm.center.app simgsm.center.demo
             simgsm.center            : simgsm.console simgsm.ui.window simgsm.center.lesson simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.center.app simgsm.center.demo
             simgsm.cells.town        : simgsm.file simgsm.octets

@@ -73,7 +73,7 @@ final class PhoneData implements AutoCloseable {
             // Octets, not characters: so every character outside ASCII is escaped, half a surrogate pair too.
             ByteArrayOutputStream octets = new ByteArrayOutputStream();
             properties.store(octets, null);
-            FileReplacement.write(file, octets.toByteArray());
+            FileReplacement.writePrivately(file, octets.toByteArray());
             known = Map.copyOf(texts);
         } catch (IOException e) {
             unwritten = Map.copyOf(texts);

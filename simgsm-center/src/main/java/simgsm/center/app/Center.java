@@ -134,7 +134,9 @@ public final class Center implements AutoCloseable {
 
     private static Journal readJournal(Path directory) throws IOException {
         try {
-            return Journal.open(new FileDisk(directory));
+            Journal journal = Journal.open(new FileDisk(directory));
+            journal.holdReserve();
+            return journal;
         } catch (IOException e) {
             throw new IOException("cannot read the messages in " + directory + ": " + e.getMessage(), e);
         }

@@ -2,11 +2,13 @@ package simgsm.center.app;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -19,6 +21,7 @@ import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.file.FileErrors;
+import simgsm.file.PrivateFiles;
 import simgsm.octets.OctetString;
 import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;
@@ -142,16 +145,12 @@ public final class NewSims {
         }
     }
 
-    /** A new file is readable by its owner only, where the file system is POSIX; it is removed if it cannot be written. */
+    /** Appends to a file that only its owner may read; a new one is removed if it cannot be written. */
     private static void writeSecretly(Path file, String text) throws IOException {
-        boolean knowsOwners = file.getFileSystem().supportedFileAttributeViews().contains("posix");
         boolean isNew = !Files.exists(file);
-        if (knowsOwners && isNew) {
-            Files.createFile(file, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
-        }
-        try {
+        try (FileChannel channel = PrivateFiles.open(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND)) {
             FileErrors.naming(
-                    file, () -> Files.writeString(file, text, StandardOpenOption.CREATE, StandardOpenOption.APPEND));
+                    file, () -> Channels.newOutputStream(channel).write(text.getBytes(StandardCharsets.UTF_8)));
         } catch (IOException e) {
             if (isNew) {
                 Files.deleteIfExists(file);

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import simgsm.file.PrivateFiles;
 
 /** A classic pcap file, big-endian, microseconds. Whole records only, so that it can be opened at any time. */
 final class PcapFile {
@@ -26,7 +27,7 @@ final class PcapFile {
 
     private PcapFile(Path path) throws IOException {
         this.path = path;
-        this.channel = FileChannel.open(
+        this.channel = PrivateFiles.open(
                 path, StandardOpenOption.CREATE, StandardOpenOption.TRUNCATE_EXISTING, StandardOpenOption.WRITE);
     }
 

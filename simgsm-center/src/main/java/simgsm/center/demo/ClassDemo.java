@@ -32,6 +32,7 @@ import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
+import simgsm.file.PrivateFiles;
 import simgsm.ui.lesson.ClassActs;
 import simgsm.ui.lesson.ClassView;
 import simgsm.ui.window.ClassFrame;
@@ -180,7 +181,7 @@ public final class ClassDemo {
 
     /** A file for the recording of this class; those of earlier ones stay. */
     private static Path recording(LocalDateTime now) throws IOException {
-        Path folder = Files.createDirectories(DataDirectory.defaultPath(System.getenv(), System.getProperties())
+        Path folder = PrivateFiles.makeFolder(DataDirectory.defaultPath(System.getenv(), System.getProperties())
                 .resolve("lessons"));
         String name = "class-" + now.format(DateTimeFormatter.ofPattern("yyyy-MM-dd-HHmm", Locale.ROOT));
         Path file = folder.resolve(name + ".rec");

@@ -8,10 +8,14 @@ package simgsm.center.journal;
  * @param isTail whether no valid record follows, as after a crash while a record was written
  */
 record Damage(String file, long from, long to, boolean isTail) {
+    /** What is wrong and where. */
+    String place() {
+        return file + (isTail ? ": torn at octet " + from : ": damaged from octet " + from + " to " + (to - 1));
+    }
+
     @Override
     public String toString() {
-        return isTail
-                ? file + ": torn at octet " + from + "; the last " + (to - from) + " octets are cut off"
-                : file + ": damaged from octet " + from + " to " + (to - 1) + "; the records around it are saved";
+        return place()
+                + (isTail ? "; the last " + (to - from) + " octets are cut off" : "; the records around it are saved");
     }
 }

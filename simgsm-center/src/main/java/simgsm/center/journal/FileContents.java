@@ -24,10 +24,10 @@ final class FileContents {
         }
     }
 
-    void ended(RecordReader reader, long size) {
+    void ended(RecordReader reader) {
         writtenRecords = Math.max(writtenRecords, reader.writtenRecords());
         goodOctets = reader.goodEnd();
-        cutOctets = size - goodOctets;
+        cutOctets = reader.end() - goodOctets;
     }
 
     /** Records that are known to have been written and are not there. */

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
 import java.nio.file.OpenOption;
 import java.nio.file.Path;
@@ -12,8 +14,9 @@ import java.nio.file.StandardOpenOption;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import simgsm.file.PrivateFiles;
 
-/** A directory of the file system. */
+/** A directory of the file system. An open file is locked, so that no other process changes the store at the same time. */
 public final class FileDisk implements Disk {
     private static final boolean IS_WINDOWS = System.getProperty("os.name", "").startsWith("Windows");
 
@@ -35,12 +38,9 @@ public final class FileDisk implements Disk {
 
     @Override
     public DiskFile create(String name) throws IOException {
-        return open(
-                name,
-                StandardOpenOption.CREATE,
-                StandardOpenOption.TRUNCATE_EXISTING,
-                StandardOpenOption.READ,
-                StandardOpenOption.WRITE);
+        DiskFile file = open(name, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+        file.truncate(0);
+        return file;
     }
 
     @Override
@@ -49,7 +49,21 @@ public final class FileDisk implements Disk {
     }
 
     private DiskFile open(String name, OpenOption... options) throws IOException {
-        return new ChannelFile(FileChannel.open(directory.resolve(name), options));
+        FileChannel channel = PrivateFiles.open(directory.resolve(name), options);
+        FileLock lock = null;
+        try {
+            lock = channel.tryLock();
+        } catch (OverlappingFileLockException e) {
+            // A journal of this process.
+        } finally {
+            if (lock == null) {
+                channel.close();
+            }
+        }
+        if (lock == null) {
+            throw new IOException("another centre holds " + name);
+        }
+        return new ChannelFile(channel);
     }
 
     @Override

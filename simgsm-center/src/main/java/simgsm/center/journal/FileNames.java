@@ -26,6 +26,11 @@ final class FileNames {
         return UNFINISHED;
     }
 
+    /** The room held back for the ends of messages. */
+    static String reserve() {
+        return "reserve";
+    }
+
     /** The copy of a file's octets that could not be read, from this position on. */
     static String damaged(String name, long from) {
         return name + "-" + from + ".damaged";

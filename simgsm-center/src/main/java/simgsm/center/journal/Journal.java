@@ -37,13 +37,20 @@ public final class Journal {
         }
     }
 
+    /** Held back for the ends of messages: 79 000. */
+    private static final long RESERVE_OCTETS = 4 << 20;
+
     private final Disk disk;
     private final Limits limits;
     private final JournalState state;
     /** Entries that the disk has not taken, in order; repetitions are kept once. */
     private final Set<StoreEntry> owed = new LinkedHashSet<>();
 
+    private final DiskReserve reserve;
     private JournalSegment segment;
+    /** Whether the segment is what was the reserve: the disk is full. */
+    private boolean isReserve;
+
     /** Whether the segment may hold octets of a failed append. */
     private boolean isSuspect;
 
@@ -59,8 +66,9 @@ public final class Journal {
     private int segments;
     private long compactAboveOctets;
 
-    private Journal(Disk disk, Limits limits) {
+    private Journal(Disk disk, Limits limits, DiskReserve reserve) {
         this.disk = disk;
+        this.reserve = reserve;
         this.limits = limits;
         this.state = new JournalState(limits.maxRecent);
         this.compactAboveOctets = limits.minCompactedOctets;
@@ -76,14 +84,31 @@ public final class Journal {
     }
 
     static Journal open(Disk disk, Limits limits) throws IOException {
-        Journal journal = new Journal(disk, limits);
+        Set<String> names = disk.names();
+        Journal journal = new Journal(disk, limits, new DiskReserve(disk, names));
         Recovery recovery = new Recovery(disk, journal.state);
-        recovery.run();
+        recovery.run(names);
         journal.lastNumber = recovery.lastNumber();
         journal.lastRecords = recovery.lastRecords();
         journal.closedOctets = recovery.octets();
         journal.segments = recovery.segments();
         return journal;
+    }
+
+    /** Holds back room on the disk, into which the ends of messages are written when it is full. */
+    public void holdReserve() {
+        holdReserve(RESERVE_OCTETS);
+    }
+
+    void holdReserve(long octets) {
+        reserve.hold(octets);
+        if (!reserve.isFilled()) {
+            LOG.log(
+                    Level.WARNING,
+                    "the disk is full: {0} octets are held back for the ends of messages, expected {1}",
+                    reserve.size(),
+                    octets);
+        }
     }
 
     /** The sum of all entries so far. */
@@ -98,20 +123,25 @@ public final class Journal {
         all.addAll(entries);
         try {
             prepare();
-            isSuspect = true;
-            segment.append(all);
-            isSuspect = false;
+            append(all);
         } catch (IOException | UncheckedIOException e) {
             failed(entries, e);
-            return false;
+            return isSaved() && entries.stream().noneMatch(StoreEntry.Accepted.class::isInstance);
         }
         if (isFailing) {
             LOG.log(Level.WARNING, "the disk takes the journal again");
             isFailing = false;
-            owed.clear();
+            reserve.isFilled();
         }
-        all.forEach(state::apply);
         return true;
+    }
+
+    private void append(List<StoreEntry> entries) throws IOException {
+        isSuspect = true;
+        segment.append(entries);
+        isSuspect = false;
+        owed.clear();
+        entries.forEach(state::apply);
     }
 
     /** Whether the last commit has failed; an empty commit tries again to write the kept entries. */
@@ -129,13 +159,45 @@ public final class Journal {
         }
     }
 
+    /** Writes the kept entries into the room held back. @return whether none is left */
+    private boolean isSaved() {
+        try {
+            if (!owed.isEmpty() && !isReserve) {
+                beginReserve();
+            }
+            if (!owed.isEmpty()) {
+                append(List.copyOf(owed));
+            }
+        } catch (IOException | UncheckedIOException e) {
+            LOG.log(Level.DEBUG, "the ends of {0} messages are kept in memory: {1}", owed.size(), e.toString());
+        }
+        return owed.isEmpty();
+    }
+
+    private void beginReserve() throws IOException {
+        if (isSuspect) {
+            segment.repair();
+            isSuspect = false;
+        }
+        if (segment != null) {
+            closeSegment();
+        }
+        segment = reserve.become(FileNames.segment(lastNumber + 1), lastRecords);
+        lastNumber++;
+        segments++;
+        isReserve = true;
+    }
+
     /** Cuts the file to its durable part after a failure, and opens the next segment if necessary. */
     private void prepare() throws IOException {
         if (isSuspect) {
             segment.repair();
             isSuspect = false;
         }
-        if (segment != null && segment.size() > limits.segmentOctets) {
+        if (isReserve && !reserve.isFilled()) {
+            throw new IOException("no room for new messages");
+        }
+        if (segment != null && (isReserve || segment.size() > limits.segmentOctets)) {
             closeSegment();
         }
         if (segment == null) {
@@ -160,6 +222,7 @@ public final class Journal {
     private void closeSegment() throws IOException {
         JournalSegment closing = segment;
         segment = null;
+        isReserve = false;
         closedOctets += closing.size();
         lastRecords = closing.records();
         closing.close();
@@ -211,6 +274,7 @@ public final class Journal {
         if (isFailing) {
             commit(List.of());
         }
+        reserve.close();
         if (segment != null) {
             try {
                 segment.close();

@@ -9,16 +9,23 @@ import simgsm.center.smsc.StoreEntry;
 /** A file to which records are appended. Its size counts durable octets; any after them are invalid. */
 final class JournalSegment {
     private final DiskFile file;
+    private final long capacity;
     private long size;
     private long records;
 
-    private JournalSegment(DiskFile file) {
+    private JournalSegment(DiskFile file, long capacity) {
         this.file = file;
+        this.capacity = capacity;
     }
 
     /** Begins a new file with its mark; if that fails, the file is closed. @param file an empty file */
     static JournalSegment begin(DiskFile file, long previousRecords) throws IOException {
-        JournalSegment begun = new JournalSegment(file);
+        return begin(file, previousRecords, Long.MAX_VALUE);
+    }
+
+    /** @param capacity octets that it may hold */
+    static JournalSegment begin(DiskFile file, long previousRecords, long capacity) throws IOException {
+        JournalSegment begun = new JournalSegment(file, capacity);
         try {
             begun.append(new FileMark.Opened(previousRecords));
             return begun;
@@ -54,6 +61,9 @@ final class JournalSegment {
     }
 
     private void write(ByteArrayOutputStream octets, long lastSequence) throws IOException {
+        if (size + octets.size() > capacity) {
+            throw new IOException("the room held back is full");
+        }
         file.write(ByteBuffer.wrap(octets.toByteArray()), size);
         file.sync();
         size += octets.size();

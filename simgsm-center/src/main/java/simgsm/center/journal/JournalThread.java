@@ -95,6 +95,9 @@ public final class JournalThread implements MessageStore, AutoCloseable {
     /** Writes all commits so far and ends the thread. */
     @Override
     public void close() {
+        if (thread.getState() == Thread.State.NEW) {
+            journal.close();
+        }
         if (!thread.isAlive()) {
             return;
         }

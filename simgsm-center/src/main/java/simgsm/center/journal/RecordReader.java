@@ -20,7 +20,11 @@ final class RecordReader {
     private long position;
     private long lastSequence = NONE;
     private long damagedFrom = NONE;
+    /** Whether all octets since {@link #damagedFrom} are 0: room that a segment has not used. */
+    private boolean isBlank;
+
     private long records;
+    private long end;
 
     RecordReader(String name, DiskFile file, Consumer<Damage> damages) throws IOException {
         this.name = name;
@@ -40,6 +44,7 @@ final class RecordReader {
                 records++;
                 return contents;
             }
+            isBlank = (damagedFrom == NONE || isBlank) && load(1) && window.get((int) (position - windowStart)) == 0;
             damagedFrom = damagedFrom == NONE ? position : damagedFrom;
             position++;
         }
@@ -62,9 +67,19 @@ final class RecordReader {
         return damagedFrom == NONE ? position : damagedFrom;
     }
 
+    /** The end of the records and of what is damaged after them; to be asked when all is read. */
+    long end() {
+        return end;
+    }
+
     private void reportDamage(boolean isTail) {
+        end = size;
         if (damagedFrom != NONE) {
-            damages.accept(new Damage(name, damagedFrom, position, isTail));
+            if (isTail && isBlank) {
+                end = damagedFrom;
+            } else {
+                damages.accept(new Damage(name, damagedFrom, position, isTail));
+            }
             position = isTail ? damagedFrom : position;
             damagedFrom = NONE;
         }

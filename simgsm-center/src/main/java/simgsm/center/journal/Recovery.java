@@ -65,8 +65,8 @@ final class Recovery {
         return report;
     }
 
-    void run() throws IOException {
-        Set<String> names = disk.names();
+    /** @param names of the disk's files */
+    void run(Set<String> names) throws IOException {
         NavigableSet<Long> snapshots = numbers(names, FileNames::snapshotNumber);
         long base = newestUsable(snapshots, names);
         if (base != NONE) {
@@ -163,13 +163,13 @@ final class Recovery {
                     apply(name, record);
                 }
             }
-            contents.ended(reader, file.size());
+            contents.ended(reader);
             octets += reader.goodEnd();
             boolean isKept = true;
             for (Damage damage : report.damagesOf(name)) {
                 isKept &= isPutAside(file, damage);
             }
-            if (contents.cutOctets() > 0 && isKept) {
+            if (reader.goodEnd() < file.size() && isKept) {
                 cut(name, file, reader.goodEnd());
             }
             // An earlier process may have ended before it synchronised the file.
@@ -199,7 +199,7 @@ final class Recovery {
             disk.sync();
             return true;
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "{0}: cannot be written: {1}", copyName, e.getMessage());
+            report.notKept(damage, copyName + ": cannot be written: " + e.getMessage());
             return false;
         }
     }

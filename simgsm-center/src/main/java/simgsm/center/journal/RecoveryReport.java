@@ -3,11 +3,16 @@ package simgsm.center.journal;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /** What a recovery has found wrong, in the order of the files. */
 final class RecoveryReport {
     private final List<Damage> damages = new ArrayList<>();
+    /** Why a copy of the octets is missing. */
+    private final Map<Damage, String> notKept = new HashMap<>();
+
     private final List<String> remarks = new ArrayList<>();
     private long lostRecords;
     private boolean isLossUnknown;
@@ -15,6 +20,11 @@ final class RecoveryReport {
     /** Octets without a valid record. */
     void damaged(Damage damage) {
         damages.add(damage);
+    }
+
+    /** The octets could not be copied and stay where they are. */
+    void notKept(Damage damage, String reason) {
+        notKept.put(damage, reason);
     }
 
     List<Damage> damagesOf(String file) {
@@ -47,7 +57,7 @@ final class RecoveryReport {
 
     /** Logs the damages, and at the level ERROR what is lost. @param saved messages that the journal holds */
     void log(Logger log, long saved) {
-        damages.forEach(damage -> log.log(Level.WARNING, damage + "; kept in " + keptIn(damage)));
+        damages.forEach(damage -> log.log(Level.WARNING, text(damage)));
         if (isLossy()) {
             remarks.forEach(remark -> log.log(Level.ERROR, remark));
             log.log(
@@ -65,7 +75,9 @@ final class RecoveryReport {
         return isLossUnknown ? atLeast : Long.toString(lostRecords);
     }
 
-    private static String keptIn(Damage damage) {
-        return FileNames.damaged(damage.file(), damage.from());
+    private String text(Damage damage) {
+        return notKept.containsKey(damage)
+                ? damage.place() + "; left in place: " + notKept.get(damage)
+                : damage + "; kept in " + FileNames.damaged(damage.file(), damage.from());
     }
 }

@@ -2,7 +2,6 @@ package simgsm.center.lesson;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
@@ -21,6 +20,7 @@ import simgsm.center.demo.DemoLayout;
 import simgsm.center.demo.DemoPrograms;
 import simgsm.console.Arguments;
 import simgsm.file.FileReplacement;
+import simgsm.file.PrivateFiles;
 import simgsm.lesson.Lesson;
 import simgsm.lesson.LessonLibrary;
 import simgsm.lesson.LessonProgram;
@@ -318,12 +318,12 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
         perform(() -> {
             Path folder = DataDirectory.defaultPath(System.getenv(), System.getProperties())
                     .resolve("lessons");
-            Files.createDirectories(folder);
+            PrivateFiles.makeFolder(folder);
             String who = student.replaceAll("[^\\p{L}\\p{N}]+", "-");
             Path file = folder.resolve(lesson.name() + "-" + run.seed() + (who.isEmpty() ? "" : "-" + who) + ".txt");
             String[] text = new String[1];
             session.events().withRun(each -> text[0] = LessonResult.text(each, student, Instant.now()));
-            FileReplacement.write(file, text[0].getBytes(StandardCharsets.UTF_8));
+            FileReplacement.writePrivately(file, text[0].getBytes(StandardCharsets.UTF_8));
             notice = DesktopTexts.in(language).of("lesson.saved", file.toString());
         });
     }

@@ -4,6 +4,7 @@ import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.lang.System.Logger.Level;
+import java.nio.channels.Channels;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +19,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import simgsm.file.FileErrors;
+import simgsm.file.PrivateFiles;
 
 /**
  * Writes records to {@code cdr-YYYY-MM-DD.csv}, the day of their end in UTC; a file of that day is continued. A thread of its
@@ -59,7 +61,7 @@ public final class RecordFiles implements AutoCloseable {
     public static RecordFiles in(Path folder) throws IOException {
         RecordFiles files = new RecordFiles(folder);
         try {
-            Files.createDirectories(folder);
+            PrivateFiles.makeFolder(folder);
             files.begin(LocalDate.now(ZoneOffset.UTC));
         } catch (IOException e) {
             throw new IOException("cannot write records to " + FileErrors.describe(e), e);
@@ -82,8 +84,8 @@ public final class RecordFiles implements AutoCloseable {
 
     private void begin(LocalDate newDay) throws IOException {
         Path path = file(folder, newDay);
-        file = Files.newBufferedWriter(
-                path, StandardCharsets.UTF_8, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+        file = new BufferedWriter(Channels.newWriter(
+                PrivateFiles.open(path, StandardOpenOption.CREATE, StandardOpenOption.APPEND), StandardCharsets.UTF_8));
         day = newDay;
         if (Files.size(path) == 0) {
             writeLine(DetailRecord.HEADER);

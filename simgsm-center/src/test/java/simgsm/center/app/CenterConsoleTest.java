@@ -10,6 +10,7 @@ import java.io.PrintStream;
 import java.io.StringReader;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
@@ -37,11 +38,12 @@ class CenterConsoleTest {
 
     private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
     private final Console console = new Console(new PrintStream(printed, false, StandardCharsets.UTF_8));
+    private CenterSettings settings;
     private Center center;
 
     @BeforeEach
     void open() throws IOException {
-        CenterSettings settings = new CenterSettings(
+        settings = new CenterSettings(
                 InetAddress.getLoopbackAddress(),
                 OptionalInt.empty(),
                 OptionalInt.empty(),
@@ -59,6 +61,16 @@ class CenterConsoleTest {
                 30,
                 HandoverAlgorithm.STANDARD);
         center = Center.open(settings, temporary, 0);
+    }
+
+    @Test
+    void aSecondCentreIsRefusedAlsoWhenTheLockFileIsDeleted() throws IOException {
+        Files.delete(temporary.resolve("lock"));
+
+        IOException failure = assertThrows(IOException.class, () -> Center.open(settings, temporary, 0));
+
+        assertEquals(
+                "cannot read the messages in " + temporary + ": another centre holds reserve", failure.getMessage());
     }
 
     @AfterEach

@@ -53,7 +53,7 @@ class JournalDamageTest {
 
     private RecoveryReport recover() throws IOException {
         Recovery recovery = new Recovery(disk, state);
-        recovery.run();
+        recovery.run(disk.names());
         return recovery.report();
     }
 
@@ -76,7 +76,7 @@ class JournalDamageTest {
     /** Replaces the segment by a snapshot. */
     private void compact() throws IOException {
         JournalState whole = new JournalState(20_000);
-        new Recovery(disk, whole).run();
+        new Recovery(disk, whole).run(disk.names());
         Compaction compaction = new Compaction(disk, 1, whole.image());
         while (!compaction.step()) {
             assertFalse(disk.names().contains(SNAPSHOT), "it has no name before it is proven");
@@ -154,7 +154,7 @@ class JournalDamageTest {
             overwrite(FIRST, segment);
             overwrite(SNAPSHOT, Arrays.copyOf(snapshot, length));
             JournalState restored = new JournalState(20_000);
-            new Recovery(disk, restored).run();
+            new Recovery(disk, restored).run(disk.names());
             assertEquals(MESSAGES, restored.messages(), "cut at " + length);
             assertTrue(disk.names().contains(FIRST), "cut at " + length);
         }
@@ -244,6 +244,22 @@ class JournalDamageTest {
     }
 
     @Test
+    void aTailThatCannotBePutAsideIsSaidToBeLeftInPlace() throws IOException {
+        byte[] whole = disk.octets(FIRST);
+        int lastEnd = recordEnds(FIRST).get(MESSAGES - 1);
+        overwrite(FIRST, Arrays.copyOf(whole, whole.length - 3));
+        disk.capacity = 0;
+
+        List<String> logged = logged(recover(), Level.WARNING);
+
+        assertEquals(
+                List.of("segment-0000000001: torn at octet " + lastEnd + "; left in place: segment-0000000001-"
+                        + lastEnd + ".damaged: cannot be written: no space left on the simulated disk"),
+                logged);
+        assertEquals(whole.length - 3, disk.octets(FIRST).length);
+    }
+
+    @Test
     void aMissingSegmentIsALoss() throws IOException {
         Journal.open(disk).commit(List.of(accepted(1_000)));
         Journal.open(disk).commit(List.of(accepted(1_001)));
@@ -258,7 +274,7 @@ class JournalDamageTest {
     @Test
     void aSnapshotThatDoesNotReadBackReplacesNothing() throws IOException {
         JournalState whole = new JournalState(20_000);
-        new Recovery(disk, whole).run();
+        new Recovery(disk, whole).run(disk.names());
         Compaction compaction = new Compaction(disk, 1, whole.image());
         assertFalse(compaction.step());
         disk.spoil(FileNames.unfinished(), 1_000);

@@ -47,6 +47,8 @@ final class SimulatedCenter {
     /** Small, so that every seed sees compactions, of several segments. */
     private static final Journal.Limits LIMITS = new Journal.Limits(1_500, 2_000, 1, 4, 200);
 
+    private static final int RESERVE_OCTETS = 1_000;
+
     /** TP-MMS may change from one attempt to the next. */
     private static final int MORE_MESSAGES = 0x04;
 
@@ -113,6 +115,7 @@ final class SimulatedCenter {
         while (true) {
             try {
                 journal = Journal.open(disk, LIMITS);
+                journal.holdReserve(RESERVE_OCTETS);
                 break;
             } catch (SimulatedDisk.MachineDied death) {
                 disk.comeBack();

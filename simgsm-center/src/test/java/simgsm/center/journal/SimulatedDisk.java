@@ -42,6 +42,8 @@ public final class SimulatedDisk implements Disk {
     private long operations;
     /** Each operation that writes fails with this probability. */
     public double failureRate;
+    /** Room for the contents of all files; a write beyond it writes what fits. */
+    public long capacity = Long.MAX_VALUE;
 
     public SimulatedDisk(RandomGenerator random) {
         this.random = random;
@@ -214,9 +216,10 @@ public final class SimulatedDisk implements Disk {
         /** A failing write, and one within which the process dies, may have written a part. */
         @Override
         public void write(ByteBuffer octets, long position) throws IOException {
-            boolean isWhole = random.nextDouble() >= failureRate;
+            boolean isWhole = random.nextDouble() >= failureRate && further(octets, position) <= room();
             boolean isLast = !isDead && operationsToLive <= 0;
             int count = isWhole && !isLast ? octets.remaining() : random.nextInt(octets.remaining() + 1);
+            count = (int) Math.min(count, contents.octets.length - position + room());
             if (!isDead) {
                 write(octets, (int) position, count);
             }
@@ -224,6 +227,19 @@ public final class SimulatedDisk implements Disk {
             if (!isWhole) {
                 throw new IOException("no space left on the simulated disk");
             }
+        }
+
+        private long further(ByteBuffer octets, long position) {
+            return Math.max(0, position + octets.remaining() - contents.octets.length);
+        }
+
+        private long room() {
+            return Math.max(
+                    0,
+                    capacity
+                            - files.values().stream()
+                                    .mapToLong(each -> each.octets.length)
+                                    .sum());
         }
 
         private void write(ByteBuffer octets, int start, int count) {

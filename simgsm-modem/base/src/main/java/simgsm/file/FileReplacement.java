@@ -8,6 +8,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.util.UUID;
 
 /**
@@ -24,6 +25,15 @@ public final class FileReplacement {
      * @throws FileSystemException naming a file that cannot be written, and why
      */
     public static void write(Path file, byte[] content) throws IOException {
+        write(file, content, false);
+    }
+
+    /** The same for a file that only its owner may read. */
+    public static void writePrivately(Path file, byte[] content) throws IOException {
+        write(file, content, true);
+    }
+
+    private static void write(Path file, byte[] content, boolean isPrivate) throws IOException {
         Path target = Files.isSymbolicLink(file) ? file.toRealPath() : file;
         if (Files.isDirectory(target)) {
             throw new FileSystemException(file.toString(), null, "expected a file, found a folder");
@@ -45,6 +55,10 @@ public final class FileReplacement {
         // not Files.createTempFile, whose files only their owner may read
         Path fresh = folder.resolve("." + target.getFileName() + "." + UUID.randomUUID() + ".new");
         try {
+            if (isPrivate) {
+                PrivateFiles.open(fresh, StandardOpenOption.CREATE, StandardOpenOption.WRITE)
+                        .close();
+            }
             FileErrors.naming(file, () -> Files.write(fresh, content));
             Files.move(fresh, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         } finally {

@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import simgsm.file.FileErrors;
+import simgsm.file.PrivateFiles;
 
 /** A data directory, or a part of it, that one process at a time owns, by a file lock that ends with the process. */
 public final class FolderLock implements AutoCloseable {
@@ -31,7 +31,7 @@ public final class FolderLock implements AutoCloseable {
     public static FolderLock take(Path directory, String file, String holder) throws IOException {
         Path path = directory.toAbsolutePath().normalize();
         try {
-            Files.createDirectories(path);
+            PrivateFiles.makeFolder(path);
         } catch (IOException e) {
             throw new IOException("cannot make the data directory " + FileErrors.describe(e), e);
         }
@@ -47,7 +47,7 @@ public final class FolderLock implements AutoCloseable {
 
     /** @throws OverlappingFileLockException if another process, or this one, holds the lock */
     private static FolderLock lock(Path path, Path lockFile) throws IOException {
-        FileChannel channel = FileChannel.open(lockFile, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+        FileChannel channel = PrivateFiles.open(lockFile, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
         FileLock lock = null;
         try {
             lock = channel.tryLock();
