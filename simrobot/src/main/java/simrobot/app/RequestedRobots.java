@@ -134,12 +134,12 @@ public final class RequestedRobots {
     }
 
     private static List<RobotName> onAllHomes(World world, Msisdn first) throws UsageException {
-        if (world.homes().isEmpty()) {
+        if (world.items(Home.class).isEmpty()) {
             return List.of(new RobotName(SINGLE_NAME, first));
         }
         List<RobotName> robots = new ArrayList<>();
         UniqueNames names = new UniqueNames();
-        for (Home home : world.homes()) {
+        for (Home home : world.items(Home.class)) {
             String word = home.name().strip().replaceAll("[^\\p{L}\\p{N}_.+-]+", "_");
             robots.add(new RobotName(names.of(word.isEmpty() ? SINGLE_NAME : word), plus(first, robots.size())));
         }

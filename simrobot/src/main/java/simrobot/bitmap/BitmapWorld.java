@@ -12,6 +12,7 @@ import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simgsm.file.Utf8Text;
+import simrobot.world.Point;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -191,7 +192,8 @@ public final class BitmapWorld {
         List<int[]> outlines = new OutlineTracer(width, height, cells).outlines();
         for (int[] outline : outlines) {
             if (isCell(outline)) {
-                world.addPoint(place((outline[0] + outline[4]) / 2.0, (outline[1] + outline[5]) / 2.0));
+                Position middle = place((outline[0] + outline[4]) / 2.0, (outline[1] + outline[5]) / 2.0);
+                world.add(new Point(middle.xMeters(), middle.yMeters()));
             } else {
                 for (int i = 0; i < outline.length; i += 2) {
                     int to = (i + 2) % outline.length;

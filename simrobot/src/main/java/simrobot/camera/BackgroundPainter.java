@@ -1,18 +1,17 @@
 package simrobot.camera;
 
-import simrobot.world.Area;
+import simrobot.world.Goal;
 import simrobot.world.Home;
 import simrobot.world.Position;
-import simrobot.world.Treadmill;
+import simrobot.world.Surface;
 import simrobot.world.World;
 
-/** Draws the sky, the tiled floor, and the flat marks on it: homes, goals and treadmills. */
+/** Draws the sky, the tiled floor, and the flat marks on it: homes, goals and surfaces. */
 final class BackgroundPainter {
     private static final int SKY = 0x9DB9D3;
     private static final int FLOOR = 0xA9A49A;
     private static final int JOINT = 0x8B867C;
-    private static final int BELT = 0x4A4F57;
-    private static final int BELT_STRIPE = 0x6B727C;
+    private static final int STRIPE = 0x6B727C;
     private static final int HOME = 0x3D6FB0;
 
     private static final double TILE_METERS = 0.5;
@@ -47,12 +46,12 @@ final class BackgroundPainter {
             floor(r);
         }
         canvas.clearDepth();
-        world.treadmills().forEach(this::belt);
-        for (Home home : world.homes()) {
+        world.surfaces().forEach(this::surface);
+        for (Home home : world.items(Home.class)) {
             mark(home.position(), HOME);
         }
-        for (int i = 0; i < world.goals().size(); i++) {
-            mark(world.goals().get(i).position(), SignPainter.goalColour(i));
+        for (int i = 0; i < world.items(Goal.class).size(); i++) {
+            mark(world.items(Goal.class).get(i).position(), SignPainter.goalColour(i));
         }
         // marks lie on the floor, so every upright object hides them
         canvas.clearDepth();
@@ -83,20 +82,20 @@ final class BackgroundPainter {
         return meters - Math.floor(meters / TILE_METERS) * TILE_METERS;
     }
 
-    private void belt(Treadmill belt) {
-        Area area = belt.area();
-        double speed = Math.hypot(belt.velocityX(), belt.velocityY());
-        double ux = speed == 0 ? 1 : belt.velocityX() / speed;
-        double uy = speed == 0 ? 0 : belt.velocityY() / speed;
-        double[] corners = area.corners().stream()
+    /** One that moves has stripes across its direction. */
+    private void surface(Surface surface) {
+        double speed = Math.hypot(surface.velocityX(), surface.velocityY());
+        double ux = speed == 0 ? 0 : surface.velocityX() / speed;
+        double uy = speed == 0 ? 0 : surface.velocityY() / speed;
+        double[] corners = surface.area().corners().stream()
                 .flatMapToDouble(corner -> java.util.stream.DoubleStream.of(corner.xMeters(), corner.yMeters()))
                 .toArray();
         painter.level(
                 corners,
                 0,
                 (x, y) -> Math.floorMod((long) Math.floor((x * ux + y * uy) / STRIPE_METERS), 2L) == 0
-                        ? BELT
-                        : BELT_STRIPE);
+                        ? surface.cameraColour()
+                        : STRIPE);
     }
 
     /** Draws a ring with the diameter of a robot. */

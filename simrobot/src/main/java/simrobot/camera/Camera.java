@@ -58,7 +58,7 @@ public final class Camera {
         walls.paint(canvas, eye);
         signs.paint(canvas, eye);
         ObjectPainter bodies = new ObjectPainter(canvas, eye);
-        for (Box box : world.boxes()) {
+        for (Box box : world.items(Box.class)) {
             bodies.furniture(box);
         }
         for (RobotSnapshot other : scene.robots()) {

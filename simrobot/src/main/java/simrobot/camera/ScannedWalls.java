@@ -2,7 +2,7 @@ package simrobot.camera;
 
 import java.util.Arrays;
 import java.util.List;
-import simrobot.world.Position;
+import simrobot.world.Point;
 
 /**
  * Joins points that lie close together, as a laser has scanned them along a wall, to pieces of that wall. The light on a
@@ -44,9 +44,9 @@ final class ScannedWalls {
     private double ux;
     private double uy;
 
-    ScannedWalls(List<Position> points) {
-        xs = points.stream().mapToDouble(Position::xMeters).toArray();
-        ys = points.stream().mapToDouble(Position::yMeters).toArray();
+    ScannedWalls(List<Point> points) {
+        xs = points.stream().mapToDouble(Point::xMeters).toArray();
+        ys = points.stream().mapToDouble(Point::yMeters).toArray();
         left = Arrays.stream(xs).min().orElse(0);
         bottom = Arrays.stream(ys).min().orElse(0);
         double wide = Arrays.stream(xs).max().orElse(0) - left;

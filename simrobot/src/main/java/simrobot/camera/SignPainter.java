@@ -58,13 +58,13 @@ final class SignPainter {
     private final List<Plate> plates = new ArrayList<>();
 
     SignPainter(World world) {
-        List<Segment> walls = world.segments();
+        List<Segment> walls = world.items(Segment.class);
         walls.forEach(this::posters);
         if (walls.size() <= MOST_WALLS_WITH_DOORS) {
             doors(walls);
         }
-        for (int i = 0; i < world.goals().size(); i++) {
-            flag(world.goals().get(i), COLOURS[i % COLOURS.length]);
+        for (int i = 0; i < world.items(Goal.class).size(); i++) {
+            flag(world.items(Goal.class).get(i), COLOURS[i % COLOURS.length]);
         }
     }
 

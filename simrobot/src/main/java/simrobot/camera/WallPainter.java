@@ -2,6 +2,7 @@ package simrobot.camera;
 
 import java.util.Arrays;
 import java.util.List;
+import simrobot.world.Point;
 import simrobot.world.Segment;
 import simrobot.world.World;
 
@@ -35,7 +36,7 @@ final class WallPainter {
     private final double postRadius;
 
     WallPainter(World world) {
-        List<Segment> walls = world.segments();
+        List<Segment> walls = world.items(Segment.class);
         segments = new double[4 * walls.size()];
         for (int i = 0; i < walls.size(); i++) {
             Segment wall = walls.get(i);
@@ -44,7 +45,7 @@ final class WallPainter {
             segments[4 * i + 2] = wall.x2Meters();
             segments[4 * i + 3] = wall.y2Meters();
         }
-        ScannedWalls scanned = new ScannedWalls(world.points());
+        ScannedWalls scanned = new ScannedWalls(world.items(Point.class));
         pieces = scanned.pieces();
         points = scanned.single();
         postRadius = Math.max(LEAST_POST_METERS, world.pointDiameterMeters() / 2);

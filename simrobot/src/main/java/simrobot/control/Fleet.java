@@ -24,6 +24,7 @@ import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.Simulation;
+import simrobot.world.Home;
 import simrobot.world.Position;
 import simrobot.world.World;
 import vericommand.Pose;
@@ -137,7 +138,7 @@ public final class Fleet {
             Optional<LineAddress> modem)
             throws IOException, UsageException {
         PioneerCall call = new PioneerCall(name.name(), address, simRobot.simulation());
-        Pose start = simulation.world().homes().stream()
+        Pose start = simulation.world().items(Home.class).stream()
                 .findFirst()
                 .map(home -> new Pose(
                         home.position().xMeters(), home.position().yMeters(), Math.toDegrees(home.headingRadians())))

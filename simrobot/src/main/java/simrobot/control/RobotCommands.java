@@ -179,8 +179,8 @@ final class RobotCommands {
 
     private static CommandException noPlace(World world, String found) {
         String names = Stream.concat(
-                        world.goals().stream().map(Goal::name),
-                        world.homes().stream().map(Home::name))
+                        world.items(Goal.class).stream().map(Goal::name),
+                        world.items(Home.class).stream().map(Home::name))
                 .filter(name -> !name.isBlank())
                 .distinct()
                 .limit(MAX_NAMES)

@@ -15,6 +15,9 @@ import simgsm.console.Event;
 import simgsm.console.Program;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
+import simrobot.world.Home;
+import simrobot.world.Point;
+import simrobot.world.Segment;
 import simrobot.world.World;
 import vericommand.Pose;
 
@@ -277,9 +280,9 @@ public final class RobotConsole implements Console.Commands {
         });
         answer(Event.of("world")
                 .with("name", world.name())
-                .with("lines", world.segments().size())
-                .with("points", world.points().size())
-                .with("homes", world.homes().size()));
+                .with("lines", world.items(Segment.class).size())
+                .with("points", world.items(Point.class).size())
+                .with("homes", world.items(Home.class).size()));
     }
 
     private World read(String file) throws CommandException {

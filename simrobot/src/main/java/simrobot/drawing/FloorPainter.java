@@ -10,11 +10,14 @@ import simgsm.draw.Ink;
 import simgsm.draw.Outline;
 import simrobot.world.Area;
 import simrobot.world.Box;
+import simrobot.world.ForbiddenArea;
+import simrobot.world.ForbiddenLine;
 import simrobot.world.Goal;
 import simrobot.world.Home;
+import simrobot.world.Point;
 import simrobot.world.Position;
 import simrobot.world.Segment;
-import simrobot.world.Treadmill;
+import simrobot.world.Surface;
 import simrobot.world.World;
 
 /** Paints the floor and its objects. Strokes and texts keep their size in pixels at every scale of the world. */
@@ -84,13 +87,13 @@ public final class FloorPainter {
 
     // ---- obstacles -------------------------------------------------------------------------------------------------
 
-    void obstacles(World world) {
-        world.boxes().forEach(this::box);
-        walls(world.segments());
+    public void obstacles(World world) {
+        world.items(Box.class).forEach(this::box);
+        walls(world.items(Segment.class));
         points(world);
     }
 
-    public void walls(List<Segment> walls) {
+    private void walls(List<Segment> walls) {
         g.ink(Ink.WALL);
         g.pen(Math.max(1.6, WALL_METERS * view.pixelsPerMeter() / g.px(1)));
         walls.forEach(this::line);
@@ -115,7 +118,7 @@ public final class FloorPainter {
         double side = Math.max(g.px(1.5), world.pointDiameterMeters() * view.pixelsPerMeter());
         Outline squares = new Outline();
         Set<Long> drawn = new HashSet<>();
-        for (Position p : world.points()) {
+        for (Point p : world.items(Point.class)) {
             double x = view.screenX(p.xMeters());
             double y = view.screenY(p.yMeters());
             if (view.shows(p.xMeters(), p.yMeters(), 0) && drawn.add(Math.round(x) << 32 | Math.round(y))) {
@@ -125,7 +128,7 @@ public final class FloorPainter {
         g.fill(squares);
     }
 
-    public void box(Box box) {
+    private void box(Box box) {
         Outline outline = outline(box.area());
         g.ink(Ink.GRID_MAJOR, 0.75);
         g.fill(outline);
@@ -177,13 +180,13 @@ public final class FloorPainter {
 
     // ---- markings: they stop neither wheels nor sonars -------------------------------------------------------------
 
-    void markings(World world) {
-        world.forbiddenAreas().forEach(this::forbidden);
+    public void markings(World world) {
+        world.items(ForbiddenArea.class).forEach(forbidden -> forbidden(forbidden.area()));
         g.ink(Ink.DANGER, 0.7);
         g.pen(1.4, 6);
-        world.forbiddenLines().forEach(this::line);
-        world.homes().forEach(this::home);
-        world.goals().forEach(this::goal);
+        world.items(ForbiddenLine.class).forEach(forbidden -> line(forbidden.line()));
+        world.items(Home.class).forEach(this::home);
+        world.items(Goal.class).forEach(this::goal);
     }
 
     private void forbidden(Area area) {
@@ -219,31 +222,33 @@ public final class FloorPainter {
         return lines;
     }
 
-    public void treadmills(World world, long timeNanos) {
-        world.treadmills().forEach(belt -> treadmill(belt, timeNanos));
+    /** Surfaces; on one that moves chevrons run with it, at its speed in simulated time. */
+    public void surfaces(World world, long timeNanos) {
+        world.surfaces().forEach(surface -> surface(surface, timeNanos));
     }
 
-    /** Chevrons that run with the belt, at its speed in simulated time. */
-    private void treadmill(Treadmill belt, long timeNanos) {
-        Outline outline = outline(belt.area());
+    private void surface(Surface surface, long timeNanos) {
+        Outline outline = outline(surface.area());
         g.clipped(outline, () -> {
             g.ink(Ink.ACCENT, 0.07);
             g.fill(outline);
-            chevrons(belt, timeNanos);
+            if (surface.isMoving()) {
+                chevrons(surface, timeNanos);
+            }
         });
         g.ink(Ink.ACCENT, 0.6);
         g.pen(1.2);
         g.draw(outline);
     }
 
-    private void chevrons(Treadmill belt, long timeNanos) {
+    private void chevrons(Surface belt, long timeNanos) {
         double spacing = CHEVRON_SPACING_METERS * view.pixelsPerMeter();
-        double speed = belt.speedMetersPerSecond();
-        if (spacing < g.px(8) || speed == 0) {
+        double speed = Math.hypot(belt.velocityX(), belt.velocityY());
+        if (spacing < g.px(8)) {
             return;
         }
         double size = Math.min(CHEVRON_METERS * view.pixelsPerMeter(), g.px(14));
-        double run = Math.abs(speed) * (timeNanos * 1e-9) % CHEVRON_SPACING_METERS * view.pixelsPerMeter();
+        double run = speed * (timeNanos * 1e-9) % CHEVRON_SPACING_METERS * view.pixelsPerMeter();
         double wide = belt.area().maxXMeters() - belt.area().minXMeters();
         double high = belt.area().maxYMeters() - belt.area().minYMeters();
         double reach = Math.hypot(wide, high) / 2 * view.pixelsPerMeter() + spacing;
@@ -258,7 +263,7 @@ public final class FloorPainter {
         g.moved(
                 view.screenX(middle.xMeters()),
                 view.screenY(middle.yMeters()),
-                -belt.directionRadians() + (speed < 0 ? Math.PI : 0),
+                -Math.atan2(belt.velocityY(), belt.velocityX()),
                 () -> {
                     g.ink(Ink.ACCENT, 0.35);
                     g.pen(1.6);
@@ -266,7 +271,7 @@ public final class FloorPainter {
                 });
     }
 
-    public void home(Home home) {
+    private void home(Home home) {
         home.area().ifPresent(area -> {
             g.ink(Ink.GOOD, 0.5);
             g.pen(1.2, 5);

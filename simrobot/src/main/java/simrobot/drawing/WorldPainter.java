@@ -45,9 +45,9 @@ public final class WorldPainter {
         axes(g, view);
     }
 
-    /** The part that moves: treadmills, trails, sonar echoes, robots. */
+    /** The part that moves: surfaces, trails, sonar echoes, robots. */
     public static void robots(Canvas g, SimulationSnapshot scene, Viewport view, Layers layers, String selected) {
-        new FloorPainter(g, view).treadmills(scene.world(), scene.timeNanos());
+        new FloorPainter(g, view).surfaces(scene.world(), scene.timeNanos());
         RobotPainter painter = new RobotPainter(g, view);
         boolean alone = scene.robots().size() == 1;
         scene.robots().forEach(painter::path);
@@ -70,9 +70,9 @@ public final class WorldPainter {
         }
     }
 
-    /** Treadmills at rest, and each robot in a group {@code robot}, which a script can move and turn. */
+    /** Treadmills at rest, other surfaces, and each robot in a group {@code robot}, which a script can move and turn. */
     public static void movableRobots(Canvas g, SimulationSnapshot scene, Viewport view) {
-        new FloorPainter(g, view).treadmills(scene.world(), 0);
+        new FloorPainter(g, view).surfaces(scene.world(), 0);
         RobotPainter painter = new RobotPainter(g, view);
         scene.robots().forEach(robot -> g.group("robot", () -> painter.movable(robot)));
     }

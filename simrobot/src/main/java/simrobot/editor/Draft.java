@@ -4,6 +4,8 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Objects;
 import java.util.Optional;
+import simrobot.world.ItemKind;
+import simrobot.world.ItemKinds;
 import simrobot.world.World;
 
 /**
@@ -44,7 +46,7 @@ public final class Draft {
         if (preview == null || preview == world) {
             return Optional.empty();
         }
-        for (Item.Kind kind : Item.Kind.values()) {
+        for (ItemKind<?> kind : ItemKinds.ALL) {
             if (Edits.count(preview, kind) > Edits.count(world, kind)) {
                 return Optional.of(Edits.last(preview, kind));
             }

@@ -2,7 +2,9 @@ package simrobot.editor;
 
 import java.util.ArrayList;
 import java.util.List;
+import simrobot.world.Box;
 import simrobot.world.Home;
+import simrobot.world.ItemKind;
 import simrobot.world.ObstacleGrid;
 import simrobot.world.Position;
 import simrobot.world.World;
@@ -13,11 +15,11 @@ public final class Edits {
     private Edits() {}
 
     /** The last item of a kind, which is the one added last. */
-    public static Item last(World world, Item.Kind kind) {
+    public static Item last(World world, ItemKind<?> kind) {
         return new Item(kind, count(world, kind) - 1);
     }
 
-    public static int count(World world, Item.Kind kind) {
+    public static int count(World world, ItemKind<?> kind) {
         return world.items(kind.type()).size();
     }
 
@@ -47,30 +49,17 @@ public final class Edits {
         return replaced(world, item, get(world, item).movedBy(dx, dy));
     }
 
-    /** A name that no home has: Home1, Home2 ... */
-    public static String freeHomeName(World world) {
-        int number = world.homes().size() + 1;
-        while (hasHome(world, "Home" + number)) {
-            number++;
-        }
-        return "Home" + number;
-    }
-
-    private static boolean hasHome(World world, String name) {
-        return world.homes().stream().anyMatch(home -> home.name().equals(name));
-    }
-
     /** The homes at which a robot of this radius would overlap a wall, or stand in a box. */
     public static List<Home> blockedHomes(World world, double radiusMeters) {
         ObstacleGrid obstacles = new ObstacleGrid(world);
-        return world.homes().stream()
+        return world.items(Home.class).stream()
                 .filter(home -> !isFree(world, obstacles, home.position(), radiusMeters))
                 .toList();
     }
 
     private static boolean isFree(World world, ObstacleGrid obstacles, Position at, double radiusMeters) {
         return obstacles.isFree(at.xMeters(), at.yMeters(), radiusMeters)
-                && world.boxes().stream().noneMatch(box -> box.area().contains(at.xMeters(), at.yMeters()));
+                && world.items(Box.class).stream().noneMatch(box -> box.area().contains(at.xMeters(), at.yMeters()));
     }
 
     /** The handles at which the item's shape can be changed. */

@@ -1,20 +1,20 @@
 package simrobot.editor;
 
 import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
-import java.util.function.Predicate;
-import simrobot.world.Box;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import simrobot.world.AreaItem;
 import simrobot.world.Distances;
-import simrobot.world.Home;
+import simrobot.world.ItemKind;
+import simrobot.world.ItemKinds;
 import simrobot.world.Position;
-import simrobot.world.Segment;
-import simrobot.world.Treadmill;
 import simrobot.world.World;
-import simrobot.world.WorldItem;
 
 /** Finds the items and handles at a place. */
 public final class Picking {
-    private static final double HOME_METERS = 0.3;
+    private static final double PLACE_METERS = 0.3;
 
     private Picking() {}
 
@@ -31,37 +31,34 @@ public final class Picking {
 
     /** A home before a wall, a wall before an area; of homes and areas the last, of walls the nearest. */
     public static Optional<Item> itemAt(World world, double x, double y, double reach) {
-        double homeReach = Math.max(reach, HOME_METERS);
-        return last(world, Item.Kind.HOME, item -> distance(((Home) item).position(), x, y) <= homeReach)
-                .or(() -> wall(world, x, y, reach))
-                .or(() -> last(world, Item.Kind.BOX, item -> ((Box) item).area().contains(x, y)))
-                .or(() -> last(
-                        world,
-                        Item.Kind.TREADMILL,
-                        item -> ((Treadmill) item).area().contains(x, y)));
+        double placeReach = Math.max(reach, PLACE_METERS);
+        return lastFirst(world, ItemKind.Shape.PLACE)
+                .filter(item -> distance(outline(world, item).get(0), x, y) <= placeReach)
+                .findFirst()
+                .or(() -> lastFirst(world, ItemKind.Shape.LINE)
+                        .filter(item -> away(world, item, x, y) <= reach)
+                        .min(Comparator.comparingDouble(item -> away(world, item, x, y))))
+                .or(() -> lastFirst(world, ItemKind.Shape.AREA)
+                        .filter(item ->
+                                ((AreaItem) Edits.get(world, item)).area().contains(x, y))
+                        .findFirst());
     }
 
-    private static Optional<Item> last(World world, Item.Kind kind, Predicate<WorldItem> isThere) {
-        for (int i = Edits.count(world, kind) - 1; i >= 0; i--) {
-            Item item = new Item(kind, i);
-            if (isThere.test(Edits.get(world, item))) {
-                return Optional.of(item);
-            }
-        }
-        return Optional.empty();
+    /** The items that have this shape, by their kinds, of each kind the last first. */
+    private static Stream<Item> lastFirst(World world, ItemKind.Shape shape) {
+        return ItemKinds.edited().filter(kind -> kind.shape() == shape).flatMap(kind -> {
+            int count = Edits.count(world, kind);
+            return IntStream.rangeClosed(1, count).mapToObj(i -> new Item(kind, count - i));
+        });
     }
 
-    private static Optional<Item> wall(World world, double x, double y, double reach) {
-        double nearest = reach;
-        Item found = null;
-        for (int i = 0; i < world.segments().size(); i++) {
-            Segment w = world.segments().get(i);
-            double away = Distances.toSegment(x, y, w.x1Meters(), w.y1Meters(), w.x2Meters(), w.y2Meters());
-            if (away <= nearest) {
-                nearest = away;
-                found = new Item(Item.Kind.WALL, i);
-            }
-        }
-        return Optional.ofNullable(found);
+    private static List<Position> outline(World world, Item item) {
+        return Edits.get(world, item).outline();
+    }
+
+    private static double away(World world, Item line, double x, double y) {
+        Position from = outline(world, line).get(0);
+        Position to = outline(world, line).get(1);
+        return Distances.toSegment(x, y, from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters());
     }
 }

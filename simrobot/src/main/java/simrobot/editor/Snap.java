@@ -28,7 +28,7 @@ public record Snap(double stepMeters) {
     public Position of(World world, double x, double y, double reach) {
         Position nearest = null;
         double best = reach;
-        for (Segment wall : world.segments()) {
+        for (Segment wall : world.items(Segment.class)) {
             for (Position end : wall.handles()) {
                 double away = Math.hypot(end.xMeters() - x, end.yMeters() - y);
                 if (away < best) {

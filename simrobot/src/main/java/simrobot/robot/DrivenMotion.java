@@ -1,6 +1,5 @@
 package simrobot.robot;
 
-import simrobot.world.Contact;
 import vericommand.RobotStatus;
 import vericommand.StatusEvent;
 
@@ -13,15 +12,13 @@ final class DrivenMotion {
     private static final double TOUCH_METERS = 1e-6;
 
     private final SimulatedRobot robot;
-    private final Floor floor;
+    private final Wheels wheels;
     private final Drive drive = new Drive();
-    private final Rotation direction = new Rotation();
-    private final Arc arc = new Arc();
     private boolean begunInCollision;
 
-    DrivenMotion(SimulatedRobot robot, Floor floor) {
+    DrivenMotion(SimulatedRobot robot, Wheels wheels) {
         this.robot = robot;
-        this.floor = floor;
+        this.wheels = wheels;
     }
 
     Drive drive() {
@@ -34,12 +31,12 @@ final class DrivenMotion {
         begunInCollision = false;
     }
 
-    void step(double seconds, double beltX, double beltY) {
+    void step(double seconds) {
         if (drive.isActive()) {
             clearBlockedTargets();
         }
         if (!drive.isActive()) {
-            robot.carry(beltX, beltY);
+            wheels.carry();
             if (robot.status() == RobotStatus.MOVING && mayRest()) {
                 rest();
             }
@@ -52,7 +49,12 @@ final class DrivenMotion {
         double meters = drive.nextAhead(seconds).distance();
         double radians = drive.nextTurn(seconds).distance();
         robot.setSpeeds(drive.speed(), drive.turnSpeed());
-        if (roll(meters, radians, beltX, beltY) && !drive.isActive() && mayRest()) {
+        // the turn's draw comes first in the sequence of the noise
+        double turnFactor = robot.noise().turnFactor();
+        Floor.Encounter encounter = wheels.roll(meters, radians, robot.noise().distanceFactor(), turnFactor);
+        if (encounter != null) {
+            robot.touch(encounter);
+        } else if (!drive.isActive() && mayRest()) {
             rest();
         }
     }
@@ -73,35 +75,6 @@ final class DrivenMotion {
         if (inCollision && towards != 0 && !robot.isPathFree(towards * TOUCH_METERS)) {
             drive.haltAhead();
         }
-    }
-
-    /** Moves along an arc in small chords; false if an obstacle has stopped the robot. */
-    private boolean roll(double meters, double radians, double beltX, double beltY) {
-        int chords = Arc.chords(meters, radians);
-        double wheelTurn = radians / chords;
-        double wheelDistance = meters / chords;
-        double turn = wheelTurn * robot.noise().turnFactor();
-        double distance = wheelDistance * robot.noise().distanceFactor();
-        double chord = distance * arc.chordShare(turn);
-        for (int i = 0; i < chords; i++) {
-            direction.to(robot.headingRadians() + turn / 2);
-            double wheelX = chord * direction.cos();
-            double wheelY = chord * direction.sin();
-            double dx = wheelX + beltX / chords;
-            double dy = wheelY + beltY / chords;
-            Floor.Encounter encounter = dx == 0 && dy == 0 ? Floor.Encounter.NONE : floor.sweep(robot, dx, dy);
-            Contact contact = encounter.contact();
-            boolean stopped = contact.touches() && wheelX * contact.normalX() + wheelY * contact.normalY() < 0;
-            double share = stopped ? contact.fraction() : 1;
-            robot.turnBy(turn * share);
-            robot.odometry().roll(wheelDistance * share, wheelTurn * share);
-            robot.advance(dx, dy, contact.fraction());
-            if (stopped) {
-                robot.touch(encounter);
-                return false;
-            }
-        }
-        return true;
     }
 
     /** The robot has come to rest; targets of a suspended drive are kept. */

@@ -28,11 +28,14 @@ public interface Floor {
     /** True if the place lies within the world. */
     boolean isInside(double xMeters, double yMeters);
 
+    /** The way of a robot there for each metre or radian of its wheels, 0 to 1. */
+    double grip(double xMeters, double yMeters);
+
     /** Velocity of the floor there along x, metres per second. */
-    double beltVelocityX(double xMeters, double yMeters);
+    double velocityX(double xMeters, double yMeters);
 
     /** Velocity of the floor there along y, metres per second. */
-    double beltVelocityY(double xMeters, double yMeters);
+    double velocityY(double xMeters, double yMeters);
 
     /**
      * The distance along a single ray from (x, y) to something other than this robot, or the range; metres.

@@ -8,6 +8,7 @@ import vericommand.MotionOutcome;
 final class MotionProgress {
     private static final double CENTIMETERS = 100;
 
+    private final SimulatedRobot robot;
     private final boolean forward;
     private final Trapezoid profile;
     private final double goal;
@@ -19,25 +20,20 @@ final class MotionProgress {
     private final double aheadX;
     private final double aheadY;
     private final long limitNanos;
-    private double done;
     private long elapsedNanos;
     private boolean braking;
 
     MotionProgress(
-            Instruction.Motion motion,
-            Consumer<MotionOutcome> ended,
-            boolean begunInCollision,
-            double startX,
-            double startY,
-            double startHeading) {
+            SimulatedRobot robot, Instruction.Motion motion, Consumer<MotionOutcome> ended, boolean begunInCollision) {
+        this.robot = robot;
         forward = motion instanceof Instruction.Forward;
         profile = forward ? Trapezoid.FORWARD : Trapezoid.TURN;
         goal = forward ? motion.amount() / CENTIMETERS : Math.toRadians(motion.amount());
         this.ended = ended;
         this.begunInCollision = begunInCollision;
-        this.startX = startX;
-        this.startY = startY;
-        this.startHeading = startHeading;
+        startX = robot.xMeters();
+        startY = robot.yMeters();
+        startHeading = robot.headingRadians();
         aheadX = StrictMath.cos(startHeading);
         aheadY = StrictMath.sin(startHeading);
         limitNanos = InfiniteLoopRule.limitNanos(profile, goal);
@@ -59,26 +55,16 @@ final class MotionProgress {
         braking = true;
     }
 
-    double aheadX() {
-        return aheadX;
-    }
-
-    double aheadY() {
-        return aheadY;
-    }
-
     /** The next step, in metres or in radians clockwise. */
     Trapezoid.Step next(double speed, double seconds) {
-        return braking ? profile.brake(speed, seconds) : profile.towards(goal - done, speed, seconds);
+        return braking ? profile.brake(speed, seconds) : profile.towards(goal - done(), speed, seconds);
     }
 
-    /** Sets the true place after a step forward. */
-    void setPlace(double x, double y) {
-        done = (x - startX) * aheadX + (y - startY) * aheadY;
-    }
-
-    void addTurn(double clockwiseRadians) {
-        done += clockwiseRadians;
+    /** By the robot's true pose, metres or radians clockwise. */
+    private double done() {
+        return forward
+                ? (robot.xMeters() - startX) * aheadX + (robot.yMeters() - startY) * aheadY
+                : startHeading - robot.headingRadians();
     }
 
     /** The heading at the goal, computed from the start so that many turns add no rounding error. */
@@ -88,7 +74,7 @@ final class MotionProgress {
 
     /** Whether the goal is reached, to a tenth of a micrometre or microradian. */
     boolean isAtGoal() {
-        return done >= goal - 1e-7;
+        return done() >= goal - 1e-7;
     }
 
     /** Adds a step's duration; true once the motion is an infinite loop. */
@@ -98,7 +84,7 @@ final class MotionProgress {
     }
 
     void end(MotionOutcome.Ending kind) {
-        double amount = forward ? done * CENTIMETERS : Math.toDegrees(done);
+        double amount = forward ? done() * CENTIMETERS : Math.toDegrees(done());
         ended.accept(new MotionOutcome(kind, Math.max(0, isAtGoal() ? wholeAmount() : amount)));
     }
 

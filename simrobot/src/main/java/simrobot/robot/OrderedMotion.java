@@ -3,7 +3,6 @@ package simrobot.robot;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import simrobot.world.Contact;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
 import vericommand.RobotStatus;
@@ -12,14 +11,14 @@ import vericommand.StatusEvent;
 /** Executes the instructions of an order on a robot, one at a time. Goals are judged by the true place. */
 final class OrderedMotion {
     private final SimulatedRobot robot;
-    private final Floor floor;
+    private final Wheels wheels;
     private final List<Runnable> firstMotionListeners = new CopyOnWriteArrayList<>();
     private MotionProgress motion;
     private boolean hasMoved;
 
-    OrderedMotion(SimulatedRobot robot, Floor floor) {
+    OrderedMotion(SimulatedRobot robot, Wheels wheels) {
         this.robot = robot;
-        this.floor = floor;
+        this.wheels = wheels;
     }
 
     void addFirstMotionListener(Runnable listener) {
@@ -32,8 +31,7 @@ final class OrderedMotion {
 
     void begin(Instruction.Motion instruction, Consumer<MotionOutcome> ended) {
         boolean inCollision = robot.status() == RobotStatus.COLLISION;
-        motion = new MotionProgress(
-                instruction, ended, inCollision, robot.xMeters(), robot.yMeters(), robot.headingRadians());
+        motion = new MotionProgress(robot, instruction, ended, inCollision);
         hasMoved = false;
         robot.change(StatusEvent.MOTION_STARTED);
     }
@@ -51,12 +49,11 @@ final class OrderedMotion {
         rest();
     }
 
-    void step(long nanos, double beltX, double beltY) {
+    void step(long nanos) {
         double seconds = nanos * 1e-9;
-        if (motion.isForward()) {
-            goForward(seconds, beltX, beltY);
-        } else {
-            turn(seconds, beltX, beltY);
+        Floor.Encounter encounter = motion.isForward() ? goForward(seconds) : turn(seconds);
+        if (encounter != null) {
+            robot.touch(encounter);
         }
         if (motion != null) {
             notifyFirstMotion();
@@ -64,40 +61,23 @@ final class OrderedMotion {
         }
     }
 
-    private void goForward(double seconds, double beltX, double beltY) {
-        MotionProgress current = motion;
-        Trapezoid.Step step = current.next(robot.speedMetersPerSecond(), seconds);
-        double wheelX = step.distance() * current.aheadX();
-        double wheelY = step.distance() * current.aheadY();
-        Floor.Encounter encounter = floor.sweep(robot, wheelX + beltX, wheelY + beltY);
-        Contact contact = encounter.contact();
-        robot.advance(wheelX + beltX, wheelY + beltY, contact.fraction());
-        current.setPlace(robot.xMeters(), robot.yMeters());
+    private Floor.Encounter goForward(double seconds) {
+        Trapezoid.Step step = motion.next(robot.speedMetersPerSecond(), seconds);
+        double factor = robot.noise().distanceFactor();
+        Floor.Encounter encounter = wheels.roll(step.distance() / factor, 0, factor, 1);
         robot.setSpeeds(step.speed(), robot.turnRadiansPerSecond());
-        boolean isPushing = wheelX * contact.normalX() + wheelY * contact.normalY() < 0;
-        boolean stopped = contact.touches() && isPushing;
-        robot.odometry()
-                .roll(
-                        step.distance()
-                                * (stopped ? contact.fraction() : 1)
-                                / robot.noise().distanceFactor(),
-                        0);
-        if (stopped) {
-            robot.touch(encounter);
-        }
+        return encounter;
     }
 
-    private void turn(double seconds, double beltX, double beltY) {
+    private Floor.Encounter turn(double seconds) {
         Trapezoid.Step step = motion.next(0 - robot.turnRadiansPerSecond(), seconds);
-        motion.addTurn(step.distance());
-        robot.odometry().roll(0, -step.distance() / robot.noise().turnFactor());
+        double factor = robot.noise().turnFactor();
+        Floor.Encounter encounter = wheels.roll(0, -step.distance() / factor, 1, factor);
         if (step.speed() == 0 && motion.isAtGoal()) {
             robot.turnTo(motion.goalHeading());
-        } else {
-            robot.turnBy(-step.distance());
         }
         robot.setSpeeds(robot.speedMetersPerSecond(), 0 - step.speed());
-        robot.carry(beltX, beltY);
+        return encounter;
     }
 
     private boolean isStanding() {

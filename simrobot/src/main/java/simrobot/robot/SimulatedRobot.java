@@ -43,6 +43,7 @@ public final class SimulatedRobot implements SteeredRobot {
     /** Of the wheels: radians per second clockwise. */
     private double turnSpeed;
 
+    private final Wheels wheels;
     private final OrderedMotion ordered;
     private final DrivenMotion driven;
     private final Autonomy autonomy;
@@ -67,8 +68,9 @@ public final class SimulatedRobot implements SteeredRobot {
         y = yMeters;
         heading = headingRadians;
         odometryZero = pose();
-        ordered = new OrderedMotion(this, floor);
-        driven = new DrivenMotion(this, floor);
+        wheels = new Wheels(this, floor);
+        ordered = new OrderedMotion(this, wheels);
+        driven = new DrivenMotion(this, wheels);
         autonomy = new Autonomy(this, new FloorSurroundings(this, floor));
         sonars = new Sonars(this, floor);
     }
@@ -195,21 +197,13 @@ public final class SimulatedRobot implements SteeredRobot {
         }
         double startX = x;
         double startY = y;
-        double beltX = floor.beltVelocityX(x, y) * seconds;
-        double beltY = floor.beltVelocityY(x, y) * seconds;
+        wheels.begin(seconds);
         if (ordered.isUnderWay()) {
-            ordered.step(nanos, beltX, beltY);
+            ordered.step(nanos);
         } else {
-            driven.step(seconds, beltX, beltY);
+            driven.step(seconds);
         }
         floor.stepped(x - startX, y - startY);
-    }
-
-    /** Moves the robot with a belt until an obstacle stops it; that is no collision of the robot. */
-    void carry(double dx, double dy) {
-        if (dx != 0 || dy != 0) {
-            advance(dx, dy, floor.sweep(this, dx, dy).contact().fraction());
-        }
     }
 
     void touch(Floor.Encounter encounter) {

@@ -2,6 +2,9 @@ package simrobot.route;
 
 import java.util.Arrays;
 import simrobot.world.Area;
+import simrobot.world.ForbiddenArea;
+import simrobot.world.ForbiddenLine;
+import simrobot.world.Point;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -35,9 +38,9 @@ public final class ClearanceGrid {
         clearance = new float[width * height];
         Arrays.fill(clearance, FAR);
         world.obstacles().forEach(this::mark);
-        world.forbiddenLines().forEach(this::mark);
-        world.points().forEach(point -> mark(point.xMeters(), point.yMeters()));
-        world.forbiddenAreas().forEach(this::mark);
+        world.items(ForbiddenLine.class).forEach(forbidden -> mark(forbidden.line()));
+        world.items(Point.class).forEach(point -> mark(point.xMeters(), point.yMeters()));
+        world.items(ForbiddenArea.class).forEach(forbidden -> mark(forbidden.area()));
         transform();
     }
 

@@ -34,8 +34,10 @@ public final class Destinations {
         List<BehaviourKind> kinds = new ArrayList<>();
         Set<String> names = new HashSet<>();
         Stream.concat(
-                        world.goals().stream().filter(goal -> !goal.type().equals(DOCK)),
-                        world.goals().stream().filter(goal -> goal.type().equals(DOCK)))
+                        world.items(Goal.class).stream()
+                                .filter(goal -> !goal.type().equals(DOCK)),
+                        world.items(Goal.class).stream()
+                                .filter(goal -> goal.type().equals(DOCK)))
                 .filter(goal -> !goal.name().isBlank() && names.add(goal.name()))
                 .forEach(goal -> kinds.add(to(goal)));
         return kinds;
@@ -43,11 +45,11 @@ public final class Destinations {
 
     /** The process for the goal, dock or robot home of this name; empty if the world has none. */
     public Optional<BehaviourKind> to(World world, String name) {
-        Optional<BehaviourKind> goal = world.goals().stream()
+        Optional<BehaviourKind> goal = world.items(Goal.class).stream()
                 .filter(each -> each.name().equals(name))
                 .findFirst()
                 .map(this::to);
-        return goal.or(() -> world.homes().stream()
+        return goal.or(() -> world.items(Home.class).stream()
                 .filter(home -> home.name().equals(name))
                 .findFirst()
                 .map(this::to));

@@ -7,7 +7,10 @@ import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
 import java.util.stream.Stream;
+import simrobot.world.Area;
 import simrobot.world.Distances;
+import simrobot.world.ForbiddenArea;
+import simrobot.world.ForbiddenLine;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -69,19 +72,22 @@ public final class RoutePlanner {
             return Plan.none("the robot stands outside the world");
         }
         Search search = new Search(cells, start, goal, robots);
-        boolean restricts =
-                !world.forbiddenLines().isEmpty() || !world.forbiddenAreas().isEmpty();
+        boolean restricts = !world.items(ForbiddenLine.class).isEmpty()
+                || !world.items(ForbiddenArea.class).isEmpty();
         return search.run()
                 ? new Plan(search.way(to), "")
                 : Plan.none(restricts ? "there is no way round obstacles and forbidden places" : "there is no way");
     }
 
     private static boolean isForbidden(World world, Position goal) {
+        List<Area> areas = world.items(ForbiddenArea.class).stream()
+                .map(ForbiddenArea::area)
+                .toList();
         return Stream.concat(
-                                world.forbiddenLines().stream(),
-                                world.forbiddenAreas().stream().flatMap(area -> area.sides().stream()))
+                                world.items(ForbiddenLine.class).stream().map(ForbiddenLine::line),
+                                areas.stream().flatMap(area -> area.sides().stream()))
                         .anyMatch(side -> distance(goal, side) < LEAST_CLEARANCE_METERS)
-                || world.forbiddenAreas().stream().anyMatch(area -> area.contains(goal.xMeters(), goal.yMeters()));
+                || areas.stream().anyMatch(area -> area.contains(goal.xMeters(), goal.yMeters()));
     }
 
     private static double distance(Position place, Segment side) {

@@ -15,7 +15,7 @@ import simrobot.world.MovingDisc;
 import simrobot.world.NearbyObstacles;
 import simrobot.world.ObstacleGrid;
 import simrobot.world.Position;
-import simrobot.world.Treadmill;
+import simrobot.world.Surface;
 import simrobot.world.World;
 
 /** The floor with its obstacles and robots. Robots are looked up by place, so the cost per robot is constant. */
@@ -42,7 +42,7 @@ final class SimulatedFloor implements Floor {
     /** By their numbers; null where none is. */
     private SimulatedRobot[] robots = {};
 
-    private List<Treadmill> treadmills = List.of();
+    private List<Surface> surfaces = List.of();
     private World world;
     private ObstacleGrid obstacles;
     private Area ground;
@@ -71,7 +71,7 @@ final class SimulatedFloor implements Floor {
     void load(World world, ObstacleGrid grid) {
         this.world = world;
         obstacles = grid;
-        treadmills = world.treadmills();
+        surfaces = world.surfaces();
         ground = world.ground();
         for (FreeSpace space : spaces) {
             space.forgetWalls();
@@ -222,19 +222,28 @@ final class SimulatedFloor implements Floor {
     }
 
     @Override
-    public double beltVelocityX(double x, double y) {
+    public double grip(double x, double y) {
+        double grip = 1;
+        for (Surface surface : surfaces) {
+            grip *= surface.area().contains(x, y) ? surface.grip() : 1;
+        }
+        return grip;
+    }
+
+    @Override
+    public double velocityX(double x, double y) {
         double velocity = 0;
-        for (Treadmill belt : treadmills) {
-            velocity += belt.area().contains(x, y) ? belt.velocityX() : 0;
+        for (Surface surface : surfaces) {
+            velocity += surface.area().contains(x, y) ? surface.velocityX() : 0;
         }
         return velocity;
     }
 
     @Override
-    public double beltVelocityY(double x, double y) {
+    public double velocityY(double x, double y) {
         double velocity = 0;
-        for (Treadmill belt : treadmills) {
-            velocity += belt.area().contains(x, y) ? belt.velocityY() : 0;
+        for (Surface surface : surfaces) {
+            velocity += surface.area().contains(x, y) ? surface.velocityY() : 0;
         }
         return velocity;
     }

@@ -4,10 +4,10 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.NoSuchElementException;
-import java.util.Optional;
 import java.util.Queue;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.world.Area;
+import simrobot.world.Box;
 import simrobot.world.DiscGrid;
 import simrobot.world.Home;
 import simrobot.world.ObstacleGrid;
@@ -45,13 +45,14 @@ final class StartPlaces {
     StartPlaces(World world, Free free, boolean fromMiddle) {
         this.world = world;
         this.free = free;
-        center = fromMiddle && world.homes().isEmpty() ? world.bounds().center() : center(world);
+        center =
+                fromMiddle && world.items(Home.class).isEmpty() ? world.bounds().center() : center(world);
     }
 
     /** The next free place. @throws NoSuchElementException when there is none left */
     Home next() {
-        while (nextHome < world.homes().size()) {
-            Home home = world.homes().get(nextHome++);
+        while (nextHome < world.items(Home.class).size()) {
+            Home home = world.items(Home.class).get(nextHome++);
             if (isFree(home.position())) {
                 return home;
             }
@@ -62,7 +63,7 @@ final class StartPlaces {
             }
             Position place = ring.remove();
             if (isFree(place) && !isInBox(place)) {
-                return new Home("", place, 0, Optional.empty());
+                return new Home("", place, 0);
             }
         }
         throw new NoSuchElementException("no free place in " + world.name());
@@ -70,7 +71,7 @@ final class StartPlaces {
 
     /** The middle of a large box is far from its sides, but no way leads there. */
     private boolean isInBox(Position place) {
-        return world.boxes().stream().anyMatch(box -> box.area().contains(place.xMeters(), place.yMeters()));
+        return world.items(Box.class).stream().anyMatch(box -> box.area().contains(place.xMeters(), place.yMeters()));
     }
 
     private boolean isFree(Position place) {
@@ -104,8 +105,8 @@ final class StartPlaces {
 
     /** The first home, else the origin if the world contains it (as in MobileSim), else the world's middle. */
     private static Position center(World world) {
-        if (!world.homes().isEmpty()) {
-            return world.homes().get(0).position();
+        if (!world.items(Home.class).isEmpty()) {
+            return world.items(Home.class).get(0).position();
         }
         Area bounds = world.bounds();
         return bounds.contains(0, 0) ? new Position(0, 0) : bounds.center();

@@ -24,6 +24,16 @@ public record Area(double minXMeters, double minYMeters, double maxXMeters, doub
         return new Area(Math.min(x1, x2), Math.min(y1, y2), Math.max(x1, x2), Math.max(y1, y2), rotationRadians);
     }
 
+    /** The upright area between two opposite corners. */
+    static Area between(Position from, Position to) {
+        return between(from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters(), 0);
+    }
+
+    /** x1, y1, x2, y2 before the rotation. */
+    double[] ends() {
+        return new double[] {minXMeters, minYMeters, maxXMeters, maxYMeters};
+    }
+
     public boolean contains(double xMeters, double yMeters) {
         double cos = Math.cos(rotationRadians);
         double sin = Math.sin(rotationRadians);

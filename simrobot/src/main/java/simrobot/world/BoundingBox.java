@@ -18,8 +18,8 @@ final class BoundingBox {
         add(place.xMeters(), place.yMeters());
     }
 
-    void add(Segment wall) {
-        wall.handles().forEach(this::add);
+    void add(WorldItem item) {
+        item.outline().forEach(this::add);
     }
 
     /** The rectangle, or another one if no place was added. */

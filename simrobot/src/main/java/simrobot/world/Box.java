@@ -2,26 +2,40 @@ package simrobot.world;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 
 /** A piece of furniture: its four sides are obstacles (MobileSim's {@code Sim.BoxObstacle}). */
-public record Box(String name, Area area) implements WorldItem {
+public record Box(String name, Area area) implements AreaItem {
+    public static final ItemKind<Box> KIND = new ItemKind<>("box", Box.class)
+            .text("name", Box::name)
+            .corners(box -> box.area.ends())
+            .field("rotation", ItemField.Unit.DEGREES, box -> box.area.rotationRadians(), false)
+            .cairn(
+                    Set.of("sim.boxobstacle"),
+                    cairn -> new Box(cairn.name(), cairn.requiredArea()),
+                    box -> new Cairn("Sim.BoxObstacle", box.area, box.name))
+            .edited(
+                    ItemKind.Shape.AREA,
+                    values -> new Box((String) values.get("name"), ItemKind.area(values)),
+                    (world, from, to) -> new Box("", Area.between(from, to)));
+
     public Box {
         Objects.requireNonNull(name);
         Objects.requireNonNull(area);
     }
 
     @Override
-    public Box movedBy(double dxMeters, double dyMeters) {
-        return new Box(name, area.movedBy(dxMeters, dyMeters));
+    public ItemKind<Box> kind() {
+        return KIND;
     }
 
     @Override
-    public List<Position> handles() {
-        return area.corners();
+    public Box over(Area newArea) {
+        return new Box(name, newArea);
     }
 
     @Override
-    public Box pulled(int handle, Position to) {
-        return new Box(name, area.pulled(handle, to));
+    public List<Segment> obstacles() {
+        return area.sides();
     }
 }

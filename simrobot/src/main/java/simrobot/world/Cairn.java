@@ -2,15 +2,35 @@ package simrobot.world;
 
 import java.util.Optional;
 
-/** The rest of a {@code Cairn: Type x y theta "desc" ICON "name" [x1 y1 x2 y2]}. */
+/** A line {@code Cairn: Type x y heading "desc" ICON "name" [x1 y1 x2 y2]} of a map file. */
 final class Cairn {
-    private final LineTokens tokens;
+    private final String type;
     private final Position position;
     private final double headingRadians;
     private final String name;
     private final double[] corners;
 
-    Cairn(LineTokens tokens) throws WorldFormatException {
+    /** The line that it was read from; null for one that is written. */
+    private final LineTokens tokens;
+
+    /** @param corners x1, y1, x2, y2, or nothing */
+    Cairn(String type, Position position, double headingRadians, String name, double... corners) {
+        this.type = type;
+        this.position = position;
+        this.headingRadians = headingRadians;
+        this.name = name;
+        this.corners = corners;
+        tokens = null;
+    }
+
+    /** A rectangle; the format turns it by the cairn's heading. */
+    Cairn(String type, Area area, String name) {
+        this(type, area.center(), area.rotationRadians(), name, area.ends());
+    }
+
+    /** @param tokens the rest of the line behind the type */
+    Cairn(String type, LineTokens tokens) throws WorldFormatException {
+        this.type = type;
         this.tokens = tokens;
         position = new Position(tokens.meters("the cairn's x"), tokens.meters("the cairn's y"));
         headingRadians = tokens.radians("the cairn's heading");
@@ -38,6 +58,11 @@ final class Cairn {
         };
     }
 
+    /** As the map spells it. */
+    String type() {
+        return type;
+    }
+
     Position position() {
         return position;
     }
@@ -55,41 +80,41 @@ final class Cairn {
         return corners.length == 0 ? Optional.empty() : Optional.of(areaTurnedBy(headingRadians));
     }
 
-    Area requiredArea(String type) throws WorldFormatException {
-        requireCorners(type);
+    Area requiredArea() throws WorldFormatException {
+        requireCorners();
         return areaTurnedBy(headingRadians);
     }
 
     /** Not rotated, for the heading is a belt's direction. */
-    Area requiredUprightArea(String type) throws WorldFormatException {
-        requireCorners(type);
+    Area requiredUprightArea() throws WorldFormatException {
+        requireCorners();
         return areaTurnedBy(0);
     }
 
     /** A line is not rotated. */
     Segment requiredLine() throws WorldFormatException {
-        requireCorners("ForbiddenLine");
+        requireCorners();
         return new Segment(corners[0], corners[1], corners[2], corners[3]);
     }
 
-    /** The name of a belt is its speed: {@code v=-300}, in mm/s. */
-    double beltSpeedMetersPerSecond() throws WorldFormatException {
-        String expected = "a belt speed \"v=...\" in mm/s";
-        if (!name.startsWith("v=")) {
+    /** A thousandth of the number that the cairn's name gives as {@code key=number}. @param most of its absolute value */
+    double thousandth(String key, String expected, int most) throws WorldFormatException {
+        if (!name.startsWith(key + "=")) {
             throw tokens.fault('"' + name + '"', expected);
         }
         try {
-            double metersPerSecond = LineTokens.thousandth(name.substring(2).strip());
-            if (Math.abs(metersPerSecond) <= 10) {
-                return metersPerSecond;
+            double number =
+                    LineTokens.thousandth(name.substring(key.length() + 1).strip());
+            if (Math.abs(number) <= most) {
+                return number;
             }
         } catch (NumberFormatException notANumber) {
             // reported below
         }
-        throw tokens.fault('"' + name + '"', expected + " of at most 10000");
+        throw tokens.fault('"' + name + '"', expected + " of at most " + most * 1000);
     }
 
-    private void requireCorners(String type) throws WorldFormatException {
+    private void requireCorners() throws WorldFormatException {
         if (corners.length == 0) {
             throw tokens.fault("no corners", "x1 y1 x2 y2 of the " + type);
         }
@@ -97,5 +122,28 @@ final class Cairn {
 
     private Area areaTurnedBy(double radians) {
         return Area.between(corners[0], corners[1], corners[2], corners[3], radians);
+    }
+
+    /** The line of the file. */
+    String line() {
+        return String.join(
+                " ",
+                "Cairn:",
+                type,
+                MapWriter.millimeters(position.xMeters()),
+                MapWriter.millimeters(position.yMeters()),
+                MapWriter.degrees(headingRadians),
+                "\"\"",
+                "ICON",
+                quoted(name) + (corners.length == 0 ? "" : " " + MapWriter.millimeters(corners)));
+    }
+
+    private static String quoted(String name) {
+        StringBuilder quoted = new StringBuilder("\"");
+        name.chars().forEach(c -> {
+            boolean escaped = c == '"' || c == '\\';
+            quoted.append(escaped ? "\\" : "").append(Character.isISOControl(c) ? ' ' : (char) c);
+        });
+        return quoted.append('"').toString();
     }
 }

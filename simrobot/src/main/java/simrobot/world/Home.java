@@ -3,6 +3,7 @@ package simrobot.world;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Where a robot starts.
@@ -15,11 +16,66 @@ public record Home(String name, Position position, double headingRadians, Option
     /** Distance of the handle that turns the home from its middle. */
     private static final double HEADING_HANDLE_METERS = 0.6;
 
+    public static final ItemKind<Home> KIND = new ItemKind<>("home", Home.class)
+            .text("name", Home::name)
+            .number("x", ItemField.Unit.METERS, home -> home.position.xMeters())
+            .number("y", ItemField.Unit.METERS, home -> home.position.yMeters())
+            .number("heading", ItemField.Unit.DEGREES, Home::headingRadians)
+            .cairn(Set.of("robothome"), Home::read, Home::cairn)
+            .edited(
+                    ItemKind.Shape.PLACE,
+                    values -> new Home(
+                            (String) values.get("name"),
+                            new Position((Double) values.get("x"), (Double) values.get("y")),
+                            (Double) values.get("heading")),
+                    (world, from, to) -> new Home(freeName(world), from, towards(from, to)));
+
     public Home {
         Objects.requireNonNull(name);
         Objects.requireNonNull(position);
         Objects.requireNonNull(area);
         FiniteCheck.check("heading", headingRadians);
+    }
+
+    /** A home without a rectangle. */
+    public Home(String name, Position position, double headingRadians) {
+        this(name, position, headingRadians, Optional.empty());
+    }
+
+    private static Home read(Cairn cairn) {
+        Optional<Area> area = cairn.area();
+        Position at = cairn.position();
+        boolean isOutside = area.isPresent() && !area.get().contains(at.xMeters(), at.yMeters());
+        return new Home(cairn.name(), isOutside ? area.get().center() : at, cairn.headingRadians(), area);
+    }
+
+    /** The format rotates a home's area by the home's heading; an area with another rotation is left out. */
+    private Cairn cairn() {
+        double[] corners = area.filter(here -> here.rotationRadians() == headingRadians)
+                .map(Area::ends)
+                .orElse(new double[0]);
+        return new Cairn("RobotHome", position, headingRadians, name, corners);
+    }
+
+    /** A name that no home has: Home1, Home2 ... */
+    private static String freeName(World world) {
+        List<String> taken = world.items(Home.class).stream().map(Home::name).toList();
+        int number = taken.size() + 1;
+        while (taken.contains("Home" + number)) {
+            number++;
+        }
+        return "Home" + number;
+    }
+
+    /** In whole degrees; 0 when both places are the same. */
+    private static double towards(Position from, Position to) {
+        double radians = Math.atan2(to.yMeters() - from.yMeters(), to.xMeters() - from.xMeters());
+        return Math.toRadians(Math.rint(Math.toDegrees(radians)));
+    }
+
+    @Override
+    public ItemKind<Home> kind() {
+        return KIND;
     }
 
     @Override
@@ -38,10 +94,14 @@ public record Home(String name, Position position, double headingRadians, Option
                 position.yMeters() + HEADING_HANDLE_METERS * Math.sin(headingRadians)));
     }
 
+    @Override
+    public List<Position> outline() {
+        return List.of(position);
+    }
+
     /** Turned towards that place, in whole degrees; a turned home has no area. */
     @Override
     public Home pulled(int handle, Position to) {
-        double towards = Math.atan2(to.yMeters() - position.yMeters(), to.xMeters() - position.xMeters());
-        return new Home(name, position, Math.toRadians(Math.rint(Math.toDegrees(towards))), Optional.empty());
+        return new Home(name, position, towards(position, to));
     }
 }

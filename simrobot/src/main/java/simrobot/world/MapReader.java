@@ -1,8 +1,7 @@
 package simrobot.world;
 
 import java.util.List;
-import java.util.Locale;
-import java.util.Set;
+import java.util.Optional;
 
 /**
  * Reads ARIA's {@code .map}: a first line {@code 2D-Map}, headers {@code Key: value} in any order, then {@code LINES} with a
@@ -12,17 +11,6 @@ import java.util.Set;
  */
 public final class MapReader {
     private static final String MAGIC = "2D-Map";
-
-    /** Cairns that are read, in lower case. */
-    private static final Set<String> KNOWN_CAIRNS = Set.of(
-            "robothome",
-            "goal",
-            "goalwithheading",
-            "dock",
-            "forbiddenline",
-            "forbiddenarea",
-            "sim.boxobstacle",
-            "sim.treadmill");
 
     private enum Section {
         HEADER,
@@ -99,14 +87,14 @@ public final class MapReader {
         String value = line.substring(line.indexOf(':') + 1).strip();
         boolean isRead = switch (key(line)) {
             case "Resolution" -> true;
-            case "Cairn" -> KNOWN_CAIRNS.contains(firstWord(value));
+            case "Cairn" -> ItemKinds.ofCairn(firstWord(value)).isPresent();
             default -> false;
         };
         return isRead ? value : "";
     }
 
     private static String firstWord(String text) {
-        return text.split("\\s", 2)[0].toLowerCase(Locale.ROOT);
+        return text.split("\\s", 2)[0];
     }
 
     private static String key(String line) {
@@ -132,7 +120,7 @@ public final class MapReader {
         if (meters < 0) {
             throw tokens.fault("a negative resolution", "0 mm or more");
         }
-        world.pointDiameterMeters = Math.min(meters, 0.1);
+        world.pointDiameter(Math.min(meters, 0.1));
     }
 
     private void wall(LineTokens tokens) throws WorldFormatException {
@@ -141,7 +129,7 @@ public final class MapReader {
     }
 
     private void point(LineTokens tokens) throws WorldFormatException {
-        world.points.add(new Position(tokens.meters("x"), tokens.meters("y")));
+        world.add(new Point(tokens.meters("x"), tokens.meters("y")));
         // some maps carry a third column, the reflectance
         if (tokens.hasMore()) {
             tokens.number("a point's third number");
@@ -154,33 +142,10 @@ public final class MapReader {
             return;
         }
         String type = tokens.word("a cairn's type");
-        switch (type.toLowerCase(Locale.ROOT)) {
-            case "robothome" -> home(new Cairn(tokens));
-            case "goal", "goalwithheading", "dock" -> {
-                Cairn goal = new Cairn(tokens);
-                world.goals.add(new Goal(type, goal.name(), goal.position(), goal.headingRadians()));
-            }
-            case "forbiddenline" -> world.forbiddenLines.add(new Cairn(tokens).requiredLine());
-            case "forbiddenarea" -> world.forbiddenAreas.add(new Cairn(tokens).requiredArea(type));
-            case "sim.boxobstacle" -> {
-                Cairn box = new Cairn(tokens);
-                world.add(new Box(box.name(), box.requiredArea(type)));
-            }
-            case "sim.treadmill" -> {
-                Cairn belt = new Cairn(tokens);
-                world.add(new Treadmill(
-                        belt.requiredUprightArea(type), belt.beltSpeedMetersPerSecond(), belt.headingRadians()));
-            }
-            default -> throw new IllegalStateException("a known cairn that is not read: " + type);
+        Optional<ItemKind<?>> kind = ItemKinds.ofCairn(type);
+        if (kind.isPresent()) {
+            world.add(kind.get().read(new Cairn(type, tokens)));
         }
-    }
-
-    private void home(Cairn cairn) {
-        Position at = cairn.position();
-        if (cairn.area().isPresent() && !cairn.area().get().contains(at.xMeters(), at.yMeters())) {
-            at = cairn.area().get().center();
-        }
-        world.add(new Home(cairn.name(), at, cairn.headingRadians(), cairn.area()));
     }
 
     private static String brief(String line) {

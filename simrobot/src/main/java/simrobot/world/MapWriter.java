@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Collectors;
 import simgsm.file.FileReplacement;
 
 /**
@@ -45,14 +47,14 @@ public final class MapWriter {
     private void headers() {
         row("2D-Map");
         BoundingBox walls = new BoundingBox();
-        world.segments().forEach(walls::add);
+        world.items(Segment.class).forEach(walls::add);
         bounds("LineMinPos:", "LineMaxPos:", walls);
-        row("NumLines:", String.valueOf(world.segments().size()));
+        row("NumLines:", String.valueOf(world.items(Segment.class).size()));
         row("LinesAreSorted: false");
         BoundingBox points = new BoundingBox();
-        world.points().forEach(points::add);
+        world.items(Point.class).forEach(points::add);
         bounds("MinPos:", "MaxPos:", points);
-        row("NumPoints:", String.valueOf(world.points().size()));
+        row("NumPoints:", String.valueOf(world.items(Point.class).size()));
         row("PointsAreSorted: false");
         row("Resolution:", millimeters(world.pointDiameterMeters()));
     }
@@ -66,80 +68,26 @@ public final class MapWriter {
     // ---- cairns ----------------------------------------------------------------------------------------------------
 
     private void cairns() {
-        world.homes().forEach(this::home);
-        for (Goal goal : world.goals()) {
-            cairn(goal.type(), goal.position(), goal.headingRadians(), goal.name(), "");
-        }
-        for (Segment line : world.forbiddenLines()) {
-            Position middle =
-                    new Position((line.x1Meters() + line.x2Meters()) / 2, (line.y1Meters() + line.y2Meters()) / 2);
-            cairn("ForbiddenLine", middle, 0, "", corners(line));
-        }
-        for (Area area : world.forbiddenAreas()) {
-            cairn("ForbiddenArea", area.center(), area.rotationRadians(), "", corners(area));
-        }
-        for (Box box : world.boxes()) {
-            Area area = box.area();
-            cairn("Sim.BoxObstacle", area.center(), area.rotationRadians(), box.name(), corners(area));
-        }
-        for (Treadmill belt : world.treadmills()) {
-            String speed = "v=" + millimeters(belt.speedMetersPerSecond());
-            cairn("Sim.Treadmill", belt.area().center(), belt.directionRadians(), speed, corners(belt.area()));
-        }
-    }
-
-    /** The format rotates a home's area by the home's heading; an area with another rotation is left out. */
-    private void home(Home home) {
-        String area = home.area()
-                .filter(a -> a.rotationRadians() == home.headingRadians())
-                .map(MapWriter::corners)
-                .orElse("");
-        cairn("RobotHome", home.position(), home.headingRadians(), home.name(), area);
-    }
-
-    private void cairn(String type, Position at, double radians, String name, String corners) {
-        row(
-                "Cairn:",
-                type,
-                millimeters(at.xMeters()),
-                millimeters(at.yMeters()),
-                degrees(radians),
-                "\"\"",
-                "ICON",
-                quoted(name) + (corners.isEmpty() ? "" : " " + corners));
-    }
-
-    private static String corners(Area area) {
-        return millimeters(area.minXMeters()) + " " + millimeters(area.minYMeters()) + " "
-                + millimeters(area.maxXMeters()) + " " + millimeters(area.maxYMeters());
-    }
-
-    private static String corners(Segment line) {
-        return millimeters(line.x1Meters()) + " " + millimeters(line.y1Meters()) + " " + millimeters(line.x2Meters())
-                + " " + millimeters(line.y2Meters());
-    }
-
-    private static String quoted(String name) {
-        StringBuilder quoted = new StringBuilder("\"");
-        name.chars().forEach(c -> {
-            boolean escaped = c == '"' || c == '\\';
-            quoted.append(escaped ? "\\" : "").append(Character.isISOControl(c) ? ' ' : (char) c);
-        });
-        return quoted.append('"').toString();
+        world.items().forEach(item -> item.kind().cairn(item).ifPresent(cairn -> row(cairn.line())));
     }
 
     // ---- walls and points ------------------------------------------------------------------------------------------
 
     private void lines() {
         row("LINES");
-        world.segments().forEach(wall -> row(corners(wall)));
+        world.items(Segment.class).forEach(wall -> row(millimeters(wall.ends())));
         row("DATA");
-        world.points().forEach(point -> row(millimeters(point.xMeters()), millimeters(point.yMeters())));
+        world.items(Point.class).forEach(point -> row(millimeters(point.xMeters(), point.yMeters())));
     }
 
     /** The shortest decimal that is read as the same number of metres. */
-    private static String millimeters(double meters) {
-        return plain(BigDecimal.valueOf(meters).movePointRight(3));
+    static String millimeters(double meters) {
+        return ItemField.plain(BigDecimal.valueOf(meters).movePointRight(3));
+    }
+
+    /** The same of several numbers, separated by blanks. */
+    static String millimeters(double... meters) {
+        return Arrays.stream(meters).mapToObj(MapWriter::millimeters).collect(Collectors.joining(" "));
     }
 
     /** Degrees rounded to 1e-6 if they are read as the same radians, else with all digits. */
@@ -147,16 +95,12 @@ public final class MapWriter {
         double exact = Math.toDegrees(radians);
         BigDecimal round = BigDecimal.valueOf(Math.rint(exact * 1e6)).movePointLeft(6);
         if (Math.toRadians(round.doubleValue()) == radians) {
-            return plain(round);
+            return ItemField.plain(round);
         }
         double degrees = exact;
         for (int i = 0; i < 4 && Math.toRadians(degrees) != radians; i++) {
             degrees = Math.toRadians(degrees) < radians ? Math.nextUp(degrees) : Math.nextDown(degrees);
         }
-        return plain(BigDecimal.valueOf(degrees));
-    }
-
-    private static String plain(BigDecimal number) {
-        return number.signum() == 0 ? "0" : number.stripTrailingZeros().toPlainString();
+        return ItemField.plain(BigDecimal.valueOf(degrees));
     }
 }

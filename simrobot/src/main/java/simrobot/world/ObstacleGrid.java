@@ -40,14 +40,14 @@ public final class ObstacleGrid {
     public ObstacleGrid(World world) {
         List<Segment> walls = world.obstacles();
         segmentCount = walls.size();
-        pointCount = world.points().size();
+        pointCount = world.items(Point.class).size();
         pointRadius = world.pointDiameterMeters() / 2;
         segments = new double[4 * segmentCount];
         points = new double[2 * pointCount];
-        copy(walls, world.points());
+        copy(walls, world.items(Point.class));
         BoundingBox around = new BoundingBox();
         walls.forEach(around::add);
-        world.points().forEach(around::add);
+        world.items(Point.class).forEach(around::add);
         Area bounds = around.or(new Area(0, 0, 0, 0, 0));
         double width = bounds.maxXMeters() - bounds.minXMeters();
         double height = bounds.maxYMeters() - bounds.minYMeters();
@@ -63,7 +63,7 @@ public final class ObstacleGrid {
         items = fill();
     }
 
-    private void copy(List<Segment> walls, List<Position> dots) {
+    private void copy(List<Segment> walls, List<Point> dots) {
         for (int i = 0; i < segmentCount; i++) {
             Segment wall = walls.get(i);
             segments[4 * i] = wall.x1Meters();

@@ -4,7 +4,6 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 
 /**
  * Reads Saphira's {@code .wld}: {@code ;} comments, millimetres and degrees. Four integers are a wall, {@code push x y phi}
@@ -96,7 +95,7 @@ public final class SaphiraReader {
         tokens.word("position");
         Frame frame = frames.element();
         Position place = frame.place(tokens.meters("x"), tokens.meters("y"));
-        world.add(new Home("", place, frame.radians() + tokens.radians("phi"), Optional.empty()));
+        world.add(new Home("", place, frame.radians() + tokens.radians("phi")));
     }
 
     private void wall(LineTokens tokens) throws WorldFormatException {

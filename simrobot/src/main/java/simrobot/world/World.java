@@ -1,65 +1,53 @@
 package simrobot.world;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.stream.Stream;
 
-/**
- * The floor and everything on it; immutable.
- *
- * @param name for titles: the file's name without folder
- * @param segments walls; they stop robots and sonar
- * @param points small obstacles, each of {@link #pointDiameterMeters} to a single ray; they stop robots and sonar
- * @param boxes furniture; its sides stop robots and sonar
- * @param homes where robots start, in the file's order
- * @param forbiddenLines they bind planners, not wheels
- * @param forbiddenAreas they bind planners, not wheels
- * @param treadmills belts that carry robots
- * @param goals places to which robots can be sent
- */
-public record World(
-        String name,
-        List<Segment> segments,
-        List<Position> points,
-        double pointDiameterMeters,
-        List<Box> boxes,
-        List<Home> homes,
-        List<Segment> forbiddenLines,
-        List<Area> forbiddenAreas,
-        List<Treadmill> treadmills,
-        List<Goal> goals) {
-
+/** The floor and everything on it: one list of items, by their kinds and within a kind in the file's order; immutable. */
+public final class World {
     /** Half the side of a world without anything in it. */
     private static final double BARE_FLOOR_METERS = 10;
 
     /** Width of two robots side by side. */
     private static final double ROOM_METERS = 1;
 
-    public World {
-        Objects.requireNonNull(name);
-        segments = List.copyOf(segments);
-        points = List.copyOf(points);
-        boxes = List.copyOf(boxes);
-        homes = List.copyOf(homes);
-        forbiddenLines = List.copyOf(forbiddenLines);
-        forbiddenAreas = List.copyOf(forbiddenAreas);
-        treadmills = List.copyOf(treadmills);
-        goals = List.copyOf(goals);
+    private final String name;
+    private final double pointDiameterMeters;
+
+    /** The items of each type that occurs, in the order of {@link ItemKinds#ALL}. */
+    private final Map<Class<?>, List<? extends WorldItem>> items = new LinkedHashMap<>();
+
+    /**
+     * @param name for titles: the file's name without folder
+     * @param pointDiameterMeters diameter of each {@link Point} to a single ray
+     */
+    World(String name, double pointDiameterMeters, Map<Class<?>, List<WorldItem>> contents) {
+        this.name = Objects.requireNonNull(name);
+        this.pointDiameterMeters = pointDiameterMeters;
         if (!(pointDiameterMeters >= 0)) {
             throw new IllegalArgumentException("a point's diameter is " + pointDiameterMeters + ", expected 0 or more");
+        }
+        for (ItemKind<?> kind : ItemKinds.ALL) {
+            List<WorldItem> ofKind = contents.getOrDefault(kind.type(), List.of());
+            if (!ofKind.isEmpty()) {
+                items.put(kind.type(), List.copyOf(ofKind));
+            }
         }
     }
 
     /** A world without anything in it. */
     public static World bare() {
-        return ofSegments("bare", List.of());
+        return of("bare", List.of());
     }
 
-    /** A world of walls only. */
-    public static World ofSegments(String name, List<Segment> segments) {
+    /** A world of these items. */
+    public static World of(String name, List<? extends WorldItem> items) {
         WorldBuilder builder = new WorldBuilder(name);
-        segments.forEach(builder::add);
+        items.forEach(builder::add);
         return builder.build();
     }
 
@@ -72,31 +60,43 @@ public record World(
         return new WorldBuilder(this, name);
     }
 
+    public String name() {
+        return name;
+    }
+
+    public double pointDiameterMeters() {
+        return pointDiameterMeters;
+    }
+
+    /** All items, by their kinds. */
+    public Stream<WorldItem> items() {
+        return items.values().stream().flatMap(List::stream);
+    }
+
     /** The items of a type, in the file's order. */
-    public List<? extends WorldItem> items(Class<? extends WorldItem> type) {
-        return Map.<Class<?>, List<? extends WorldItem>>of(
-                        Segment.class, segments, Box.class, boxes, Home.class, homes, Treadmill.class, treadmills)
-                .get(type);
+    @SuppressWarnings("unchecked")
+    public <T extends WorldItem> List<T> items(Class<T> type) {
+        return (List<T>) items.getOrDefault(type, List.of());
     }
 
     /** Every straight obstacle: walls, then the sides of the boxes. */
     public List<Segment> obstacles() {
-        List<Segment> all = new ArrayList<>(segments);
-        boxes.forEach(box -> all.addAll(box.area().sides()));
+        List<Segment> all = new ArrayList<>();
+        items().forEach(item -> all.addAll(item.obstacles()));
         return all;
+    }
+
+    /** The parts of the floor that act on wheels. */
+    public List<Surface> surfaces() {
+        return items().filter(Surface.class::isInstance)
+                .map(Surface.class::cast)
+                .toList();
     }
 
     /** The smallest upright rectangle around everything in the world. */
     public Area bounds() {
         BoundingBox bounds = new BoundingBox();
-        segments.forEach(bounds::add);
-        forbiddenLines.forEach(bounds::add);
-        points.forEach(bounds::add);
-        homes.forEach(home -> bounds.add(home.position()));
-        goals.forEach(goal -> bounds.add(goal.position()));
-        boxes.forEach(box -> box.area().corners().forEach(bounds::add));
-        forbiddenAreas.forEach(area -> area.corners().forEach(bounds::add));
-        treadmills.forEach(belt -> belt.area().corners().forEach(bounds::add));
+        items().forEach(bounds::add);
         return bounds.or(new Area(-BARE_FLOOR_METERS, -BARE_FLOOR_METERS, BARE_FLOOR_METERS, BARE_FLOOR_METERS, 0));
     }
 
@@ -119,5 +119,23 @@ public record World(
                 Math.max(bounds.maxXMeters(), middle.xMeters() + BARE_FLOOR_METERS),
                 Math.max(bounds.maxYMeters(), middle.yMeters() + BARE_FLOOR_METERS),
                 0);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof World world
+                && name.equals(world.name)
+                && pointDiameterMeters == world.pointDiameterMeters
+                && items.equals(world.items);
+    }
+
+    @Override
+    public int hashCode() {
+        return Objects.hash(name, items);
+    }
+
+    @Override
+    public String toString() {
+        return "World " + name + " " + items;
     }
 }

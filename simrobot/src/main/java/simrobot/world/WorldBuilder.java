@@ -1,26 +1,17 @@
 package simrobot.world;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
 /** Collects the contents of a world, from nothing or from another world. */
 public final class WorldBuilder {
-    final List<Segment> segments = new ArrayList<>();
-    final List<Position> points = new ArrayList<>();
-    final List<Box> boxes = new ArrayList<>();
-    final List<Home> homes = new ArrayList<>();
-    final List<Segment> forbiddenLines = new ArrayList<>();
-    final List<Area> forbiddenAreas = new ArrayList<>();
-    final List<Treadmill> treadmills = new ArrayList<>();
-    final List<Goal> goals = new ArrayList<>();
-    private final Map<Class<? extends WorldItem>, List<? extends WorldItem>> items =
-            Map.of(Segment.class, segments, Box.class, boxes, Home.class, homes, Treadmill.class, treadmills);
+    private final String name;
+    private final Map<Class<?>, List<WorldItem>> items = new HashMap<>();
 
     /** ARIA's usual {@code Resolution: 20}, in metres. */
-    double pointDiameterMeters = 0.02;
-
-    private final String name;
+    private double pointDiameterMeters = 0.02;
 
     /** An empty world of this name. */
     public WorldBuilder(String name) {
@@ -30,14 +21,7 @@ public final class WorldBuilder {
     /** All that a world holds, under another name. */
     public WorldBuilder(World world, String name) {
         this(name);
-        segments.addAll(world.segments());
-        points.addAll(world.points());
-        boxes.addAll(world.boxes());
-        homes.addAll(world.homes());
-        forbiddenLines.addAll(world.forbiddenLines());
-        forbiddenAreas.addAll(world.forbiddenAreas());
-        treadmills.addAll(world.treadmills());
-        goals.addAll(world.goals());
+        world.items().forEach(this::add);
         pointDiameterMeters = world.pointDiameterMeters();
     }
 
@@ -53,26 +37,6 @@ public final class WorldBuilder {
         return this;
     }
 
-    public WorldBuilder addPoint(Position point) {
-        points.add(point);
-        return this;
-    }
-
-    public WorldBuilder addGoal(Goal goal) {
-        goals.add(goal);
-        return this;
-    }
-
-    public WorldBuilder addForbidden(Segment line) {
-        forbiddenLines.add(line);
-        return this;
-    }
-
-    public WorldBuilder addForbidden(Area area) {
-        forbiddenAreas.add(area);
-        return this;
-    }
-
     /** Puts an item in the place of another of its type. @param index among the items of the type */
     public WorldBuilder set(int index, WorldItem item) {
         list(item.getClass()).set(index, item);
@@ -81,27 +45,15 @@ public final class WorldBuilder {
 
     /** Removes an item. @param index among the items of the type */
     public WorldBuilder remove(Class<? extends WorldItem> type, int index) {
-        items.get(type).remove(index);
+        list(type).remove(index);
         return this;
     }
 
-    /** The list of a type, to which only items of that type are given. */
-    @SuppressWarnings("unchecked")
     private List<WorldItem> list(Class<? extends WorldItem> type) {
-        return (List<WorldItem>) items.get(type);
+        return items.computeIfAbsent(type, first -> new ArrayList<>());
     }
 
     public World build() {
-        return new World(
-                name,
-                segments,
-                points,
-                pointDiameterMeters,
-                boxes,
-                homes,
-                forbiddenLines,
-                forbiddenAreas,
-                treadmills,
-                goals);
+        return new World(name, pointDiameterMeters, items);
     }
 }

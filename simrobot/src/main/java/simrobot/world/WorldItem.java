@@ -3,7 +3,10 @@ package simrobot.world;
 import java.util.List;
 
 /** A thing in a world that can be added, moved, changed and removed; immutable, as the world is. */
-public sealed interface WorldItem permits Segment, Box, Home, Treadmill {
+public interface WorldItem {
+    /** The declaration of its kind. */
+    ItemKind<?> kind();
+
     /** The item shifted on the floor, its coordinates rounded to 1 nm against floating-point error. */
     WorldItem movedBy(double dxMeters, double dyMeters);
 
@@ -12,4 +15,14 @@ public sealed interface WorldItem permits Segment, Box, Home, Treadmill {
 
     /** The item with one of its handles at another place. @param handle as {@link #handles} counts them, from 0 */
     WorldItem pulled(int handle, Position to);
+
+    /** The corners of its shape on the floor. */
+    default List<Position> outline() {
+        return handles();
+    }
+
+    /** Its straight edges that stop robots and sonar. */
+    default List<Segment> obstacles() {
+        return List.of();
+    }
 }

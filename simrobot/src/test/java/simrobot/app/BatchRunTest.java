@@ -39,7 +39,7 @@ import vericommand.VeriCommandSettings;
 /** {@code --run} simulates what the window shows. */
 class BatchRunTest {
     private static final int SECONDS = 20;
-    private static final World ROOM = World.ofSegments(
+    private static final World ROOM = World.of(
             "room",
             List.of(
                     new Segment(-4, -3, 4, -3),

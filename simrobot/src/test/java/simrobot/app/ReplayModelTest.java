@@ -56,7 +56,7 @@ class ReplayModelTest {
     /** A robot that runs into a wall, recorded from the button's first press to its second. */
     private Path recorded() throws Exception {
         Path file = folder.resolve("wall.session");
-        Simulation simulation = new Simulation(World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2))), 1);
+        Simulation simulation = new Simulation(World.of("wall", List.of(new Segment(1, -2, 1, 2))), 1);
         SimulatedRobot robot = simulation.addRobot("anna", new Position(0, 0), 0);
         VeriCommandSettings settings =
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP);

@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,10 +22,11 @@ import simrobot.world.World;
 
 class RequestedRobotsTest {
     private static World homes(String... names) {
-        List<Home> homes = List.of(names).stream()
-                .map(name -> new Home(name, new Position(0, 0), 0, Optional.empty()))
-                .toList();
-        return new World("w", List.of(), List.of(), 0.02, List.of(), homes, List.of(), List.of(), List.of(), List.of());
+        return World.of(
+                "w",
+                Stream.of(names)
+                        .map(name -> new Home(name, new Position(0, 0), 0))
+                        .toList());
     }
 
     private static List<String> lineup(World world, String... options) throws UsageException, IOException {

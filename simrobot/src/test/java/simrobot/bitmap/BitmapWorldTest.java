@@ -32,6 +32,7 @@ import simrobot.simulation.Simulation;
 import simrobot.world.Distances;
 import simrobot.world.MapReader;
 import simrobot.world.MapWriter;
+import simrobot.world.Point;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -79,10 +80,12 @@ class BitmapWorldTest {
     @Test
     void wallsLieWhereThePictureIsDark() throws IOException {
         World world = roomsAsPng("");
-        assertEquals(1, world.points().size());
-        assertEquals(-1 + 40.5 * CELL, world.points().get(0).xMeters(), 1e-9);
-        assertEquals(-2 + (90 - 60.5) * CELL, world.points().get(0).yMeters(), 1e-9);
-        assertTrue(world.segments().size() < 40, world.segments().size() + " walls");
+        assertEquals(1, world.items(Point.class).size());
+        assertEquals(-1 + 40.5 * CELL, world.items(Point.class).get(0).xMeters(), 1e-9);
+        assertEquals(-2 + (90 - 60.5) * CELL, world.items(Point.class).get(0).yMeters(), 1e-9);
+        assertTrue(
+                world.items(Segment.class).size() < 40,
+                world.items(Segment.class).size() + " walls");
         // the outer wall's left side
         assertEquals(-1 + 5 * CELL, world.bounds().minXMeters(), 1e-9);
         assertEquals(-2 + 5 * CELL, world.bounds().minYMeters(), 1e-9);
@@ -92,7 +95,7 @@ class BitmapWorldTest {
     @Test
     void everyOutlineLiesWithinACellOfADarkOne() throws IOException {
         BufferedImage picture = rooms();
-        for (Segment wall : roomsAsPng("").segments()) {
+        for (Segment wall : roomsAsPng("").items(Segment.class)) {
             for (int k = 0; k <= 20; k++) {
                 double x = wall.x1Meters() + (wall.x2Meters() - wall.x1Meters()) * k / 20;
                 double y = wall.y1Meters() + (wall.y2Meters() - wall.y1Meters()) * k / 20;
@@ -118,7 +121,7 @@ class BitmapWorldTest {
         World world = roomsAsPng("");
         double x = -1 + 120 * CELL;
         double y = -2 + (90 - 25) * CELL;
-        long near = world.segments().stream()
+        long near = world.items(Segment.class).stream()
                 .filter(wall ->
                         Distances.toSegment(x, y, wall.x1Meters(), wall.y1Meters(), wall.x2Meters(), wall.y2Meters())
                                 < 1.2)
@@ -156,8 +159,8 @@ class BitmapWorldTest {
     void itIsSavedAsAMapAndReadAgain() throws IOException {
         World world = roomsAsPng("");
         World again = MapReader.read("map.yaml", MapWriter.text(world));
-        assertEquals(world.segments(), again.segments());
-        assertEquals(world.points(), again.points());
+        assertEquals(world.items(Segment.class), again.items(Segment.class));
+        assertEquals(world.items(Point.class), again.items(Point.class));
         assertEquals(CELL, again.pointDiameterMeters(), 1e-9);
     }
 

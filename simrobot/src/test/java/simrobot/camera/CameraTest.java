@@ -19,6 +19,7 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.Goal;
+import simrobot.world.Point;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -43,7 +44,7 @@ class CameraTest {
     }
 
     private static World wallAt(double x) {
-        return World.ofSegments("wall", List.of(new Segment(x, -20, x, 20)));
+        return World.of("wall", List.of(new Segment(x, -20, x, 20)));
     }
 
     private static boolean isRed(int rgb) {
@@ -223,14 +224,14 @@ class CameraTest {
 
     @Test
     void aShortWallHasNone() {
-        World world = World.ofSegments("short", List.of(new Segment(2, -0.5, 2, 0.5)));
+        World world = World.of("short", List.of(new Segment(2, -0.5, 2, 0.5)));
         assertEquals(0, count(seen(world), CameraTest::isColoured));
     }
 
     @Test
     void aDoorHasItsNumberOnBothSides() {
         Simulation simulation = new Simulation(
-                World.ofSegments("door", List.of(new Segment(2, -1.2, 2, -0.5), new Segment(2, 0.5, 2, 1.2))), 1);
+                World.of("door", List.of(new Segment(2, -1.2, 2, -0.5), new Segment(2, 0.5, 2, 1.2))), 1);
         SimulatedRobot seer = simulation.addRobot("seer", new Position(0, 0), 0);
         IntPredicate blue = rgb -> (rgb & 0xFF) - (rgb >> 16 & 0xFF) > 40 && (rgb & 0xFF) < 130;
         for (double x : new double[] {1.2, 2.8}) {
@@ -246,8 +247,8 @@ class CameraTest {
         List<Integer> colours = new ArrayList<>();
         for (double y : new double[] {0, 3}) {
             WorldBuilder world = World.bare().toBuilder();
-            world.addGoal(new Goal("Goal", "one", new Position(1.5, y), 0));
-            world.addGoal(new Goal("Goal", "two", new Position(1.5, 3 - y), 0));
+            world.add(new Goal("Goal", "one", new Position(1.5, y), 0));
+            world.add(new Goal("Goal", "two", new Position(1.5, 3 - y), 0));
             BufferedImage picture = seen(world.build());
             int flag = picture.getRGB(MIDDLE - 15, (int) (HORIZON - 266 * 0.12 / 1.4));
             assertTrue(isColoured(flag), Integer.toHexString(flag));
@@ -262,7 +263,7 @@ class CameraTest {
         Random noise = new Random(1);
         WorldBuilder world = World.bare().toBuilder();
         for (double y = -2; y < 2; y += 0.03) {
-            world.addPoint(new Position(2 + noise.nextGaussian() * 0.005, y));
+            world.add(new Point(2 + noise.nextGaussian() * 0.005, y));
         }
         BufferedImage picture = seen(world.build());
         for (int column = 1; column < Camera.WIDTH; column++) {

@@ -15,7 +15,7 @@ import vericommand.VeriCommandSettings;
 /** A robot in a simulation whose steps the test makes, a modem that only writes down, and the console's lines. */
 final class ControlBench implements ModemPort {
     /** A wall 1 m east of the robot's start, so that 75 cm are free. */
-    private static final World WALL = World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2)));
+    private static final World WALL = World.of("wall", List.of(new Segment(1, -2, 1, 2)));
 
     final Simulation simulation = new Simulation(WALL, 1);
     final SimulatedRobot robot = simulation.addRobot("robot", new Position(0, 0), 0);

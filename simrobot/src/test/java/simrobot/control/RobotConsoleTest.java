@@ -52,7 +52,7 @@ class RobotConsoleTest {
 
     @BeforeEach
     void twoRobots() {
-        World world = World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2)));
+        World world = World.of("wall", List.of(new Segment(1, -2, 1, 2)));
         Simulation simulation = new Simulation(world, 1);
         simRobot = new SimRobot(simulation, new InetSocketAddress(0), VeriCommandSettings.DEFAULT, AudioOutput.SILENT);
         for (int i = 0; i < 2; i++) {

@@ -58,7 +58,7 @@ final class TelephoneScene implements Uplink {
 
     final List<String> lines = new ArrayList<>();
     final StringBuilder tonesHeard = new StringBuilder();
-    final Simulation simulation = new Simulation(World.ofSegments("wall", List.of(new Segment(1, -2, 1, 2))), 1);
+    final Simulation simulation = new Simulation(World.of("wall", List.of(new Segment(1, -2, 1, 2))), 1);
     final SimulatedRobot robot = simulation.addRobot("robot", new Position(0, 0), 0);
     final ModemLink<Modem> link;
     private final Queue<Layer3Message> sent = new ArrayDeque<>();

@@ -6,12 +6,14 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import simrobot.world.Area;
 import simrobot.world.Box;
+import simrobot.world.ForbiddenArea;
+import simrobot.world.ForbiddenLine;
 import simrobot.world.Goal;
 import simrobot.world.Home;
+import simrobot.world.Point;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.Treadmill;
@@ -20,17 +22,17 @@ import simrobot.world.World;
 class WorldPrinterTest {
     @Test
     void linesPointsAndHomesAreInMillimetresAndDegrees() {
-        World world = new World(
+        World world = World.of(
                 "w",
-                List.of(new Segment(-10, -0.1, 10, 2.0005)),
-                List.of(new Position(0.3, -1.234)),
-                0.02,
-                List.of(new Box("Sofa", new Area(0, 0, 1, 2, Math.PI / 2))),
-                List.of(new Home("A, b", new Position(1, 1.7), Math.toRadians(90), Optional.empty())),
-                List.of(new Segment(1, 2, 3, 4)),
-                List.of(new Area(1, 2, 3, 4, 0)),
-                List.of(new Treadmill(new Area(0, 0, 1, 1, 0), 0.5, Math.PI)),
-                List.of(new Goal("Dock", "Charger", new Position(5, 6), 0)));
+                List.of(
+                        new Segment(-10, -0.1, 10, 2.0005),
+                        new Point(0.3, -1.234),
+                        new Box("Sofa", new Area(0, 0, 1, 2, Math.PI / 2)),
+                        new Home("A, b", new Position(1, 1.7), Math.toRadians(90)),
+                        new ForbiddenLine(new Segment(1, 2, 3, 4)),
+                        new ForbiddenArea(new Area(1, 2, 3, 4, 0)),
+                        new Treadmill(new Area(0, 0, 1, 1, 0), 0.5, Math.PI),
+                        new Goal("Dock", "Charger", new Position(5, 6), 0)));
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         WorldPrinter.print(world, new PrintStream(out, false, StandardCharsets.UTF_8));
         assertEquals(

@@ -44,9 +44,9 @@ class PlaceNamesTest {
                     files.filter(each -> each.toString().endsWith(".map")).toList()) {
                 World world = WorldReader.read(file);
                 Stream.of(
-                                world.boxes().stream().map(Box::name),
-                                world.homes().stream().map(Home::name),
-                                world.goals().stream().map(Goal::name))
+                                world.items(Box.class).stream().map(Box::name),
+                                world.items(Home.class).stream().map(Home::name),
+                                world.items(Goal.class).stream().map(Goal::name))
                         .flatMap(names -> names)
                         .filter(name -> !same.contains(name))
                         .forEach(name -> assertNotEquals(name, SPANISH.of(name), file + ": " + name));

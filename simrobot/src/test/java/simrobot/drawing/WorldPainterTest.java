@@ -67,7 +67,7 @@ class WorldPainterTest {
         SvgCanvas g = new SvgCanvas(ink -> "#000");
         WorldPainter.floor(g, world, new Viewport(1.5, 0, 54, 688, 332), Layers.ALL.withNames(names));
         String picture = g.elements();
-        for (Box box : world.boxes()) {
+        for (Box box : world.items(Box.class)) {
             for (String word : names.of(box.name()).split(" ", 3)) {
                 assertTrue(picture.contains(word), word);
             }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import simrobot.world.Home;
 import simrobot.world.Segment;
 import simrobot.world.World;
 
@@ -32,7 +33,7 @@ class DraftTest {
         assertFalse(draft.canUndo());
         draft.redo();
         draft.redo();
-        assertEquals(2, draft.world().segments().size());
+        assertEquals(2, draft.world().items(Segment.class).size());
         assertFalse(draft.canRedo());
     }
 
@@ -48,16 +49,16 @@ class DraftTest {
     void whatStandsStillWhileSomethingIsMadeOrMovedIsOneWorld() {
         World bare = draft.world();
         draft.preview(with(draft.committed(), WALL));
-        assertEquals(Optional.of(new Item(Item.Kind.WALL, 0)), draft.moving());
+        assertEquals(Optional.of(new Item(Segment.KIND, 0)), draft.moving());
         assertSame(bare, draft.background());
         draft.commit();
         assertEquals(Optional.empty(), draft.moving());
         assertSame(draft.world(), draft.background());
-        Item wall = new Item(Item.Kind.WALL, 0);
+        Item wall = new Item(Segment.KIND, 0);
         draft.select(wall);
         draft.preview(Edits.moved(draft.committed(), wall, 1, 0));
         World still = draft.background();
-        assertEquals(List.of(), still.segments());
+        assertEquals(List.of(), still.items(Segment.class));
         draft.preview(Edits.moved(draft.committed(), wall, 2, 0));
         assertSame(still, draft.background());
         assertEquals(Optional.of(wall), draft.moving());
@@ -69,12 +70,12 @@ class DraftTest {
     void aDragIsOneStepHoweverManyTriesItTook() {
         for (int i = 1; i < 20; i++) {
             draft.preview(with(draft.committed(), new Segment(0, 0, i, 0)));
-            assertEquals(i, draft.world().segments().get(0).x2Meters());
+            assertEquals(i, draft.world().items(Segment.class).get(0).x2Meters());
         }
         draft.commit();
-        assertEquals(1, draft.world().segments().size());
+        assertEquals(1, draft.world().items(Segment.class).size());
         draft.undo();
-        assertEquals(0, draft.world().segments().size());
+        assertEquals(0, draft.world().items(Segment.class).size());
     }
 
     @Test
@@ -101,20 +102,20 @@ class DraftTest {
     @Test
     void whatIsGoneIsNotSelected() {
         draft.change(with(draft.world(), WALL));
-        draft.select(new Item(Item.Kind.WALL, 0));
+        draft.select(new Item(Segment.KIND, 0));
         draft.undo();
         assertEquals(Optional.empty(), draft.selected());
-        draft.select(new Item(Item.Kind.HOME, 3));
+        draft.select(new Item(Home.KIND, 3));
         assertEquals(Optional.empty(), draft.selected());
     }
 
     @Test
     void theSelectedItemIsDeleted() {
         draft.change(with(with(draft.world(), WALL), new Segment(5, 5, 6, 6)));
-        draft.select(new Item(Item.Kind.WALL, 0));
+        draft.select(new Item(Segment.KIND, 0));
         draft.deleteSelected();
-        assertEquals(List.of(new Segment(5, 5, 6, 6)), draft.world().segments());
+        assertEquals(List.of(new Segment(5, 5, 6, 6)), draft.world().items(Segment.class));
         draft.deleteSelected();
-        assertEquals(1, draft.world().segments().size());
+        assertEquals(1, draft.world().items(Segment.class).size());
     }
 }

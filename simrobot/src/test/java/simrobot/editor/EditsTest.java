@@ -12,10 +12,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import simrobot.world.Area;
 import simrobot.world.Box;
 import simrobot.world.Home;
+import simrobot.world.ItemKind;
+import simrobot.world.ItemKinds;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.Treadmill;
@@ -34,98 +36,106 @@ class EditsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Item.Kind.class)
-    void movingThereAndBackChangesNothing(Item.Kind kind) {
+    @MethodSource("simrobot.world.ItemKinds#edited")
+    void movingThereAndBackChangesNothing(ItemKind<?> kind) {
         Item item = new Item(kind, 0);
         World there = Edits.moved(world, item, 0.1, -0.7);
         assertEquals(world, Edits.moved(there, item, -0.1, 0.7));
     }
 
     @ParameterizedTest
-    @EnumSource(Item.Kind.class)
-    void whatIsDeletedIsGoneAndNothingElse(Item.Kind kind) {
+    @MethodSource("simrobot.world.ItemKinds#edited")
+    void whatIsDeletedIsGoneAndNothingElse(ItemKind<?> kind) {
         World less = Edits.without(world, new Item(kind, 0));
-        for (Item.Kind each : Item.Kind.values()) {
-            assertEquals(each == kind ? 0 : 1, Edits.count(less, each), each.toString());
+        for (ItemKind<?> each : ItemKinds.ALL) {
+            int gone = each == kind ? 1 : 0;
+            assertEquals(Edits.count(world, each) - gone, Edits.count(less, each), each.word());
         }
     }
 
     @Test
     void aHomeIsBlockedWhereARobotWouldOverlapABoxOrAWall() {
         assertEquals(List.of(), Edits.blockedHomes(world, 0.25));
-        World inTheDesk = Edits.moved(world, new Item(Item.Kind.HOME, 0), -3.5, -3);
-        assertEquals(inTheDesk.homes(), Edits.blockedHomes(inTheDesk, 0.25));
-        World atTheWall = Edits.moved(world, new Item(Item.Kind.HOME, 0), -3.5, -4.8);
-        assertEquals(atTheWall.homes(), Edits.blockedHomes(atTheWall, 0.25));
+        World inTheDesk = Edits.moved(world, new Item(Home.KIND, 0), -3.5, -3);
+        assertEquals(inTheDesk.items(Home.class), Edits.blockedHomes(inTheDesk, 0.25));
+        World atTheWall = Edits.moved(world, new Item(Home.KIND, 0), -3.5, -4.8);
+        assertEquals(atTheWall.items(Home.class), Edits.blockedHomes(atTheWall, 0.25));
         assertEquals(List.of(), Edits.blockedHomes(atTheWall, 0.15));
     }
 
     @Test
     void tenStepsOfATenthAreAMetreWithoutDust() {
-        Item wall = new Item(Item.Kind.WALL, 0);
+        Item wall = new Item(Segment.KIND, 0);
         for (int i = 0; i < 10; i++) {
             world = Edits.moved(world, wall, 0.1, 0.1);
         }
-        assertEquals(new Segment(1, 1, 4, 1), world.segments().get(0));
+        assertEquals(new Segment(1, 1, 4, 1), world.items(Segment.class).get(0));
     }
 
     @Test
     void anEndOfAWallIsPulled() {
-        Handle end = Edits.handles(world, new Item(Item.Kind.WALL, 0)).get(1);
+        Handle end = Edits.handles(world, new Item(Segment.KIND, 0)).get(1);
         assertEquals(
                 new Segment(0, 0, 4, 2),
-                Edits.pulled(world, end, 4, 2).segments().get(0));
-        Handle begin = Edits.handles(world, new Item(Item.Kind.WALL, 0)).get(0);
+                Edits.pulled(world, end, 4, 2).items(Segment.class).get(0));
+        Handle begin = Edits.handles(world, new Item(Segment.KIND, 0)).get(0);
         assertEquals(
                 new Segment(-1, 2, 3, 0),
-                Edits.pulled(world, begin, -1, 2).segments().get(0));
+                Edits.pulled(world, begin, -1, 2).items(Segment.class).get(0));
     }
 
     @ParameterizedTest
     @CsvSource({"0,0,0,2,3", "1,5,0,1,3", "2,5,9,1,1", "3,0,9,2,1"})
     void aCornerIsPulledWhileTheOneOppositeStays(int corner, double x, double y, double fixedX, double fixedY) {
-        Handle handle = Edits.handles(world, new Item(Item.Kind.BOX, 0)).get(corner);
-        Area area = Edits.pulled(world, handle, x, y).boxes().get(0).area();
+        Handle handle = Edits.handles(world, new Item(Box.KIND, 0)).get(corner);
+        Area area = Edits.pulled(world, handle, x, y).items(Box.class).get(0).area();
         assertEquals(Area.between(x, y, fixedX, fixedY, 0), area);
     }
 
     @Test
     void aTurnedBoxFollowsTheHandAllTheSame() {
         World turned = Edits.with(World.bare(), new Box("", new Area(1, 1, 2, 2, Math.PI / 2)));
-        Item item = new Item(Item.Kind.BOX, 0);
-        Position before = turned.boxes().get(0).area().center();
-        Position after = Edits.moved(turned, item, 1, 0).boxes().get(0).area().center();
+        Item item = new Item(Box.KIND, 0);
+        Position before = turned.items(Box.class).get(0).area().center();
+        Position after =
+                Edits.moved(turned, item, 1, 0).items(Box.class).get(0).area().center();
         assertEquals(before.xMeters() + 1, after.xMeters(), 1e-9);
         assertEquals(before.yMeters(), after.yMeters(), 1e-9);
     }
 
     @Test
     void aHomeIsTurnedByItsHandleInWholeDegrees() {
-        Handle handle = Edits.handles(world, new Item(Item.Kind.HOME, 0)).get(0);
+        Handle handle = Edits.handles(world, new Item(Home.KIND, 0)).get(0);
         assertEquals(5, handle.place().xMeters(), 1e-9);
         assertEquals(5.6, handle.place().yMeters(), 1e-9);
-        Home turned = Edits.pulled(world, handle, 4, 5.001).homes().get(0);
+        Home turned = Edits.pulled(world, handle, 4, 5.001).items(Home.class).get(0);
         assertEquals(180, Math.toDegrees(turned.headingRadians()), 1e-9);
     }
 
     @Test
     void aNewHomeGetsANameThatNoneHas() {
-        assertEquals("Home2", Edits.freeHomeName(world));
-        World more = Edits.with(world, new Home("Home3", new Position(0, 0), 0, Optional.empty()));
-        assertEquals("Home4", Edits.freeHomeName(more));
+        assertEquals("Home2", drawnHome(world).name());
+        assertEquals(
+                "Home4",
+                drawnHome(Edits.with(world, new Home("Home3", new Position(0, 0), 0)))
+                        .name());
+    }
+
+    private static Home drawnHome(World world) {
+        return (Home) Home.KIND.drawn(world, new Position(0, 0), new Position(0, 0));
     }
 
     // ---- typed
     // -------------------------------------------------------------------------------------------------------
 
     @ParameterizedTest
-    @EnumSource(Item.Kind.class)
-    void fieldsThatWereNotTouchedLeaveTheWorldAsItIs(Item.Kind kind) throws Exception {
+    @MethodSource("simrobot.world.ItemKinds#edited")
+    void fieldsThatWereNotTouchedLeaveTheWorldAsItIs(ItemKind<?> kind) throws Exception {
         Item item = new Item(kind, 0);
         assertSame(world, ItemFields.changed(world, item, ItemFields.of(world, item)));
     }
 
-    private World typed(Item.Kind kind, String field, String text) throws ItemFields.FieldRefusal {
+    private World typed(ItemKind<?> kind, String field, String text) throws ItemFields.FieldRefusal {
         Item item = new Item(kind, 0);
         Map<String, String> fields = new LinkedHashMap<>(ItemFields.of(world, item));
         assertEquals(true, fields.containsKey(field));
@@ -135,20 +145,30 @@ class EditsTest {
 
     @Test
     void whatIsTypedIsSo() throws Exception {
-        assertEquals(4.5, typed(Item.Kind.WALL, "x2", "4,5").segments().get(0).x2Meters());
         assertEquals(
-                "Table", typed(Item.Kind.BOX, "name", " Table ").boxes().get(0).name());
+                4.5,
+                typed(Segment.KIND, "x2", "4,5").items(Segment.class).get(0).x2Meters());
+        assertEquals(
+                "Table",
+                typed(Box.KIND, "name", " Table ").items(Box.class).get(0).name());
         assertEquals(
                 Math.toRadians(45),
-                typed(Item.Kind.HOME, "heading", "45").homes().get(0).headingRadians());
+                typed(Home.KIND, "heading", "45").items(Home.class).get(0).headingRadians());
         assertEquals(
                 0.25,
-                typed(Item.Kind.TREADMILL, "speed", ".25").treadmills().get(0).speedMetersPerSecond());
+                typed(Treadmill.KIND, "speed", ".25")
+                        .items(Treadmill.class)
+                        .get(0)
+                        .speedMetersPerSecond());
     }
 
     @ParameterizedTest
-    @CsvSource({"WALL,x1,abc", "WALL,y2,''", "BOX,x1,1e3", "HOME,heading,400", "TREADMILL,speed,11", "WALL,x1,999999"})
-    void whatIsNoNumberIsRefusedByItsField(Item.Kind kind, String field, String text) {
+    @CsvSource({"wall,x1,abc", "wall,y2,''", "box,x1,1e3", "home,heading,400", "treadmill,speed,11", "wall,x1,999999"})
+    void whatIsNoNumberIsRefusedByItsField(String word, String field, String text) {
+        ItemKind<?> kind = ItemKinds.edited()
+                .filter(each -> each.word().equals(word))
+                .findFirst()
+                .orElseThrow();
         ItemFields.FieldRefusal refusal = assertThrows(ItemFields.FieldRefusal.class, () -> typed(kind, field, text));
         assertEquals(field, refusal.field());
         assertEquals(text, refusal.getMessage());
@@ -159,16 +179,16 @@ class EditsTest {
 
     @Test
     void whatLiesUnderThePointerIsFound() {
-        assertEquals(Optional.of(new Item(Item.Kind.WALL, 0)), Picking.itemAt(world, 1.5, 0.04, 0.05));
+        assertEquals(Optional.of(new Item(Segment.KIND, 0)), Picking.itemAt(world, 1.5, 0.04, 0.05));
         assertEquals(Optional.empty(), Picking.itemAt(world, 1.5, 0.06, 0.05));
-        assertEquals(Optional.of(new Item(Item.Kind.BOX, 0)), Picking.itemAt(world, 1.5, 2, 0.05));
-        assertEquals(Optional.of(new Item(Item.Kind.HOME, 0)), Picking.itemAt(world, 5.2, 5, 0.05));
-        assertEquals(Optional.of(new Item(Item.Kind.TREADMILL, 0)), Picking.itemAt(world, 7.5, 2, 0.05));
+        assertEquals(Optional.of(new Item(Box.KIND, 0)), Picking.itemAt(world, 1.5, 2, 0.05));
+        assertEquals(Optional.of(new Item(Home.KIND, 0)), Picking.itemAt(world, 5.2, 5, 0.05));
+        assertEquals(Optional.of(new Item(Treadmill.KIND, 0)), Picking.itemAt(world, 7.5, 2, 0.05));
     }
 
     @Test
     void theNearestHandleIsTaken() {
-        Item wall = new Item(Item.Kind.WALL, 0);
+        Item wall = new Item(Segment.KIND, 0);
         assertEquals(
                 1, Picking.handleAt(world, wall, 2.95, 0, 0.1).orElseThrow().number());
         assertEquals(Optional.empty(), Picking.handleAt(world, wall, 2, 0, 0.1));

@@ -42,8 +42,7 @@ class WebServerTest {
     private static final String ODD_ENCODED = "%C3%B1a+nd%C3%BA%201%2F%3C2%3E%26%223%22%25";
     private static final int PATIENCE_MILLIS = 30_000;
 
-    private final Simulation simulation =
-            new Simulation(World.ofSegments("wall & co", List.of(new Segment(2, -3, 2, 3))), 1);
+    private final Simulation simulation = new Simulation(World.of("wall & co", List.of(new Segment(2, -3, 2, 3))), 1);
     private WebServer server;
 
     @BeforeEach

@@ -11,8 +11,7 @@ import simrobot.world.World;
 
 /** A robot between a wall 1 m ahead and one 2 m behind, a session, and both clocks in the test's hand. */
 final class SessionBench implements PacketOutput {
-    private static final World WALLS =
-            World.ofSegments("walls", List.of(new Segment(1, -3, 1, 3), new Segment(-2, -3, -2, 3)));
+    private static final World WALLS = World.of("walls", List.of(new Segment(1, -3, 1, 3), new Segment(-2, -3, -2, 3)));
 
     final Simulation simulation;
     final SimulatedRobot robot;

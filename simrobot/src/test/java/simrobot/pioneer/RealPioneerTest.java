@@ -26,7 +26,7 @@ import vericommand.RobotStatus;
 
 /** The core that drives real robots, with our own P2OS session at the other end, or a peer made by hand. */
 class RealPioneerTest {
-    private static final World WALL_AHEAD = World.ofSegments("wall", List.of(new Segment(1, -9, 1, 9)));
+    private static final World WALL_AHEAD = World.of("wall", List.of(new Segment(1, -9, 1, 9)));
 
     // ---- coming and going ------------------------------------------------------------------------------------------
 

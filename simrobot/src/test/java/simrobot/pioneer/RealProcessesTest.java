@@ -25,7 +25,7 @@ import vericommand.RobotStatus;
 
 /** Processes in a real robot, which they steer over its line. */
 class RealProcessesTest {
-    private static final World ROOM = World.ofSegments(
+    private static final World ROOM = World.of(
             "room",
             List.of(
                     new Segment(-3, -3, 3, -3),

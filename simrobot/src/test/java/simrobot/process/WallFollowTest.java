@@ -31,7 +31,7 @@ class WallFollowTest {
             new Segment(0, 4, 0, 0));
 
     private static Set<Integer> squaresVisited(List<Segment> walls, double headingDegrees) {
-        Simulation simulation = new Simulation(World.ofSegments("room", walls), 1);
+        Simulation simulation = new Simulation(World.of("room", walls), 1);
         SimulatedRobot robot = simulation.addRobot("robot", new Position(1.5, 2.5), Math.toRadians(headingDegrees));
         robot.addStatusListener(status -> assertTrue(status != RobotStatus.COLLISION, "collides at " + robot.pose()));
         robot.autonomy().begin(BehaviourKind.WALL_FOLLOW);

@@ -29,7 +29,7 @@ import vericommand.Instruction;
 
 /** Sessions that are recorded and read again: the same to the last bit, and what becomes of broken files. */
 class RecordingTest {
-    private static final World ROOM = World.ofSegments(
+    private static final World ROOM = World.of(
             "room",
             List.of(
                     new Segment(0, 0, 8, 0),
@@ -96,7 +96,7 @@ class RecordingTest {
             case 6 -> robot.setMotors(chance.nextBoolean());
             default -> {
                 if (step % 3 == 0) {
-                    simulation.load(World.ofSegments("room " + step, ROOM.segments()));
+                    simulation.load(World.of("room " + step, ROOM.items(Segment.class)));
                 } else if (simulation.robots().size() < 6) {
                     simulation.addRobot("late" + step);
                 } else {

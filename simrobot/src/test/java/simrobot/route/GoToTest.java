@@ -20,8 +20,11 @@ import simrobot.process.Decision;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.world.Area;
+import simrobot.world.ForbiddenArea;
+import simrobot.world.ForbiddenLine;
 import simrobot.world.Goal;
 import simrobot.world.Home;
+import simrobot.world.Point;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -87,8 +90,8 @@ class GoToTest {
     @ValueSource(strings = {"maze.map", "office.map", "demo.map"})
     void itFindsItsWayBetweenAllHomesOfOurWorlds(String file) throws IOException {
         World world = WorldReader.read(Path.of("../worlds", file));
-        Home first = world.homes().get(0);
-        for (Home home : world.homes()) {
+        Home first = world.items(Home.class).get(0);
+        for (Home home : world.items(Home.class)) {
             ends.clear();
             in(world, first.position().xMeters(), first.position().yMeters());
             robot.addStatusListener(status -> assertTrue(status != RobotStatus.COLLISION, "at " + robot.pose()));
@@ -104,8 +107,8 @@ class GoToTest {
     void itKeepsOutOfForbiddenAreasAndOffForbiddenLines() {
         WorldBuilder builder = rooms();
         Area forbidden = new Area(1.5, 0, 2.5, 2.8, 0);
-        builder.addForbidden(forbidden);
-        builder.addForbidden(new Segment(6, 1.2, 6, 4));
+        builder.add(new ForbiddenArea(forbidden));
+        builder.add(new ForbiddenLine(new Segment(6, 1.2, 6, 4)));
         in(builder.build(), 1, 1);
         simulation.addStepListener(time -> {
             assertFalse(forbidden.contains(robot.xMeters(), robot.yMeters()));
@@ -126,7 +129,7 @@ class GoToTest {
     @Test
     void aGoalAtAForbiddenLineOrBehindOneSaysSo() {
         WorldBuilder builder = rooms();
-        builder.addForbidden(new Segment(6, 0, 6, 4));
+        builder.add(new ForbiddenLine(new Segment(6, 0, 6, 4)));
         in(builder.build(), 1, 1);
         go(5.8, 1);
         assertEquals(
@@ -232,9 +235,9 @@ class GoToTest {
     @Test
     void theGoalsOfAWorldAreProcessesGoalsFirst() {
         WorldBuilder builder = rooms();
-        builder.addGoal(new Goal("Dock", "Charger", new Position(7, 3), 0));
-        builder.addGoal(new Goal("Goal", "Desk", new Position(1, 1), 0));
-        builder.addGoal(new Goal("Goal", "Desk", new Position(2, 1), 0));
+        builder.add(new Goal("Dock", "Charger", new Position(7, 3), 0));
+        builder.add(new Goal("Goal", "Desk", new Position(1, 1), 0));
+        builder.add(new Goal("Goal", "Desk", new Position(2, 1), 0));
         in(builder.build(), 2, 2);
         List<String> names = simulation.behaviours().kinds().stream()
                 .map(BehaviourKind::text)
@@ -251,7 +254,7 @@ class GoToTest {
         List<Position> points = new ArrayList<>();
         for (int i = 0; i < 30; i++) {
             points.add(new Position(random.nextDouble() * 6, random.nextDouble() * 5));
-            builder.addPoint(points.get(i));
+            builder.add(new Point(points.get(i).xMeters(), points.get(i).yMeters()));
         }
         ClearanceGrid grid = new ClearanceGrid(builder.build());
         for (int i = 0; i < 300; i++) {

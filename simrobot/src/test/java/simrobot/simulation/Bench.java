@@ -24,7 +24,7 @@ final class Bench {
     }
 
     static Bench withWalls(Segment... walls) {
-        return new Bench(World.ofSegments("walls", List.of(walls)), 0, 0, 0);
+        return new Bench(World.of("walls", List.of(walls)), 0, 0, 0);
     }
 
     static Bench onBareFloor() {

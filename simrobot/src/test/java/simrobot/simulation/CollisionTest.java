@@ -73,7 +73,7 @@ class CollisionTest {
             Segment obstacle = i % 2 == 0
                     ? new Segment(px, py, px, py)
                     : new Segment(px, py, px + random.nextGaussian(), py + random.nextGaussian());
-            World world = World.ofSegments("one", List.of(obstacle));
+            World world = World.of("one", List.of(obstacle));
             ObstacleGrid grid = new ObstacleGrid(world);
             if (grid.clearance(0, 0, 1) < RADIUS + 0.01) {
                 continue;
@@ -89,7 +89,7 @@ class CollisionTest {
 
     @Test
     void theFirstContactCountsInARoomFullOfPosts() {
-        World posts = World.ofSegments(
+        World posts = World.of(
                 "posts",
                 List.of(new Segment(2, 0.1, 2, 0.1), new Segment(1.9, -0.2, 1.9, -0.2), new Segment(2.1, -1, 2.1, 1)));
         Bench bench = new Bench(posts, 0, 0, 0).forward(500);
@@ -99,7 +99,7 @@ class CollisionTest {
 
     @Test
     void turningNeverCollidesHoweverNarrowThePlace() {
-        World cell = World.ofSegments(
+        World cell = World.of(
                 "cell",
                 List.of(
                         new Segment(-0.2501, -0.2501, 0.2501, -0.2501),
@@ -227,7 +227,7 @@ class CollisionTest {
 
     @Test
     void noRobotEverOverlapsAnotherOrAWallInACrowdThatDrivesAtRandom() {
-        World hall = World.ofSegments(
+        World hall = World.of(
                 "hall",
                 List.of(
                         new Segment(-4, -4, 4, -4),

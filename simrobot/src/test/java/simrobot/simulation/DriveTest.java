@@ -142,7 +142,7 @@ class DriveTest {
             double px = distance * Math.cos(angle);
             double py = distance * Math.sin(angle);
             Segment obstacle = new Segment(px, py, px + random.nextGaussian(), py + random.nextGaussian());
-            World world = World.ofSegments("one", List.of(obstacle));
+            World world = World.of("one", List.of(obstacle));
             ObstacleGrid grid = new ObstacleGrid(world);
             if (grid.clearance(0, 0, 1) < 0.26) {
                 continue;

@@ -39,7 +39,7 @@ class FreeSpaceTest {
             double y = chance.nextDouble() * 20;
             segments.add(new Segment(x, y, x + chance.nextGaussian() * 2, y + chance.nextGaussian() * 2));
         }
-        return World.ofSegments("clutter", segments);
+        return World.of("clutter", segments);
     }
 
     private void populate(int count) {

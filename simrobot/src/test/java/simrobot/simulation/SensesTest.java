@@ -23,8 +23,7 @@ import vericommand.RobotStatus;
 
 /** Bumpers, battery, and what wheels and sonars get wrong. */
 class SensesTest {
-    private static final World CORNER =
-            World.ofSegments("corner", List.of(new Segment(2, -5, 2, 5), new Segment(-5, 1, 5, 1)));
+    private static final World CORNER = World.of("corner", List.of(new Segment(2, -5, 2, 5), new Segment(-5, 1, 5, 1)));
 
     private static Simulation simulation(World world, double noise, long seed) {
         Simulation simulation = new Simulation(world, seed);
@@ -40,7 +39,7 @@ class SensesTest {
 
     @Test
     void theLaserSeesWallsAndRobotsUpTo32MetersAway() {
-        Simulation simulation = simulation(World.ofSegments("far walls", List.of(new Segment(-50, 30, 50, 30))), 3, 1);
+        Simulation simulation = simulation(World.of("far walls", List.of(new Segment(-50, 30, 50, 30))), 3, 1);
         SimulatedRobot robot = robot(simulation);
         simulation.addRobot("other", new Position(20, 0), 0);
         robot.sonarRangesMeters();
@@ -77,7 +76,7 @@ class SensesTest {
         "90.1, 0, 16"
     })
     void theBumperWhereItTouchesIsPressed(double bearingDegrees, int front, int rear) {
-        Simulation simulation = simulation(World.ofSegments("wall", List.of(new Segment(1, -5, 1, 5))), 0, 1);
+        Simulation simulation = simulation(World.of("wall", List.of(new Segment(1, -5, 1, 5))), 0, 1);
         SimulatedRobot robot = robot(simulation);
         robot.drive().move(3);
         simulation.run(1000);

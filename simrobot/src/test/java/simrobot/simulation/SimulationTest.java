@@ -45,9 +45,9 @@ class SimulationTest {
     void robotsStandOnTheHomesInTheirOrder() throws Exception {
         World world = office();
         Simulation simulation = new Simulation(world, 1);
-        for (int i = 0; i < world.homes().size(); i++) {
+        for (int i = 0; i < world.items(Home.class).size(); i++) {
             SimulatedRobot robot = simulation.addRobot("r" + i);
-            Position home = world.homes().get(i).position();
+            Position home = world.items(Home.class).get(i).position();
             assertEquals(home, new Position(robot.xMeters(), robot.yMeters()));
         }
         SimulatedRobot oneMore = simulation.addRobot("more");
@@ -175,7 +175,7 @@ class SimulationTest {
 
     @Test
     void sonarsTurnWithTheRobot() {
-        Bench bench = new Bench(World.ofSegments("wall", List.of(new Segment(-9, -1, 9, -1))), 0, 0, 180);
+        Bench bench = new Bench(World.of("wall", List.of(new Segment(-9, -1, 9, -1))), 0, 0, 180);
         int[] ranges = bench.robot.sonarRangesMillimeters();
         assertEquals(1000 - 136, ranges[0]);
         assertEquals(5000, ranges[7]);
@@ -239,13 +239,13 @@ class SimulationTest {
 
     @Test
     void aChangedWorldLeavesRobotsWhereTheyFitAndSendsTheOthersHome() {
-        Simulation office = new Simulation(World.ofSegments("a", List.of(new Segment(-5, -5, 5, 5))), 1);
+        Simulation office = new Simulation(World.of("a", List.of(new Segment(-5, -5, 5, 5))), 1);
         SimulatedRobot stays = office.addRobot("stays", new Position(3, 0), 1);
         SimulatedRobot goes = office.addRobot("goes", new Position(-3, 0), 2);
         stays.start(new Instruction.Forward(500), ended -> {});
         office.run(50);
         double x = stays.xMeters();
-        World next = World.ofSegments("b", List.of(new Segment(-5, 0, -1, 0), new Segment(-5, 5, 5, -5))).toBuilder()
+        World next = World.of("b", List.of(new Segment(-5, 0, -1, 0), new Segment(-5, 5, 5, -5))).toBuilder()
                 .add(new Home("h", new Position(-4, 2), 0.5, Optional.empty()))
                 .build();
         assertEquals(1, office.change(next));

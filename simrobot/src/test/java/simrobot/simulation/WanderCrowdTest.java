@@ -13,6 +13,7 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.robot.SonarRing;
 import simrobot.world.Cone;
 import simrobot.world.Distances;
+import simrobot.world.Home;
 import simrobot.world.MapReader;
 import simrobot.world.Position;
 import simrobot.world.Segment;
@@ -44,7 +45,7 @@ class WanderCrowdTest {
             double y = chance.nextDouble() * side;
             segments.add(new Segment(x, y, x + chance.nextGaussian() * 2, y + chance.nextGaussian() * 2));
         }
-        return World.ofSegments("clutter", segments);
+        return World.of("clutter", segments);
     }
 
     /** Where a robot was after a step. */
@@ -182,7 +183,7 @@ class WanderCrowdTest {
         for (int i = 0; i < robots.size(); i++) {
             double x = robots.get(i).xMeters();
             double y = robots.get(i).yMeters();
-            for (Segment wall : world.segments()) {
+            for (Segment wall : world.items(Segment.class)) {
                 double gap =
                         Distances.toSegment(x, y, wall.x1Meters(), wall.y1Meters(), wall.x2Meters(), wall.y2Meters());
                 assertTrue(gap >= 0.25, "robot " + i + " is " + gap + " m from a wall");
@@ -201,7 +202,7 @@ class WanderCrowdTest {
         Simulation simulation = wanderers(world, 10_000);
         for (int i = 0; i < 10_000; i++) {
             assertEquals(
-                    world.homes().get(i).position().xMeters(),
+                    world.items(Home.class).get(i).position().xMeters(),
                     simulation.robots().get(i).xMeters());
         }
         simulation.step();

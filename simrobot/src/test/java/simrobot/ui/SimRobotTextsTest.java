@@ -71,7 +71,7 @@ class SimRobotTextsTest {
 
     /** The editor composes the keys of its tools, fields and actions. */
     private static boolean isOfTheEditor(String key, String last, CharSequence sources) {
-        boolean tool = Stream.of(EditorTool.values()).anyMatch(each -> each.id().equals(last));
+        boolean tool = EditorTool.ALL.stream().anyMatch(each -> each.id().equals(last));
         boolean field = key.startsWith("editor.field.");
         return key.startsWith("editor.") && (tool || field || sources.toString().contains("action(\"" + last + '"'));
     }

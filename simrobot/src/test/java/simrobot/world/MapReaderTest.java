@@ -22,29 +22,29 @@ class MapReaderTest {
     @Test
     void wallsAndPointsComeOutInMetres() throws Exception {
         World world = read("2D-Map", "LINES", "0 0 1000 -2500", "DATA", "-20 40");
-        assertEquals(List.of(new Segment(0, 0, 1, -2.5)), world.segments());
-        assertEquals(List.of(new Position(-0.02, 0.04)), world.points());
+        assertEquals(List.of(new Segment(0, 0, 1, -2.5)), world.items(Segment.class));
+        assertEquals(List.of(new Point(-0.02, 0.04)), world.items(Point.class));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"\n", "\r\n", "\r"})
     void everyKindOfLineEndIsRead(String end) throws Exception {
         World world = MapReader.read("test.map", String.join(end, "2D-Map", "LINES", "1 2 3 4", "DATA", "5 6"));
-        assertEquals(1, world.segments().size());
-        assertEquals(1, world.points().size());
+        assertEquals(1, world.items(Segment.class).size());
+        assertEquals(1, world.items(Point.class).size());
     }
 
     @Test
     void countsThatLieAreNotBelieved() throws Exception {
         World world = read("2D-Map", "NumLines: 7", "NumPoints: 0", "LINES", "0 0 1 1", "1 1 2 2", "DATA", "3 3");
-        assertEquals(2, world.segments().size());
-        assertEquals(1, world.points().size());
+        assertEquals(2, world.items(Segment.class).size());
+        assertEquals(1, world.items(Point.class).size());
     }
 
     @Test
     void missingHeadersAreNotMissed() throws Exception {
-        assertEquals(1, read("2D-Map", "LINES", "0 0 1 1").segments().size());
-        assertEquals(0, read("2D-Map").segments().size());
+        assertEquals(1, read("2D-Map", "LINES", "0 0 1 1").items(Segment.class).size());
+        assertEquals(0, read("2D-Map").items(Segment.class).size());
     }
 
     @Test
@@ -58,27 +58,27 @@ class MapReaderTest {
                 "Cairn:",
                 "LINES",
                 "0 0 1 1");
-        assertEquals(1, world.segments().size());
+        assertEquals(1, world.items(Segment.class).size());
     }
 
     @Test
     void emptyLinesAndCommentsAreSkippedEverywhere() throws Exception {
         World world = read("2D-Map", "", "# a remark", "LINES", "", "0 0 1 1", "; another", "DATA", "", "5 5");
-        assertEquals(1, world.segments().size());
-        assertEquals(1, world.points().size());
+        assertEquals(1, world.items(Segment.class).size());
+        assertEquals(1, world.items(Point.class).size());
     }
 
     @Test
     void severalSectionsAddUp() throws Exception {
         World world = read("2D-Map", "DATA", "1 1", "LINES", "0 0 1 1", "LaserLINES", "1 1 2 2", "LaserDATA", "2 2");
-        assertEquals(2, world.segments().size());
-        assertEquals(2, world.points().size());
+        assertEquals(2, world.items(Segment.class).size());
+        assertEquals(2, world.items(Point.class).size());
     }
 
     @Test
     void aHomeIsAPointWithHeadingAndName() throws Exception {
         Home home = read("2D-Map", "Cairn: RobotHome 1500 -250 90.000000 \"\" ICON \"Home 1\"", "LINES")
-                .homes()
+                .items(Home.class)
                 .get(0);
         assertEquals(new Position(1.5, -0.25), home.position());
         assertEquals(Math.PI / 2, home.headingRadians(), 1e-15);
@@ -89,7 +89,7 @@ class MapReaderTest {
     @Test
     void aHomeAreaIsTurnedAboutTheMapsOrigin() throws Exception {
         Home home = read("2D-Map", "Cairn: RobotHome 0 2000 90 \"\" ICON \"Home\" 1000 -500 3000 500", "LINES")
-                .homes()
+                .items(Home.class)
                 .get(0);
         assertTrue(home.area().orElseThrow().contains(0, 2));
         assertTrue(!home.area().orElseThrow().contains(2, 0));
@@ -99,7 +99,7 @@ class MapReaderTest {
     @Test
     void aHomeAreaWhosePointLiesOutsideStartsInItsMiddle() throws Exception {
         Home home = read("2D-Map", "Cairn: RobotHome 0 0 0 \"\" ICON \"Home\" 1000 1000 3000 2000", "LINES")
-                .homes()
+                .items(Home.class)
                 .get(0);
         assertEquals(new Position(2, 1.5), home.position());
     }
@@ -112,24 +112,24 @@ class MapReaderTest {
                 "Cairn: ForbiddenArea 0 0 0 \"\" ICON \"\" 2000 2000 1000 1000",
                 "Cairn: GoalWithHeading 100 200 45 \"\" ICON \"Door\"",
                 "LINES");
-        assertEquals(List.of(new Segment(0, 0, 1, 0)), world.forbiddenLines());
-        assertEquals(List.of(new Area(1, 1, 2, 2, 0)), world.forbiddenAreas());
-        assertEquals("Door", world.goals().get(0).name());
-        assertEquals(0, world.segments().size());
+        assertEquals(List.of(new ForbiddenLine(new Segment(0, 0, 1, 0))), world.items(ForbiddenLine.class));
+        assertEquals(List.of(new ForbiddenArea(new Area(1, 1, 2, 2, 0))), world.items(ForbiddenArea.class));
+        assertEquals("Door", world.items(Goal.class).get(0).name());
+        assertEquals(0, world.items(Segment.class).size());
     }
 
     @Test
     void aBoxIsAnObstacleWithFourSidesButNoLineOfTheMap() throws Exception {
         World world = read("2D-Map", "Cairn: Sim.BoxObstacle 0 0 0 \"\" ICON \"Desk\" 0 0 1000 500", "LINES");
-        assertEquals(0, world.segments().size());
+        assertEquals(0, world.items(Segment.class).size());
         assertEquals(4, world.obstacles().size());
-        assertEquals("Desk", world.boxes().get(0).name());
+        assertEquals("Desk", world.items(Box.class).get(0).name());
     }
 
     @Test
     void aTreadmillRunsAlongItsHeadingAndItsCornersAreNotTurned() throws Exception {
         Treadmill belt = read("2D-Map", "Cairn: Sim.Treadmill 0 0 90 \"\" ICON \"v=-300\" 1000 0 2000 500", "LINES")
-                .treadmills()
+                .items(Treadmill.class)
                 .get(0);
         assertTrue(belt.area().contains(1.5, 0.25));
         assertEquals(0, belt.velocityX(), 1e-15);
@@ -139,7 +139,7 @@ class MapReaderTest {
     @Test
     void aNameMayHoldBlanksAndQuotes() throws Exception {
         World world = read("2D-Map", "Cairn: Goal 0 0 0 \"what \\\"this\\\" is\" ICON \"Don't \\\"stop\\\"\"", "LINES");
-        assertEquals("Don't \"stop\"", world.goals().get(0).name());
+        assertEquals("Don't \"stop\"", world.items(Goal.class).get(0).name());
     }
 
     @ParameterizedTest
@@ -161,7 +161,8 @@ class MapReaderTest {
 
     @Test
     void aPointTakesTwoNumbersOrAThirdForReflectance() throws Exception {
-        assertEquals(2, read("2D-Map", "DATA", "1 2", "3 4 33").points().size());
+        assertEquals(
+                2, read("2D-Map", "DATA", "1 2", "3 4 33").items(Point.class).size());
         assertTrue(fault("2D-Map", "DATA", "1").getMessage().contains("y in mm"));
         assertTrue(fault("2D-Map", "DATA", "1 2 3 4").getMessage().contains("the end of the line"));
     }

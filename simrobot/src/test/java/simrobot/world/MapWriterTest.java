@@ -42,19 +42,21 @@ class MapWriterTest {
     void wallsAndPointsOfAnyCoordinatesSurviveToTheLastBit() throws Exception {
         Random random = new Random(7);
         List<Segment> walls = new ArrayList<>();
-        List<Position> points = new ArrayList<>();
+        List<Point> points = new ArrayList<>();
         for (int i = 0; i < 2000; i++) {
             double scale = Math.pow(10, random.nextInt(12) - 6);
             walls.add(new Segment(
                     scale * random.nextGaussian(), scale * random.nextGaussian(), i / 1000.0, -0.1 * i - 0.1));
-            points.add(new Position(scale * random.nextGaussian(), Math.nextUp(i / 3.0)));
+            points.add(new Point(scale * random.nextGaussian(), Math.nextUp(i / 3.0)));
         }
-        World world =
-                new World("w", walls, points, 0.05, List.of(), List.of(), List.of(), List.of(), List.of(), List.of());
+        WorldBuilder builder = new WorldBuilder("w").pointDiameter(0.05);
+        walls.forEach(builder::add);
+        points.forEach(builder::add);
+        World world = builder.build();
         World again = again(world);
         for (int i = 0; i < walls.size(); i++) {
-            assertEquals(walls.get(i), again.segments().get(i));
-            assertEquals(points.get(i), again.points().get(i));
+            assertEquals(walls.get(i), again.items(Segment.class).get(i));
+            assertEquals(points.get(i), again.items(Point.class).get(i));
         }
     }
 
@@ -63,7 +65,7 @@ class MapWriterTest {
         World nested = SaphiraReader.read(
                 "n.wld",
                 "push 100.5 -20 33.3\r\npush 7 8 -121.7\r\n0 0 1000 0\r\n3 4 5.25 6\r\npop\r\n1 2 3 4\r\npop\r\n");
-        assertEquals(nested.segments(), again(nested).segments());
+        assertEquals(nested.items(Segment.class), again(nested).items(Segment.class));
     }
 
     @Test
@@ -82,14 +84,14 @@ class MapWriterTest {
                         + "LINES\r\n0 0 1000.125 -2.5e2\r\nDATA\r\n1 2\r\n");
         World again = again(world);
         assertEquals(world, again);
-        assertEquals("My \"home\"", again.homes().get(0).name());
+        assertEquals("My \"home\"", again.items(Home.class).get(0).name());
         assertEquals(0.03, again.pointDiameterMeters());
-        assertEquals("GoalWithHeading", again.goals().get(0).type());
+        assertEquals("GoalWithHeading", again.items(Goal.class).get(0).type());
     }
 
     @Test
     void headersTellWhatIsThere() {
-        String text = MapWriter.text(World.ofSegments("w", List.of(new Segment(-1, 0.5, 2, 0.3))));
+        String text = MapWriter.text(World.of("w", List.of(new Segment(-1, 0.5, 2, 0.3))));
         assertTrue(text.startsWith("2D-Map\nLineMinPos: -1000 300\nLineMaxPos: 2000 500\nNumLines: 1\n"), text);
         assertTrue(text.endsWith("LINES\n-1000 500 2000 300\nDATA\n"), text);
     }
@@ -104,15 +106,15 @@ class MapWriterTest {
     @Test
     void aFileIsSavedAndReplaced() throws Exception {
         Path file = folder.resolve("w.map");
-        World first = World.ofSegments("w.map", List.of(new Segment(0, 0, 1, 0)));
+        World first = World.of("w.map", List.of(new Segment(0, 0, 1, 0)));
         MapWriter.save(first, file);
         assertEquals(first, WorldReader.read(file));
         World second = first.toBuilder()
                 .add(new Home("A", new Position(1, 2), 0.5, Optional.empty()))
                 .build();
         MapWriter.save(second, file);
-        assertEquals(second.segments(), WorldReader.read(file).segments());
-        assertEquals("A", WorldReader.read(file).homes().get(0).name());
+        assertEquals(second.items(Segment.class), WorldReader.read(file).items(Segment.class));
+        assertEquals("A", WorldReader.read(file).items(Home.class).get(0).name());
         try (Stream<Path> left = Files.list(folder)) {
             assertEquals(List.of(file), left.toList());
         }

@@ -13,7 +13,7 @@ class MovingDiscTest {
     private static final Segment WALL = new Segment(2, -1, 2, 1);
 
     private static Contact sweep(double x, double y, double dx, double dy) {
-        return new ObstacleGrid(World.ofSegments("wall", List.of(WALL))).sweep(x, y, dx, dy, RADIUS);
+        return new ObstacleGrid(World.of("wall", List.of(WALL))).sweep(x, y, dx, dy, RADIUS);
     }
 
     @Test
@@ -57,13 +57,13 @@ class MovingDiscTest {
 
     @Test
     void anExactlyTouchingDiscMayGoAlongTheWallForKilometres() {
-        World world = World.ofSegments("wall", List.of(new Segment(-5000, RADIUS, 5000, RADIUS)));
+        World world = World.of("wall", List.of(new Segment(-5000, RADIUS, 5000, RADIUS)));
         assertFalse(new ObstacleGrid(world).sweep(-4000, 0, 8000, 0, RADIUS).touches());
     }
 
     @Test
     void aDiscBetweenTwoTouchingWallsMayLeaveAndNothingElse() {
-        World world = World.ofSegments("corner", List.of(new Segment(0, 0, 5, 0), new Segment(0, 0, 0, 5)));
+        World world = World.of("corner", List.of(new Segment(0, 0, 5, 0), new Segment(0, 0, 0, 5)));
         ObstacleGrid grid = new ObstacleGrid(world);
         double r = RADIUS + 1e-7;
         assertEquals(0, grid.sweep(r, r, -1, 0, RADIUS).fraction());
@@ -86,7 +86,7 @@ class MovingDiscTest {
             boolean point = i % 3 == 0;
             Segment obstacle =
                     point ? new Segment(wall.x1Meters(), wall.y1Meters(), wall.x1Meters(), wall.y1Meters()) : wall;
-            ObstacleGrid grid = new ObstacleGrid(World.ofSegments("random", List.of(obstacle)));
+            ObstacleGrid grid = new ObstacleGrid(World.of("random", List.of(obstacle)));
             double x = random.nextGaussian() * 4;
             double y = random.nextGaussian() * 4;
             double length = Math.pow(10, -3 + 4 * random.nextDouble());

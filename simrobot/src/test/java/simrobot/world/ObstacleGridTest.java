@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class ObstacleGridTest {
     private final Random random = new Random(11);
     private final List<Segment> walls = new ArrayList<>();
-    private final List<Position> points = new ArrayList<>();
+    private final List<Point> points = new ArrayList<>();
     private ObstacleGrid grid;
 
     @BeforeEach
@@ -26,11 +26,16 @@ class ObstacleGridTest {
             boolean upright = i % 3 == 0;
             walls.add(new Segment(
                     x, y, upright ? x : x + random.nextGaussian() * 3, i % 3 == 1 ? y : y + random.nextGaussian() * 3));
-            points.add(new Position(random.nextDouble() * 40 - 20, random.nextDouble() * 30 - 10));
+            points.add(new Point(random.nextDouble() * 40 - 20, random.nextDouble() * 30 - 10));
         }
-        World bare = World.bare();
-        grid = new ObstacleGrid(new World(
-                "random", walls, points, 0.02, List.of(), List.of(), List.of(), List.of(), List.of(), bare.goals()));
+        grid = grid(walls, points);
+    }
+
+    private static ObstacleGrid grid(List<Segment> walls, List<Point> points) {
+        WorldBuilder builder = new WorldBuilder("grid");
+        walls.forEach(builder::add);
+        points.forEach(builder::add);
+        return new ObstacleGrid(builder.build());
     }
 
     @Test
@@ -47,7 +52,7 @@ class ObstacleGridTest {
                         expected,
                         Distances.alongRay(x, y, ux, uy, s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
             }
-            for (Position p : points) {
+            for (Point p : points) {
                 expected = Math.min(expected, Distances.alongRayToDisc(x, y, ux, uy, p.xMeters(), p.yMeters(), 0.01));
             }
             assertEquals(expected, grid.rayRange(x, y, ux, uy, 8), 1e-12);
@@ -69,7 +74,7 @@ class ObstacleGridTest {
                 expected = Math.min(
                         expected, cone.distanceToSegment(s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
             }
-            for (Position p : points) {
+            for (Point p : points) {
                 expected = Math.min(expected, cone.distanceToPoint(p.xMeters(), p.yMeters()));
             }
             assertEquals(expected, nearby.coneRange(cone, 5), 1e-12);
@@ -86,7 +91,7 @@ class ObstacleGridTest {
                 expected = Math.min(
                         expected, Distances.toSegment(x, y, s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
             }
-            for (Position p : points) {
+            for (Point p : points) {
                 expected = Math.min(expected, Math.hypot(p.xMeters() - x, p.yMeters() - y));
             }
             assertEquals(expected, grid.clearance(x, y, 0.7), 1e-12);
@@ -128,7 +133,7 @@ class ObstacleGridTest {
 
     @Test
     void aPlaceThatIsExactlyOneRadiusAwayIsFree() {
-        ObstacleGrid wall = new ObstacleGrid(World.ofSegments("wall", List.of(new Segment(0, 0, 4, 0))));
+        ObstacleGrid wall = new ObstacleGrid(World.of("wall", List.of(new Segment(0, 0, 4, 0))));
         assertTrue(wall.isFree(2, 0.25, 0.25));
         assertFalse(wall.isFree(2, 0.24999, 0.25));
         assertTrue(wall.isFree(4.25, 0, 0.25));
@@ -162,7 +167,7 @@ class ObstacleGridTest {
             expected = Math.min(
                     expected, Distances.alongRay(x, y, ux, uy, s.x1Meters(), s.y1Meters(), s.x2Meters(), s.y2Meters()));
         }
-        for (Position p : points) {
+        for (Point p : points) {
             expected = Math.min(expected, Distances.alongRayToDisc(x, y, ux, uy, p.xMeters(), p.yMeters(), 0.01));
         }
         assertEquals(expected, grid.rayRange(x, y, ux, uy, max), 1e-9);
@@ -196,13 +201,9 @@ class ObstacleGridTest {
         for (int i = 0; i <= 20; i++) {
             walls.add(new Segment(i * 0.5, i % 2, i * 0.5, i % 2 + 0.5));
             walls.add(new Segment(i % 3, i * 0.5, i % 3 + 0.5, i * 0.5));
-            points.add(new Position(i * 0.5, 10 - i * 0.5));
+            points.add(new Point(i * 0.5, 10 - i * 0.5));
         }
-        WorldBuilder builder = new WorldBuilder("squares");
-        walls.forEach(builder::add);
-        builder.points.addAll(points);
-        builder.pointDiameterMeters = 0.02;
-        grid = new ObstacleGrid(builder.build());
+        grid = grid(walls, points);
         for (int i = 0; i < 4000; i++) {
             double x = Math.rint(random.nextDouble() * 48 - 4) / 4;
             double y = Math.rint(random.nextDouble() * 48 - 4) / 4;
@@ -222,8 +223,8 @@ class ObstacleGridTest {
 
     @Test
     void aWorldOfContinentalSizeStaysWithinItsCells() {
-        ObstacleGrid huge = new ObstacleGrid(
-                World.ofSegments("huge", List.of(new Segment(0, 0, 4e6, 3e6), new Segment(1, 0, 1, 1))));
+        ObstacleGrid huge =
+                new ObstacleGrid(World.of("huge", List.of(new Segment(0, 0, 4e6, 3e6), new Segment(1, 0, 1, 1))));
         assertEquals(0.5, huge.rayRange(0.5, 0.1, 1, 0, 5), 0.4);
         assertTrue(huge.sweep(2, 0.9, -1, 0, 0.25).touches());
     }

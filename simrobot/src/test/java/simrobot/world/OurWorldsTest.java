@@ -29,24 +29,24 @@ class OurWorldsTest {
     void loadsWithHomesThatAreFree(Path file) throws Exception {
         World world = WorldReader.read(file);
         ObstacleGrid grid = new ObstacleGrid(world);
-        assertFalse(world.homes().isEmpty());
-        for (Home home : world.homes()) {
+        assertFalse(world.items(Home.class).isEmpty());
+        for (Home home : world.items(Home.class)) {
             double gap =
                     grid.clearance(home.position().xMeters(), home.position().yMeters(), 1);
             assertTrue(gap >= 0.3, home + " is " + gap + " m from an obstacle");
         }
         assertEquals(
-                world.homes().size(),
-                world.homes().stream().map(Home::name).distinct().count());
+                world.items(Home.class).size(),
+                world.items(Home.class).stream().map(Home::name).distinct().count());
     }
 
     @Test
     void theEmptyHallIsTwentyMetresSquareWithTheHomeInItsMiddle() throws Exception {
         World hall = WorldReader.read(FOLDER.resolve("empty.map"));
         assertEquals(new Area(-10, -10, 10, 10, 0), hall.bounds());
-        assertEquals(new Position(0, 0), hall.homes().get(0).position());
-        assertEquals(0, hall.homes().get(0).headingRadians());
-        assertEquals(4, hall.segments().size());
+        assertEquals(new Position(0, 0), hall.items(Home.class).get(0).position());
+        assertEquals(0, hall.items(Home.class).get(0).headingRadians());
+        assertEquals(4, hall.items(Segment.class).size());
     }
 
     @Test

@@ -21,24 +21,25 @@ class SaphiraReaderTest {
     @Test
     void fourNumbersAreAWallAndWidthAndHeightAreNone() throws Exception {
         World world = read("; a world", "width 10000", "height 8000", "0 0 1000 0 ; south");
-        assertEquals(1, world.segments().size());
-        assertSegment(0, 0, 1, 0, world.segments().get(0));
+        assertEquals(1, world.items(Segment.class).size());
+        assertSegment(0, 0, 1, 0, world.items(Segment.class).get(0));
     }
 
     @Test
     void nestedFramesAreOffsetFirstThenTurned() throws Exception {
         World world = read(
                 "push 1000 0 90", "0 0 500 0", "push 200 0 90", "0 0 100 0", "pop", "0 0 0 300", "pop", "0 0 10 0");
-        assertSegment(1, 0, 1, 0.5, world.segments().get(0));
-        assertSegment(1, 0.2, 0.9, 0.2, world.segments().get(1));
-        assertSegment(1, 0, 0.7, 0, world.segments().get(2));
-        assertSegment(0, 0, 0.01, 0, world.segments().get(3));
+        assertSegment(1, 0, 1, 0.5, world.items(Segment.class).get(0));
+        assertSegment(1, 0.2, 0.9, 0.2, world.items(Segment.class).get(1));
+        assertSegment(1, 0, 0.7, 0, world.items(Segment.class).get(2));
+        assertSegment(0, 0, 0.01, 0, world.items(Segment.class).get(3));
     }
 
     @Test
     void thePositionIsAHomeInItsFrame() throws Exception {
-        Home home =
-                read("push 1000 1000 90", "position 100 0 45", "pop").homes().get(0);
+        Home home = read("push 1000 1000 90", "position 100 0 45", "pop")
+                .items(Home.class)
+                .get(0);
         assertEquals(1, home.position().xMeters(), 1e-12);
         assertEquals(1.1, home.position().yMeters(), 1e-12);
         assertEquals(Math.toRadians(135), home.headingRadians(), 1e-12);

@@ -21,12 +21,11 @@ class WorldTest {
     private static World withAll() {
         WorldBuilder builder = new WorldBuilder("all");
         builder.add(WALL).add(BOX).add(HOME).add(BELT);
-        builder.points.add(new Position(11, -12));
-        builder.forbiddenLines.add(new Segment(-13, 14, 0, 0));
-        builder.forbiddenAreas.add(new Area(0, 0, 15, 16, 0));
-        builder.goals.add(new Goal("Goal", "B", new Position(-17, -18), 0));
-        builder.pointDiameterMeters = 0.05;
-        return builder.build();
+        builder.add(new Point(11, -12));
+        builder.add(new ForbiddenLine(new Segment(-13, 14, 0, 0)));
+        builder.add(new ForbiddenArea(new Area(0, 0, 15, 16, 0)));
+        builder.add(new Goal("Goal", "B", new Position(-17, -18), 0));
+        return builder.pointDiameter(0.05).build();
     }
 
     static Stream<Consumer<WorldBuilder>> thingsAtThreeFiveAndSevenNine() {
@@ -37,11 +36,11 @@ class WorldTest {
                 world -> world.add(new Treadmill(new Area(3, 5, 7, 9, 0), 1, 0)),
                 world -> world.add(new Home("", new Position(3, 9), 0, Optional.empty()))
                         .add(new Home("", new Position(7, 5), 0, Optional.empty())),
-                world -> world.points.addAll(List.of(new Position(3, 9), new Position(7, 5))),
-                world -> world.forbiddenLines.add(new Segment(3, 9, 7, 5)),
-                world -> world.forbiddenAreas.add(new Area(3, 5, 7, 9, 0)),
-                world -> world.goals.addAll(List.of(
-                        new Goal("Goal", "", new Position(7, 9), 0), new Goal("Dock", "", new Position(3, 5), 0))));
+                world -> world.add(new Point(3, 9)).add(new Point(7, 5)),
+                world -> world.add(new ForbiddenLine(new Segment(3, 9, 7, 5))),
+                world -> world.add(new ForbiddenArea(new Area(3, 5, 7, 9, 0))),
+                world -> world.add(new Goal("Goal", "", new Position(7, 9), 0))
+                        .add(new Goal("Dock", "", new Position(3, 5), 0)));
     }
 
     @ParameterizedTest
@@ -70,7 +69,7 @@ class WorldTest {
     @Test
     void aWorldOfASinglePointHasBoundsWithoutExtent() {
         WorldBuilder builder = new WorldBuilder("point");
-        builder.points.add(new Position(2, 3));
+        builder.add(new Point(2, 3));
         assertEquals(new Area(2, 3, 2, 3, 0), builder.build().bounds());
     }
 
@@ -88,8 +87,7 @@ class WorldTest {
     })
     void theGroundIsTheBoundsIfTheyEncloseAMeterInBothDirections(
             double x1, double y1, double x2, double y2, double left, double low, double right, double high) {
-        Area ground =
-                World.ofSegments("wall", List.of(new Segment(x1, y1, x2, y2))).ground();
+        Area ground = World.of("wall", List.of(new Segment(x1, y1, x2, y2))).ground();
         assertEquals(left, ground.minXMeters(), 1e-12);
         assertEquals(low, ground.minYMeters(), 1e-12);
         assertEquals(right, ground.maxXMeters(), 1e-12);
@@ -118,15 +116,15 @@ class WorldTest {
     void itemsAreAddedReplacedAndRemovedByType() {
         Segment other = new Segment(0, 0, 1, 0);
         World world = withAll().toBuilder().add(other).set(0, other).build();
-        assertEquals(List.of(other, other), world.segments());
-        assertEquals(List.of(BOX), world.boxes());
+        assertEquals(List.of(other, other), world.items(Segment.class));
+        assertEquals(List.of(BOX), world.items(Box.class));
         assertEquals(
                 List.of(),
                 world.toBuilder()
                         .remove(Home.class, 0)
                         .remove(Box.class, 0)
                         .build()
-                        .boxes());
+                        .items(Box.class));
     }
 
     @Test
@@ -140,11 +138,11 @@ class WorldTest {
     @Test
     void aPointHasADiameterOfZeroOrMore() {
         WorldBuilder builder = new WorldBuilder("points");
-        builder.pointDiameterMeters = 0;
+        builder.pointDiameter(0);
         assertEquals(0, builder.build().pointDiameterMeters());
-        builder.pointDiameterMeters = -0.01;
+        builder.pointDiameter(-0.01);
         assertThrows(IllegalArgumentException.class, builder::build);
-        builder.pointDiameterMeters = Double.NaN;
+        builder.pointDiameter(Double.NaN);
         assertThrows(IllegalArgumentException.class, builder::build);
     }
 }

@@ -11,6 +11,7 @@ import simrobot.editor.Edits;
 import simrobot.editor.Handle;
 import simrobot.editor.Item;
 import simrobot.editor.Picking;
+import simrobot.world.ItemKind;
 import simrobot.world.Position;
 import simrobot.world.World;
 
@@ -85,7 +86,7 @@ final class EditorMouse extends MouseAdapter {
             return;
         }
         Draft draft = view.draft();
-        if (draws && view.tool() == EditorTool.HOME) {
+        if (draws && view.tool().draws(ItemKind.Shape.PLACE)) {
             drag.accept(event);
         }
         drag = null;
@@ -119,13 +120,12 @@ final class EditorMouse extends MouseAdapter {
 
     private void draw(Position from, MouseEvent event) {
         EditorTool tool = view.tool();
-        Position to = tool == EditorTool.HOME
+        boolean isPlace = tool.draws(ItemKind.Shape.PLACE);
+        Position to = isPlace
                 ? at(event)
-                : event.isShiftDown() && tool != EditorTool.BOX ? straight(from, event) : snapped(event);
-        if (tool == EditorTool.HOME || distance(from, to) > LEAST_METERS) {
-            view.draft()
-                    .preview(
-                            EditorItems.made(before, tool, from.xMeters(), from.yMeters(), to.xMeters(), to.yMeters()));
+                : event.isShiftDown() && tool.draws(ItemKind.Shape.LINE) ? straight(from, event) : snapped(event);
+        if (isPlace || distance(from, to) > LEAST_METERS) {
+            view.draft().preview(Edits.with(before, tool.kind().drawn(before, from, to)));
         } else {
             view.draft().discard();
         }
@@ -142,13 +142,13 @@ final class EditorMouse extends MouseAdapter {
     private void pull(Handle handle, MouseEvent event) {
         Item item = handle.item();
         Position to = at(event);
-        if (item.kind() == Item.Kind.WALL) {
+        if (item.kind().shape() == ItemKind.Shape.LINE) {
             Position fixed =
                     Edits.handles(before, item).get(1 - handle.number()).place();
             // without the wall itself, so that its end does not snap to where it was
             to = event.isShiftDown() ? straight(fixed, event) : snapped(event, Edits.without(before, item));
             view.point(to, measure(fixed, to));
-        } else if (item.kind() != Item.Kind.HOME) {
+        } else if (item.kind().shape() == ItemKind.Shape.AREA) {
             to = snapped(event);
             view.point(to, reading(to.xMeters(), to.yMeters()));
         }

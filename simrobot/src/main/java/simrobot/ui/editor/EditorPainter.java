@@ -13,10 +13,8 @@ import simrobot.editor.Handle;
 import simrobot.editor.Item;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.simulation.RobotSnapshot;
-import simrobot.world.Box;
 import simrobot.world.Home;
 import simrobot.world.Position;
-import simrobot.world.Segment;
 import simrobot.world.World;
 import simrobot.world.WorldItem;
 
@@ -30,16 +28,12 @@ final class EditorPainter {
         this.view = view;
     }
 
-    /** One item by itself; treadmills are painted with all others. */
+    /** One item by itself; surfaces are painted with all others. */
     void item(WorldItem item) {
         FloorPainter floor = new FloorPainter(g, view);
-        if (item instanceof Segment wall) {
-            floor.walls(List.of(wall));
-        } else if (item instanceof Box box) {
-            floor.box(box);
-        } else if (item instanceof Home home) {
-            floor.home(home);
-        }
+        World alone = World.of("", List.of(item));
+        floor.markings(alone);
+        floor.obstacles(alone);
     }
 
     /** A dot at each place of the raster, while they are at least 7 units apart. */

@@ -4,7 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
-import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -48,7 +48,7 @@ public final class EditorPanel extends JPanel {
     private final ItemSidebar sidebar;
     private final TextLine title = new TextLine("editor.file", Theme::title, Ink.TEXT);
     private final TextLine state = new TextLine("editor.state", Theme::base, Ink.QUIET).overTwoRows();
-    private final Map<EditorTool, JToggleButton> tools = new EnumMap<>(EditorTool.class);
+    private final Map<EditorTool, JToggleButton> tools = new HashMap<>();
     private final UserAction undo;
     private final UserAction redo;
     private final UserAction delete;
@@ -100,7 +100,7 @@ public final class EditorPanel extends JPanel {
     private JPanel toolRow() {
         JPanel row = Arrange.row(Theme.HALF);
         ButtonGroup one = new ButtonGroup();
-        for (EditorTool tool : EditorTool.values()) {
+        for (EditorTool tool : EditorTool.ALL) {
             String name = texts.of("editor.tool." + tool.id());
             UserAction action = new UserAction("editor.tool." + tool.id(), name, () -> {
                         floor.setTool(tool);
@@ -170,7 +170,7 @@ public final class EditorPanel extends JPanel {
         restoring.setVisible(left.isPresent());
         floor.edit(new Draft(world), robots);
         report(left.isPresent() ? texts.of("editor.left", place.getFileName()) : "", false);
-        floor.setTool(isThere ? EditorTool.SELECT : EditorTool.WALL);
+        floor.setTool(EditorTool.ALL.get(isThere ? 0 : 1));
         floor.requestFocusInWindow();
     }
 

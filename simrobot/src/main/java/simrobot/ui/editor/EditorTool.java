@@ -1,44 +1,49 @@
 package simrobot.ui.editor;
 
 import java.awt.event.KeyEvent;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import simgsm.ui.Symbol;
-import simrobot.editor.Item;
+import simrobot.world.ItemKind;
+import simrobot.world.ItemKinds;
 
-/** The tools of the editor. */
-public enum EditorTool {
-    SELECT(Symbol.POINTER, KeyEvent.VK_V, null),
-    WALL(Symbol.WALL, KeyEvent.VK_W, Item.Kind.WALL),
-    BOX(Symbol.BOX, KeyEvent.VK_B, Item.Kind.BOX),
-    HOME(Symbol.HOME, KeyEvent.VK_H, Item.Kind.HOME),
-    TREADMILL(Symbol.TREADMILL, KeyEvent.VK_T, Item.Kind.TREADMILL);
+/**
+ * A tool of the editor.
+ *
+ * @param kind what it draws; null for the tool that selects
+ */
+public record EditorTool(ItemKind<?> kind) {
+    static final EditorTool SELECT = new EditorTool(null);
 
-    private final Symbol symbol;
-    private final int key;
-    private final Item.Kind kind;
+    /** The tool that selects, then one for each kind that can be drawn. */
+    public static final List<EditorTool> ALL = Stream.concat(
+                    Stream.of(SELECT), ItemKinds.edited().map(EditorTool::new))
+            .toList();
 
-    EditorTool(Symbol symbol, int key, Item.Kind kind) {
-        this.symbol = symbol;
-        this.key = key;
-        this.kind = kind;
+    /** True if it draws a kind of this shape. */
+    boolean draws(ItemKind.Shape shape) {
+        return kind != null && kind.shape() == shape;
     }
 
+    /** The symbol with the kind's name; a box where there is none. */
     Symbol symbol() {
-        return symbol;
+        return kind == null
+                ? Symbol.POINTER
+                : Arrays.stream(Symbol.values())
+                        .filter(symbol -> symbol.name().equals(id().toUpperCase(Locale.ROOT)))
+                        .findFirst()
+                        .orElse(Symbol.BOX);
     }
 
-    /** The key that, with Alt, selects the tool. */
+    /** The key that, with Alt, selects the tool: V, or the first letter of the kind's English word. */
     int key() {
-        return key;
-    }
-
-    /** What it makes; null for SELECT. */
-    Item.Kind kind() {
-        return kind;
+        return kind == null ? KeyEvent.VK_V : KeyEvent.getExtendedKeyCodeForChar(id().charAt(0));
     }
 
     /** Part of the keys of its texts and of its component's name. */
     public String id() {
-        return name().toLowerCase(Locale.ROOT);
+        return kind == null ? "select" : kind.word();
     }
 }

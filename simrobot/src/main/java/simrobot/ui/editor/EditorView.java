@@ -20,6 +20,7 @@ import simrobot.ui.floor.FloorCache;
 import simrobot.ui.floor.FloorView;
 import simrobot.world.Area;
 import simrobot.world.Home;
+import simrobot.world.ItemKind;
 import simrobot.world.Position;
 import simrobot.world.World;
 
@@ -140,7 +141,8 @@ final class EditorView extends FloorView {
         if (tool.kind() != null) {
             double x = snap.of(viewport().centerX());
             double y = snap.of(viewport().centerY());
-            World next = EditorItems.made(draft.committed(), tool, x, y, x + 1, y + (tool == EditorTool.WALL ? 0 : 1));
+            Position to = new Position(x + 1, y + (tool.draws(ItemKind.Shape.LINE) ? 0 : 1));
+            World next = Edits.with(draft.committed(), tool.kind().drawn(draft.committed(), new Position(x, y), to));
             draft.change(next);
             draft.select(Edits.last(next, tool.kind()));
             fireChanged();
@@ -198,9 +200,10 @@ final class EditorView extends FloorView {
         EditorPainter painter = new EditorPainter(g, viewport());
         draft.moving().ifPresent(item -> painter.item(Edits.get(draft.world(), item)));
         painter.raster(snap.stepMeters());
-        new FloorPainter(g, viewport()).treadmills(draft.world(), 0);
-        painter.blocked(
-                blockedHomes().stream().filter(draft.world().homes()::contains).toList());
+        new FloorPainter(g, viewport()).surfaces(draft.world(), 0);
+        painter.blocked(blockedHomes().stream()
+                .filter(draft.world().items(Home.class)::contains)
+                .toList());
         painter.robots(robots);
         draft.selected().ifPresent(item -> painter.selection(draft.world(), item));
         if (pointer != null) {

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.Surface;
 
 /** Finds out whether two snapshots look the same but for the clock, so that a floor at rest is not painted again. */
 final class SnapshotComparison {
@@ -14,7 +15,7 @@ final class SnapshotComparison {
 
     static boolean looksTheSame(SimulationSnapshot before, SimulationSnapshot now) {
         return before.world() == now.world()
-                && now.world().treadmills().isEmpty()
+                && now.world().surfaces().stream().noneMatch(Surface::isMoving)
                 && before.timeNanos() / FADE_NANOS == now.timeNanos() / FADE_NANOS
                 && sameRobots(before.robots(), now.robots());
     }

@@ -34,8 +34,11 @@ import simrobot.editor.Item;
 import simrobot.ui.panel.WindowBench;
 import simrobot.ui.panel.WorldChoice;
 import simrobot.world.Area;
+import simrobot.world.Box;
+import simrobot.world.Home;
 import simrobot.world.MapWriter;
 import simrobot.world.Segment;
+import simrobot.world.Treadmill;
 import simrobot.world.World;
 import simrobot.world.WorldReader;
 
@@ -80,7 +83,7 @@ class EditorPanelTest {
     }
 
     private List<Segment> walls() {
-        return floor.draft().world().segments();
+        return floor.draft().world().items(Segment.class);
     }
 
     @Test
@@ -97,8 +100,7 @@ class EditorPanelTest {
         bench.click("editor.tool.wall");
         drag(1.01, 2.01, 3.99, 3.01, 0);
         assertEquals(new Segment(1, 2, 4, 3), walls().get(before));
-        assertEquals(
-                Optional.of(new Item(Item.Kind.WALL, before)), floor.draft().selected());
+        assertEquals(Optional.of(new Item(Segment.KIND, before)), floor.draft().selected());
         assertEquals("4", field("x2").getText());
         bench.click("editor.undo");
         assertEquals(before, walls().size());
@@ -124,11 +126,15 @@ class EditorPanelTest {
         drag(-4, -4, -2, -3, 0);
         var world = floor.draft().world();
         assertEquals(
-                90, Math.toDegrees(world.homes().get(world.homes().size() - 1).headingRadians()), 3);
-        assertEquals(1, world.boxes().size());
-        assertEquals(1, world.treadmills().size());
+                90,
+                Math.toDegrees(world.items(Home.class)
+                        .get(world.items(Home.class).size() - 1)
+                        .headingRadians()),
+                3);
+        assertEquals(1, world.items(Box.class).size());
+        assertEquals(1, world.items(Treadmill.class).size());
         type("speed", "-0.5");
-        assertEquals(-0.5, floor.draft().world().treadmills().get(0).speedMetersPerSecond());
+        assertEquals(-0.5, floor.draft().world().items(Treadmill.class).get(0).speedMetersPerSecond());
         type("speed", "fast");
         assertEquals("speed, m/s: expected a number, found fast", bench.spoken("editor.problem"));
     }
@@ -237,7 +243,7 @@ class EditorPanelTest {
         drag(x - 1, y, x + 1, y, 0);
         bench.click("editor.apply");
         bench.settle();
-        assertEquals(walls(), bench.simulation.world().segments());
+        assertEquals(walls(), bench.simulation.world().items(Segment.class));
         assertTrue(Math.abs(robot.yMeters() - y) >= 0.25 || Math.abs(robot.xMeters() - x) >= 1);
         assertFalse(bench.component("editor.apply").isEnabled());
     }
@@ -267,9 +273,9 @@ class EditorPanelTest {
     void aBoxIsMadeLargerByKeys() {
         press(editor(), JComponent.WHEN_IN_FOCUSED_WINDOW, KeyEvent.VK_B, InputEvent.ALT_DOWN_MASK);
         key(KeyEvent.VK_ENTER, 0);
-        Area made = floor.draft().world().boxes().get(0).area();
+        Area made = floor.draft().world().items(Box.class).get(0).area();
         key(KeyEvent.VK_RIGHT, InputEvent.SHIFT_DOWN_MASK);
-        Area larger = floor.draft().world().boxes().get(0).area();
+        Area larger = floor.draft().world().items(Box.class).get(0).area();
         assertEquals(made.maxXMeters() + 0.1, larger.maxXMeters(), 1e-9);
         assertEquals(made.minXMeters(), larger.minXMeters(), 1e-9);
     }

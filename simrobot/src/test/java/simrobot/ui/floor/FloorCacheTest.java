@@ -18,6 +18,7 @@ import simrobot.drawing.Viewport;
 import simrobot.world.Area;
 import simrobot.world.Box;
 import simrobot.world.Home;
+import simrobot.world.Point;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
@@ -41,9 +42,9 @@ class FloorCacheTest {
             double y = chance.nextDouble() * 30;
             walls.add(new Segment(x, y, x + chance.nextGaussian(), y + chance.nextGaussian()));
         }
-        WorldBuilder world = World.ofSegments("w", walls).toBuilder();
+        WorldBuilder world = World.of("w", walls).toBuilder();
         for (int i = 0; i < 500; i++) {
-            world.addPoint(new Position(chance.nextDouble() * 30, chance.nextDouble() * 30));
+            world.add(new Point(chance.nextDouble() * 30, chance.nextDouble() * 30));
         }
         return world.add(new Box("desk", new Area(8, 8, 10, 11, 0.3)))
                 .add(new Home("a home with a name", new Position(15, 15), 1, Optional.empty()))

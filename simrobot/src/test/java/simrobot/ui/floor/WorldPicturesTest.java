@@ -21,6 +21,7 @@ import simgsm.ui.Theme;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.ui.panel.WindowBench;
+import simrobot.world.Segment;
 import vericommand.Instruction;
 
 /** The world as files: pixels and lines of the same painters. */
@@ -55,7 +56,7 @@ class WorldPicturesTest {
                 DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new ByteArrayInputStream(svg));
         assertEquals("svg", document.getDocumentElement().getTagName());
         assertTrue(document.getElementsByTagName("path").getLength()
-                > office.world().segments().size());
+                > office.world().items(Segment.class).size());
         assertEquals(
                 "office.map", document.getElementsByTagName("title").item(0).getTextContent());
         String texts = "";

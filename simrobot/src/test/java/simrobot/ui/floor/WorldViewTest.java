@@ -193,7 +193,7 @@ class WorldViewTest {
     /** On the map of a whole building the robot would be a few pixels wide. */
     @Test
     void aLargeFloorIsShownAroundTheRobotFirstAndHomeShowsAllOfIt() {
-        bench.simulation.load(World.ofSegments("large", List.of(new Segment(-60, -60, 60, 60))));
+        bench.simulation.load(World.of("large", List.of(new Segment(-60, -60, 60, 60))));
         bench.show();
         assertEquals(40, view.viewport().pixelsPerMeter(), 1e-9);
         assertEquals(robot.xMeters(), view.viewport().centerX(), 1e-9);
