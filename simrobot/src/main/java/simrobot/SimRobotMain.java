@@ -176,17 +176,18 @@ public final class SimRobotMain {
             simRobot.onAdded(robot -> robot.listen(record.listener(robot.name())));
             Optional<Console> console =
                     arguments.has("console") ? Optional.of(Console.onStandardOutput()) : Optional.empty();
-            console.ifPresent(out -> {
-                simRobot.onAdded(robot -> robot.listen(event -> out.emit(event.line(robot.name()))));
-                out.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
-                window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
-            });
+            console.ifPresent(out ->
+                    simRobot.onAdded(robot -> robot.listen(event -> out.emit(event.line(robot.name())))));
             RefusalTexts refusals = new RefusalTexts(arguments.language());
             WindowModel model = new WindowModel(simRobot, built.fleet(), ports, worldFile, recent, refusals);
             model.setResolution(WorldFile.resolution(arguments));
             model.watch(record);
             simRobot.start();
             ports.start();
+            console.ifPresent(out -> {
+                out.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
+                window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
+            });
             built.behaviours().start(simRobot, event -> {
                 record.event(event);
                 console.ifPresent(printed -> printed.emit(event));
@@ -247,9 +248,9 @@ public final class SimRobotMain {
             simRobot.onAdded(robot -> robot.listen(event -> out.accept(event.line(robot.name()))));
             startRecording(record, arguments, built);
             endInOrder(simRobot, record);
-            console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             simRobot.start();
             ports.start();
+            console.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
             built.behaviours().start(simRobot, out);
             Program.runConsole(console, arguments, commands(arguments, built, out));
             return console.exitStatus();

@@ -94,6 +94,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     void start(InetSocketAddress center) {
         thread.add(station, center);
         thread.start();
+        at.ifPresent(AtPort::exchangeFirst);
     }
 
     /** The handset: its snapshot may be read on any thread, everything else runs through {@link #execute}. */

@@ -124,12 +124,12 @@ public final class PhoneMain {
                 console.isPresent() ? new PhoneEventPrinter(console.get(), texts) : event -> {};
         Phone phone = new Phone(settings, printer, sound(arguments));
         Event ready = withAtPort(arguments, phone, Event.of("ready"));
+        Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
+        phone.start(address(center));
         console.ifPresent(out -> {
             out.ready(ready);
             window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
         });
-        Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
-        phone.start(address(center));
         console.ifPresent(
                 out -> window.withConsole(() -> Program.runConsole(out, arguments, new PhoneCommands(out, phone))));
         HandsetWindow content =
@@ -146,8 +146,9 @@ public final class PhoneMain {
                 Phone phone = new Phone(settings, new PhoneEventPrinter(console, texts), sound(arguments))) {
             PhoneCommands commands = new PhoneCommands(console, phone);
             Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
-            console.ready(withAtPort(arguments, phone, Event.of("ready")));
+            Event ready = withAtPort(arguments, phone, Event.of("ready"));
             phone.start(address(center));
+            console.ready(ready);
             Program.runConsole(console, arguments, commands);
             commands.finish();
             return console.exitStatus();

@@ -97,6 +97,11 @@ final class AtPorts implements AutoCloseable {
                                 .collect(Collectors.joining(",")));
     }
 
+    /** The first robot's port, if there is one. */
+    Optional<AtPort> first() {
+        return ports.values().stream().findFirst();
+    }
+
     @Override
     public void close() {
         ports.values().forEach(AtPort::close);

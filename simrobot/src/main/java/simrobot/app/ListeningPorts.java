@@ -2,25 +2,33 @@ package simrobot.app;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
+import simgsm.modem.at.port.AtPort;
+import simgsm.net.FirstExchange;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
 import simrobot.http.WebServer;
 import simrobot.http.WebSource;
+import simrobot.p2os.P2osServer;
 import simrobot.simulation.SimulationSnapshot;
 
 /** The ports on which the program listens, as the command line names them: AT commands, P2OS and HTTP. */
 public final class ListeningPorts implements AutoCloseable {
     static final int MAX_PORT = 0xffff;
 
+    private static final byte[] STATUS = "GET /robots HTTP/1.0\r\n\r\n".getBytes(StandardCharsets.US_ASCII);
+
+    private final InetAddress address;
     private final AtPorts at;
     private final P2osPorts p2os;
     private final Optional<WebServer> web;
 
-    private ListeningPorts(AtPorts at, P2osPorts p2os, Optional<WebServer> web) {
+    private ListeningPorts(InetAddress address, AtPorts at, P2osPorts p2os, Optional<WebServer> web) {
+        this.address = address;
         this.at = at;
         this.p2os = p2os;
         this.web = web;
@@ -33,7 +41,7 @@ public final class ListeningPorts implements AutoCloseable {
         try {
             P2osPorts p2os = P2osPorts.open(arguments, address, simRobot);
             try {
-                return new ListeningPorts(at, p2os, web(arguments, address, simRobot));
+                return new ListeningPorts(address, at, p2os, web(arguments, address, simRobot));
             } catch (UsageException | IOException e) {
                 p2os.close();
                 throw e;
@@ -84,9 +92,13 @@ public final class ListeningPorts implements AutoCloseable {
         return http().map(port -> both.with("http", port)).orElse(both);
     }
 
+    /** Serves the ports; the simulation runs already. */
     public void start() {
         p2os.start();
         web.ifPresent(WebServer::start);
+        p2os.first().ifPresent(port -> FirstExchange.with(address, port, P2osServer.FIRST_REQUESTS));
+        at.first().ifPresent(AtPort::exchangeFirst);
+        http().ifPresent(port -> FirstExchange.with(address, port, STATUS));
     }
 
     @Override

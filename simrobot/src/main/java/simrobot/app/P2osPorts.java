@@ -118,6 +118,11 @@ final class P2osPorts implements AutoCloseable {
         return Optional.ofNullable(ports.get(robot));
     }
 
+    /** The first robot's port, if there is one. */
+    Optional<Integer> first() {
+        return ports.values().stream().findFirst();
+    }
+
     @Override
     public void close() {
         server.ifPresent(P2osServer::close);

@@ -41,6 +41,8 @@ public final class P2osCommandNumber {
     public static final int SIM_STAT = 237;
     public static final int SIM_MESSAGE = 238;
     public static final int BATTEST = 250;
+    /** Answer to a step of the handshake that is out of order: the client starts over. */
+    public static final int OUT_OF_ORDER = 255;
 
     private P2osCommandNumber() {}
 }

@@ -64,7 +64,6 @@ final class P2osPort {
     private void beginNext() {
         if (client == null && !waiting.isEmpty()) {
             client = waiting.remove();
-            LOG.log(Level.INFO, robot.name() + ": P2OS client connected");
             client.begin();
         }
     }
@@ -73,7 +72,6 @@ final class P2osPort {
         waiting.remove(connection);
         if (client == connection) {
             client = null;
-            LOG.log(Level.INFO, robot.name() + ": P2OS client disconnected");
             beginNext();
         }
     }

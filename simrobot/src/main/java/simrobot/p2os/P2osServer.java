@@ -19,6 +19,14 @@ import simrobot.simulation.SimulationThread;
  */
 public final class P2osServer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(P2osServer.class.getName());
+
+    /** A handshake, which changes nothing in the robot. */
+    public static final byte[][] FIRST_REQUESTS = {
+        P2osCommandCodec.packet(P2osCommandNumber.PULSE),
+        P2osCommandCodec.packet(P2osCommandNumber.OPEN),
+        P2osCommandCodec.packet(P2osCommandNumber.CLOSE)
+    };
+
     private static final int LAST_PORT = 0xFFFF;
 
     /** Period of the ports' client checks, and of the sessions' ticks while the simulation makes no steps. */

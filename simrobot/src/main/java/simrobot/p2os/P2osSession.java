@@ -1,5 +1,7 @@
 package simrobot.p2os;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.stream.IntStream;
 import simgsm.state.StateMachine;
@@ -19,6 +21,8 @@ import vericommand.Pose;
  * every 10 ms. The watchdog guards the connection, so it runs in real time.
  */
 public final class P2osSession {
+    private static final Logger LOG = System.getLogger(P2osSession.class.getName());
+
     static final int SIP_MILLIS = 100;
 
     private static final long SIP_NANOS = SIP_MILLIS * 1_000_000L;
@@ -57,6 +61,9 @@ public final class P2osSession {
     private Repetition encoders = Repetition.NEVER;
     private Repetition simulator = Repetition.NEVER;
     private boolean silent;
+    /** Whether the packet before, in the same read, was a pulse. */
+    private boolean pulsed;
+
     private long simulatedNanos;
     private long nanos;
     private volatile long receivedNanos;
@@ -87,9 +94,13 @@ public final class P2osSession {
         receivedNanos = nanos;
     }
 
-    /** Processes octets from the client; any content is valid input. */
+    /**
+     * Processes octets from the client; any content is valid input. A SYNC0 that is repeated in one read, because the answer
+     * is late, is answered once.
+     */
     public void received(byte[] octets, long nowSimulatedNanos, long nowNanos) {
         setTime(nowSimulatedNanos, nowNanos);
+        pulsed = false;
         if (machine.state() != State.ENDED) {
             reader.read(octets, nowNanos);
         }
@@ -148,8 +159,12 @@ public final class P2osSession {
             motion.setSuspended(false);
         }
         P2osCommand command = P2osCommandCodec.decode(data);
-        if (command instanceof P2osCommand.Pulse) {
-            fire(P2osEvent.PULSE_RECEIVED);
+        boolean isRepeated = pulsed;
+        pulsed = command instanceof P2osCommand.Pulse;
+        if (pulsed) {
+            if (!isRepeated) {
+                fire(P2osEvent.PULSE_RECEIVED);
+            }
         } else if (command instanceof P2osCommand.Open) {
             fire(P2osEvent.OPEN_RECEIVED);
         } else if (command instanceof P2osCommand.Close) {
@@ -168,10 +183,15 @@ public final class P2osSession {
         switch (action) {
             case ECHO_PULSE -> output.send(P2osCommandCodec.packet(P2osCommandNumber.PULSE));
             case ECHO_OPEN -> output.send(P2osCommandCodec.packet(P2osCommandNumber.OPEN));
+            case SEND_OUT_OF_ORDER -> output.send(P2osCommandCodec.packet(P2osCommandNumber.OUT_OF_ORDER));
             case SEND_NAMES -> output.send(reports.introduction());
-            case BEGIN_CONTROL -> motion.begin();
+            case BEGIN_CONTROL -> {
+                LOG.log(Level.INFO, robot.name() + ": a P2OS client takes control");
+                motion.begin();
+            }
             case SEND_INFORMATION -> sendInformation();
             case END_CONTROL -> {
+                LOG.log(Level.INFO, robot.name() + ": the P2OS client has left");
                 motion.end();
                 laser.end();
             }

@@ -25,8 +25,6 @@ final class P2osClientSession {
     private static final int MOST_SILENT_TRIES = 10;
     private static final int MOST_TRIES = 50;
     private static final int LAST_STEP = 2;
-    private static final int START_OVER_ID = 255;
-
     /** Maximum of a name in the introduction. */
     private static final int MOST_CHARACTERS = 19;
 
@@ -152,7 +150,7 @@ final class P2osClientSession {
             // an earlier client's session is still open
             line.send(P2osCommandCodec.packet(P2osCommandNumber.CLOSE));
             ask(0, nanos);
-        } else if (id == START_OVER_ID) {
+        } else if (id == P2osCommandNumber.OUT_OF_ORDER) {
             ask(0, nanos);
         } else if (id == step) {
             silentTries = 0;

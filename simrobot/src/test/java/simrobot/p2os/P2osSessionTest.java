@@ -13,6 +13,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import simrobot.process.BehaviourKind;
 import vericommand.RobotStatus;
 
 class P2osSessionTest {
@@ -44,6 +46,69 @@ class P2osSessionTest {
                 .say(1);
         assertEquals(1, bench.sips().size());
         assertEquals(11, bench.heard.size());
+    }
+
+    @Test
+    void aSyncThatIsRepeatedInOneReadIsAnsweredOnce() {
+        SessionBench bench = new SessionBench();
+        bench.say(new byte[] {
+            (byte) 0xFA,
+            (byte) 0xFB,
+            3,
+            0,
+            0,
+            0,
+            (byte) 0xFA,
+            (byte) 0xFB,
+            3,
+            0,
+            0,
+            0,
+            (byte) 0xFA,
+            (byte) 0xFB,
+            3,
+            1,
+            0,
+            1
+        });
+        assertArrayEquals(new byte[] {0}, bench.heard.get(0));
+        assertArrayEquals(new byte[] {1}, bench.heard.get(1));
+        assertEquals(2, bench.heard.size());
+    }
+
+    /** As ARIA: each step is sent, then the first unread answer counts; 255 empties the line, any other wrong one restarts. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3, 4, 7})
+    void aClientThatRepeatedSyncBeforeLateAnswersGetsInStep(int late) {
+        SessionBench bench = new SessionBench();
+        for (int i = 0; i < late; i++) {
+            bench.say(P2osCommandNumber.PULSE);
+        }
+        int step = 0;
+        for (int tries = 0; step < 3 && tries < 50; tries++) {
+            boolean waits = bench.heard.isEmpty();
+            if (waits) {
+                bench.say(step);
+            }
+            int id = bench.heard.isEmpty() ? -1 : bench.heard.remove(0)[0] & 0xFF;
+            if (id == P2osCommandNumber.OUT_OF_ORDER) {
+                bench.heard.clear();
+            }
+            int sent = step;
+            step = id == step ? step + 1 : 0;
+            if (!waits) {
+                bench.say(sent);
+            }
+        }
+        assertEquals(3, step);
+    }
+
+    @Test
+    void twoPulsesInOneReadOfAnOpenSessionChangeNothing() {
+        SessionBench bench = SessionBench.opened();
+        bench.robot.autonomy().begin(BehaviourKind.WANDER);
+        bench.say(new byte[] {(byte) 0xFA, (byte) 0xFB, 3, 0, 0, 0, (byte) 0xFA, (byte) 0xFB, 3, 0, 0, 0});
+        assertTrue(bench.robot.autonomy().isActive());
     }
 
     @Test

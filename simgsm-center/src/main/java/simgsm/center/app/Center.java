@@ -3,8 +3,10 @@ package simgsm.center.app;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -32,6 +34,7 @@ import simgsm.center.web.EventCounts;
 import simgsm.console.Event;
 import simgsm.console.FatalError;
 import simgsm.console.HostPort;
+import simgsm.net.FirstExchange;
 import simgsm.web.WebPort;
 
 /** A running centre: its data directory, its port, its thread. */
@@ -47,6 +50,8 @@ public final class Center implements AutoCloseable {
     private final Journal journal;
     private final JournalThread store;
     private final CenterLoop loop;
+    private static final String ENQUIRE_LINK = "00000010000000150000000000000001";
+
     private final CenterSettings settings;
     private final InetAddress address;
     private final AtomicReference<ExchangeSnapshot> snapshot = new AtomicReference<>();
@@ -208,6 +213,19 @@ public final class Center implements AutoCloseable {
             port.start();
             LOG.log(Level.INFO, "metrics on {0}metrics", port.url());
         });
+        exchangeFirst();
+    }
+
+    private void exchangeFirst() {
+        httpPort()
+                .ifPresent(port -> FirstExchange.with(
+                        address, port, "GET /metrics HTTP/1.0\r\n\r\n".getBytes(StandardCharsets.US_ASCII)));
+        smppPort.ifPresent(
+                port -> FirstExchange.with(address, port, HexFormat.of().parseHex(ENQUIRE_LINK)));
+        if (capture.isEmpty()) {
+            // a capture shows terminals only
+            FirstExchange.with(address, port(), new byte[0]);
+        }
     }
 
     /**

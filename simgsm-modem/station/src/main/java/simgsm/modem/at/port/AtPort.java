@@ -1,8 +1,10 @@
 package simgsm.modem.at.port;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -11,6 +13,7 @@ import simgsm.modem.at.command.AtModem;
 import simgsm.net.Acceptor;
 import simgsm.net.Connection;
 import simgsm.net.ConnectionLimits;
+import simgsm.net.FirstExchange;
 import simgsm.net.OutputQueue;
 import simgsm.net.QueuedConnection;
 import simgsm.station.MobileStation;
@@ -35,6 +38,7 @@ public final class AtPort implements AutoCloseable {
     private final AtModem modem;
     private final MobileStation station;
     private final StationThread thread;
+    private final InetAddress address;
     private final Acceptor acceptor;
     private final Set<ClientConnection> connections = new HashSet<>();
     private final long originNanos = System.nanoTime();
@@ -116,6 +120,7 @@ public final class AtPort implements AutoCloseable {
 
     private AtPort(AtModem modem, MobileStation station, StationThread thread, InetSocketAddress address)
             throws IOException {
+        this.address = address.getAddress();
         this.modem = modem;
         this.station = station;
         this.thread = thread;
@@ -137,6 +142,11 @@ public final class AtPort implements AutoCloseable {
 
     public int port() {
         return acceptor.port();
+    }
+
+    /** Exchanges one command with itself, once the thread runs. */
+    public void exchangeFirst() {
+        FirstExchange.with(address, port(), "AT\r".getBytes(StandardCharsets.US_ASCII));
     }
 
     /** Receives each event of the terminal's station, on its thread. */
