@@ -19,6 +19,11 @@ final class DigitTracker {
     /** Evidence of silence, half a hop per hop, that ends a digit: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 not. */
     private static final double END = 4.5;
 
+    /** A longer gap, in hops, parts a key from the next: 23.5 ms. ES 201 235-3 bridges 20 ms, 25 ms are a pause. */
+    private static final double MOST_GAP = 9.4;
+    /** The same for a copy that is as weak as an echo: 28.8 ms. */
+    private static final double MOST_ECHO_GAP = 11.5;
+
     /** Delays of echoes in networks without echo control, in hops: 400 ms, and 220 ms, more than from key to key. */
     private static final int LATEST_ECHO = 160;
 
@@ -66,9 +71,11 @@ final class DigitTracker {
 
     private double silence;
     private long lastSounding;
-    private DtmfKey ended;
+    private DtmfDigit ended;
     /** Hop up to which sound belongs to the key that ended last. */
     private long barrier;
+    /** Hop of the newest look that found the rest of the key that ended last. */
+    private long rest;
 
     /** Log odds of one look; the receiver's own come from {@link KeyLikelihood}. */
     interface Judge {
@@ -180,7 +187,7 @@ final class DigitTracker {
             }
             return fit.sinceOnset < LEAST_HOPS ? KeyCandidate.Finding.TOO_SHORT : KeyCandidate.Finding.UNSTEADY;
         }
-        if (isTail(hop) || isEcho(hop)) {
+        if (isRest(hop) || isEcho(hop)) {
             return KeyCandidate.Finding.ECHO;
         }
         if (Math.abs(fit.twist()) >= ToneFit.MOST_TWIST_DB) {
@@ -247,13 +254,21 @@ final class DigitTracker {
         }
     }
 
-    /** An echo: the key that ended last goes on, weaker, without a pause. */
-    private boolean isTail(long hop) {
-        return current == null
-                && ended != null
-                && ended.ordinal() == runKey
-                && fit.open
-                && hop - barrier <= ToneFit.SPAN;
+    /**
+     * The key that ended last goes on at another level, or as an echo: after a short gap, or in tones that the last look
+     * found to be such a rest.
+     */
+    private boolean isRest(long hop) {
+        if (ended == null || ended.key().ordinal() != runKey) {
+            return false;
+        }
+        double onset = hop - fit.sinceOnset;
+        double mostGap = isCopy(ended) ? MOST_ECHO_GAP : MOST_GAP;
+        if (onset - barrier > mostGap && onset + LEAST_HOPS >= rest) {
+            return false;
+        }
+        rest = hop;
+        return true;
     }
 
     /**
@@ -268,12 +283,15 @@ final class DigitTracker {
             if (each.key().ordinal() == runKey
                     && later < LATEST_ECHO
                     && (later > EARLIEST_ECHO || onset - barrier < ToneBank.HOPS_PER_SECOND / 100)
-                    && isCopy(0, each.rowDbm0(), each.rowError())
-                    && isCopy(1, each.columnDbm0(), each.columnError())) {
+                    && isCopy(each)) {
                 return true;
             }
         }
         return false;
+    }
+
+    private boolean isCopy(DtmfDigit digit) {
+        return isCopy(0, digit.rowDbm0(), digit.rowError()) && isCopy(1, digit.columnDbm0(), digit.columnError());
     }
 
     private boolean isCopy(int tone, double dbm0, double error) {
@@ -328,7 +346,7 @@ final class DigitTracker {
     private void end() {
         DtmfDigit digit = current;
         current = null;
-        ended = digit.key();
+        ended = digit;
         barrier = lastSounding;
         long duration = Math.max(0, ToneBank.HOP * lastSounding - digit.startedAtSample());
         listener.keyEnded(digit.withDuration(duration));
@@ -350,6 +368,7 @@ final class DigitTracker {
         candidate = null;
         missed = 0;
         barrier = 0;
+        rest = 0;
         nextLook = 0;
     }
 }

@@ -25,7 +25,7 @@ final class DisturbedBench {
     }
 
     /** Length of the longest common subsequence. */
-    private static int common(String a, String b) {
+    static int common(String a, String b) {
         int[][] length = new int[a.length() + 1][b.length() + 1];
         for (int i = 1; i <= a.length(); i++) {
             for (int j = 1; j <= b.length(); j++) {
