@@ -28,9 +28,19 @@ final class DeliverSm {
 
     private DeliverSm() {}
 
-    /** @param own the application's alphabet, if it has one */
-    static SmppMessage of(Envelope envelope, Optional<EsmeAlphabet> own) {
-        return envelope instanceof Envelope.Report report ? receipt(report, own) : message(envelope.message(), own);
+    /**
+     * @param own the application's alphabet, if it has one
+     * @param takesPayload whether a text of over 254 octets may be sent as message_payload
+     */
+    static SmppMessage of(Envelope envelope, Optional<EsmeAlphabet> own, boolean takesPayload) {
+        if (envelope instanceof Envelope.Report report) {
+            return receipt(report, own);
+        }
+        SmppMessage message = message(envelope.message(), own);
+        // In the standard's alphabets a message has at most 160 octets.
+        return takesPayload || message.parameter(Tlv.MESSAGE_PAYLOAD).isEmpty()
+                ? message
+                : message(envelope.message(), Optional.empty());
     }
 
     private static SmppMessage message(ShortMessage message, Optional<EsmeAlphabet> own) {

@@ -48,6 +48,9 @@ public final class EsmeSession {
     private String systemId = "";
     private Optional<AddressRange> range = Optional.empty();
     private EsmeSettings settings = EsmeSettings.STANDARD;
+    /** Whether the application speaks SMPP 3.4 (3.4.2). */
+    private boolean takesParameters;
+
     private MessageRequests.Requester requester;
     private int refusedBinds;
     private Timer pendingBind;
@@ -155,7 +158,7 @@ public final class EsmeSession {
 
     private void refuse(SmppPdu request, SmppViolation refusal) {
         LOG.log(Level.DEBUG, "{0}: {1} refused, {2}", this, request.command(), refusal.getMessage());
-        send(SmppCodec.refusal(request.command(), refusal.status(), request.sequence()));
+        send(SmppCodec.refusal(request, refusal.status()));
         if (refusedBinds >= MAX_REFUSED_BINDS) {
             endWhenSent();
         }
@@ -228,6 +231,7 @@ public final class EsmeSession {
             throw new SmppViolation(SmppStatus.BIND_FAILED, e.getMessage());
         }
         systemId = bind.systemId();
+        takesParameters = bind.interfaceVersion() >= SmppCodec.INTERFACE_VERSION;
         settings = server.users().settings(systemId);
         window.setSize(settings.window());
         settings.requestsPerSecond().ifPresent(limits::setRate);
@@ -247,7 +251,8 @@ public final class EsmeSession {
     void deliver(Envelope envelope, Consumer<DeliveryOutcome> ended) {
         int number = nextSequence();
         window.sent(number, ended);
-        send(new SmppPdu.Message(SmppCommand.DELIVER_SM, number, DeliverSm.of(envelope, settings.alphabet())));
+        send(new SmppPdu.Message(
+                SmppCommand.DELIVER_SM, number, DeliverSm.of(envelope, settings.alphabet(), takesParameters)));
     }
 
     private int nextSequence() {
@@ -286,7 +291,7 @@ public final class EsmeSession {
 
     private void send(SmppPdu pdu) {
         if (!isClosed) {
-            port.send(SmppCodec.encode(pdu));
+            port.send(SmppCodec.encode(pdu, takesParameters));
         }
     }
 

@@ -1,10 +1,13 @@
 package simgsm.center.smpp;
 
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import simgsm.center.smpp.EsmeSettings.EsmeAlphabet;
 import simgsm.center.smpp.pdu.SmppMessage;
@@ -34,6 +37,26 @@ final class MessageContent {
     /** Values from here on are data coding schemes of TS 23.038 (5.2.19). */
     private static final int FIRST_OF_MOBILES = 0x10;
 
+    /**
+     * Of the data_codings whose octets are text in an alphabet that mobiles have not, with the names of Java; JIS and KS C
+     * 5601 are not in every run-time image.
+     */
+    private static final Map<Integer, String> CHARSETS = Map.of(
+            ASCII,
+            "ISO-8859-1",
+            LATIN_1,
+            "ISO-8859-1",
+            5,
+            "x-JIS0208",
+            6,
+            "ISO-8859-5",
+            7,
+            "ISO-8859-8",
+            13,
+            "JIS_X0212-1990",
+            14,
+            "EUC-KR");
+
     private static final int ESCAPE = 0x1b;
     private static final int MAX_PARTS = 255;
 
@@ -50,8 +73,9 @@ final class MessageContent {
      */
     static List<UserData> parts(SmppMessage message, int dataCoding, int reference) throws SmppViolation {
         byte[] octets = message.content().toArray();
-        if (dataCoding == ASCII || dataCoding == LATIN_1) {
-            return partsOfText(message, octets, reference);
+        String charset = CHARSETS.getOrDefault(dataCoding, "");
+        if (!charset.isEmpty() && Charset.isSupported(charset)) {
+            return partsOfText(message, octets, Charset.forName(charset), reference);
         }
         DataCodingScheme scheme = scheme(dataCoding);
         byte[] header = message.hasHeader() ? header(octets) : sarHeader(message);
@@ -71,10 +95,18 @@ final class MessageContent {
         };
     }
 
-    private static List<UserData> partsOfText(SmppMessage message, byte[] octets, int reference) throws SmppViolation {
+    private static List<UserData> partsOfText(SmppMessage message, byte[] octets, Charset charset, int reference)
+            throws SmppViolation {
         byte[] header = message.hasHeader() ? header(octets) : sarHeader(message);
         int from = message.hasHeader() ? header.length : 0;
-        String text = new String(octets, from, octets.length - from, StandardCharsets.ISO_8859_1);
+        String text;
+        try {
+            text = charset.newDecoder()
+                    .decode(ByteBuffer.wrap(octets, from, octets.length - from))
+                    .toString();
+        } catch (CharacterCodingException e) {
+            throw new SmppViolation(SmppStatus.SUBMIT_FAILED, "octets that " + charset + " does not have");
+        }
         boolean isPlain = GsmAlphabet.encodes(text);
         byte[] coded = isPlain ? GsmAlphabet.encode(text) : text.getBytes(StandardCharsets.UTF_16BE);
         return parts(header, coded, isPlain ? DataCodingScheme.GSM_7BIT : DataCodingScheme.UCS2, reference);
@@ -88,7 +120,7 @@ final class MessageContent {
             default -> {
                 if (dataCoding < FIRST_OF_MOBILES) {
                     throw new SmppViolation(
-                            SmppStatus.SUBMIT_FAILED, "data_coding " + dataCoding + " is not 0 to 4, 8 or 16 to 255");
+                            SmppStatus.INVALID_DATA_CODING, "data_coding " + dataCoding + " has no known alphabet");
                 }
                 yield new DataCodingScheme(dataCoding);
             }

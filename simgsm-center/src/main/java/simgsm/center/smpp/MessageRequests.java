@@ -38,6 +38,15 @@ final class MessageRequests {
     private static final int REFERENCES = 256;
 
     private static final int RECEIPT_BITS = 0x03;
+    /** Of registered_delivery (5.2.17): receipts, and an intermediate notification if there is one to give. */
+    private static final int REGISTERED_DELIVERY_BITS = 0x13;
+
+    /** Of esm_class (5.2.12). */
+    private static final int MODE_BITS = 0x03;
+    /** Messaging mode "forward": the response waits for the delivery. */
+    private static final int FORWARD_MODE = 0x02;
+    /** Message types of the acknowledgements that an application sends for a person. */
+    private static final int TYPE_BITS = 0x3c;
 
     /**
      * The application that makes a request.
@@ -106,6 +115,12 @@ final class MessageRequests {
             Consumer<SmppPdu> answer)
             throws SmppViolation {
         SmsAddress source = source(message.source(), by.ownNumber);
+        Receipts receipts = receipts(message.registeredDelivery());
+        if ((message.esmClass() & TYPE_BITS) != 0 || (message.esmClass() & MODE_BITS) == FORWARD_MODE) {
+            throw new SmppViolation(
+                    SmppStatus.INVALID_ESM_CLASS,
+                    "esm_class " + message.esmClass() + ", expected a message to store and forward");
+        }
         Optional<Instant> deliverAt = schedule(message.schedule());
         Optional<Instant> expiry = expiry(message.validity(), deliverAt);
         int dataCoding = MessageContent.standardCoding(message.dataCoding(), by.alphabet);
@@ -130,15 +145,11 @@ final class MessageRequests {
         }
         if (units.isEmpty()) {
             int status = destinations.size() == 1 ? refused.get(0).status() : SmppStatus.SUBMIT_FAILED;
-            throw new SmppViolation(status, "no destination can be served, the first is " + destinations.get(0));
+            answer.accept(responder.response(new Submitted("", status, refused)));
+            return;
         }
-        EsmeOrigin origin = new EsmeOrigin(
-                by.systemId,
-                source,
-                dataCoding,
-                receipts(message.registeredDelivery()),
-                EsmeOrigin.Group.SINGLE,
-                deliverAt);
+        EsmeOrigin origin =
+                new EsmeOrigin(by.systemId, source, dataCoding, receipts, EsmeOrigin.Group.SINGLE, deliverAt);
         // Parts are delivered in order, so the last one's id and receipt stand for the message.
         String id = Long.toString(firstId + units.size() - 1);
         center.submit(
@@ -146,12 +157,18 @@ final class MessageRequests {
                 source.number().orElse(by.ownNumber),
                 units,
                 expiry,
-                cause -> answer.accept(responder.response(
-                        new Submitted(id, cause.map(MessageRequests::status).orElse(SmppStatus.OK), refused))));
+                cause -> answer.accept(responder.response(cause.map(
+                                refusal -> new Submitted("", status(refusal), List.<SmppPdu.Refused>of()))
+                        .orElseGet(() -> new Submitted(id, SmppStatus.OK, refused)))));
     }
 
     /** The status for a destination that cannot be served now. */
     private int refusal(SmppAddress destination, int parts) {
+        try {
+            requireKnownDestination(destination);
+        } catch (SmppViolation unknown) {
+            return unknown.status();
+        }
         Optional<Msisdn> number = destination.number();
         return number.isEmpty()
                 ? SmppStatus.INVALID_DESTINATION
@@ -160,7 +177,16 @@ final class MessageRequests {
                         .orElse(SmppStatus.OK);
     }
 
+    private static void requireKnownSource(SmppAddress source) throws SmppViolation {
+        source.requireKnown(SmppStatus.INVALID_SOURCE_TYPE, SmppStatus.INVALID_SOURCE_PLAN);
+    }
+
+    private static void requireKnownDestination(SmppAddress destination) throws SmppViolation {
+        destination.requireKnown(SmppStatus.INVALID_DESTINATION_TYPE, SmppStatus.INVALID_DESTINATION_PLAN);
+    }
+
     private static SmsAddress source(SmppAddress given, Msisdn ownNumber) throws SmppViolation {
+        requireKnownSource(given);
         if (given.value().isEmpty()) {
             return SmsAddress.of(ownNumber);
         }
@@ -204,9 +230,14 @@ final class MessageRequests {
         }
     }
 
-    private static Receipts receipts(int registeredDelivery) {
+    private static Receipts receipts(int registeredDelivery) throws SmppViolation {
         int code = registeredDelivery & RECEIPT_BITS;
-        return code < Receipts.values().length ? Receipts.values()[code] : Receipts.NONE;
+        if ((registeredDelivery & ~REGISTERED_DELIVERY_BITS) != 0 || code == RECEIPT_BITS) {
+            throw new SmppViolation(
+                    SmppStatus.INVALID_REGISTERED_DELIVERY,
+                    "registered_delivery " + registeredDelivery + ", expected 0 to 2, or 16 to 18");
+        }
+        return Receipts.values()[code];
     }
 
     private static SubmitTpdu unit(SmppMessage message, Msisdn to, UserData part, long id) {
@@ -302,6 +333,7 @@ final class MessageRequests {
 
     /** @throws SmppViolation with {@code refusal} if this application has no such message */
     private MessageStatus status(Requester by, String id, SmppAddress source, int refusal) throws SmppViolation {
+        requireKnownSource(source);
         return statuses.find(center, id, by.systemId, source.value())
                 .orElseThrow(() -> new SmppViolation(
                         refusal, by.systemId + " has no message \"" + id + "\" that waits or has lately ended"));

@@ -271,7 +271,7 @@ class SmppDeliveryTest extends SmppStage {
             sender.submit(1, text("1", "555" + i, "x"));
             network.commit();
             String id = sender.last(SmppPdu.MessageResponse.class).messageId();
-            sender.say(new SmppPdu.Cancel(2, id, SmppAddress.NONE, SmppAddress.NONE));
+            sender.say(new SmppPdu.Cancel(2, "", id, SmppAddress.NONE, SmppAddress.NONE));
             assertEquals(SmppStatus.OK, sender.last(SmppPdu.PlainResponse.class).status());
         }
         assertEquals(0, network.server.routes().blocked(new Destination.Number(new Msisdn("5550301"))));

@@ -209,7 +209,7 @@ class SmppOperationsTest extends SmppStage {
     void aScheduledMessageCanBeCancelled() {
         sender.submit(1, scheduled("x", "000000000100000R", ""));
         network.commit();
-        assertEquals(SmppStatus.OK, statusOf(new SmppPdu.Cancel(2, "1", number("1"), SmppAddress.NONE)));
+        assertEquals(SmppStatus.OK, statusOf(new SmppPdu.Cancel(2, "", "1", number("1"), SmppAddress.NONE)));
         pass(61);
         assertEquals(List.of(), texts(receiver));
         assertEquals(4, query("1"));
@@ -282,7 +282,7 @@ class SmppOperationsTest extends SmppStage {
         sender.submit(1, ofThreeParts());
         network.commit();
         assertEquals(3, network.center.waitingCount());
-        assertEquals(SmppStatus.OK, statusOf(new SmppPdu.Cancel(2, "3", number("1"), SmppAddress.NONE)));
+        assertEquals(SmppStatus.OK, statusOf(new SmppPdu.Cancel(2, "", "3", number("1"), SmppAddress.NONE)));
         assertEquals(0, network.center.messages().waiting().size());
         assertEquals(4, query("3"));
     }
@@ -292,7 +292,7 @@ class SmppOperationsTest extends SmppStage {
         receiver.leave();
         sender.submit(1, ofThreeParts());
         network.commit();
-        assertEquals(SmppStatus.CANCEL_FAILED, statusOf(new SmppPdu.Cancel(2, "2", number("1"), SmppAddress.NONE)));
+        assertEquals(SmppStatus.CANCEL_FAILED, statusOf(new SmppPdu.Cancel(2, "", "2", number("1"), SmppAddress.NONE)));
     }
 
     @Test
@@ -303,7 +303,7 @@ class SmppOperationsTest extends SmppStage {
         List<Integer> statuses = new ArrayList<>();
         for (int i = 0; i < RequestLimits.PER_SECOND + 10; i++) {
             far.heard.clear();
-            far.say(new SmppPdu.Cancel(i, "1", SmppAddress.NONE, SmppAddress.NONE));
+            far.say(new SmppPdu.Cancel(i, "", "1", SmppAddress.NONE, SmppAddress.NONE));
             statuses.add(far.last(SmppPdu.PlainResponse.class).status());
         }
         assertEquals(SmppStatus.CANCEL_FAILED, statuses.get(0));
@@ -311,7 +311,7 @@ class SmppOperationsTest extends SmppStage {
         far.say(new SmppPdu.Plain(SmppCommand.ENQUIRE_LINK, 1));
         assertEquals(SmppStatus.OK, far.last(SmppPdu.PlainResponse.class).status(), "the link itself is always tested");
         pass(1);
-        far.say(new SmppPdu.Cancel(1, "1", SmppAddress.NONE, SmppAddress.NONE));
+        far.say(new SmppPdu.Cancel(1, "", "1", SmppAddress.NONE, SmppAddress.NONE));
         assertEquals(
                 SmppStatus.CANCEL_FAILED, far.last(SmppPdu.PlainResponse.class).status());
     }

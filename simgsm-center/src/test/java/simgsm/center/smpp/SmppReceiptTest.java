@@ -84,7 +84,7 @@ class SmppReceiptTest extends SmppStage {
         sender.say(new SmppPdu.Query(2, "1", source));
         assertEquals(
                 new SmppPdu.QueryResponse(SmppStatus.OK, 2, "1", "", 1, 0), sender.last(SmppPdu.QueryResponse.class));
-        sender.say(new SmppPdu.Cancel(3, "1", source, new SmppAddress(1, 1, SERVICE)));
+        sender.say(new SmppPdu.Cancel(3, "", "1", source, new SmppAddress(1, 1, SERVICE)));
         network.commit();
         assertTrue(sender.heard.contains(new SmppPdu.PlainResponse(SmppCommand.CANCEL_SM, SmppStatus.OK, 3)));
         network.commit();
@@ -104,14 +104,14 @@ class SmppReceiptTest extends SmppStage {
         TestCenter.Application other = network.bound(SmppCommand.BIND_TRANSMITTER, "other", "");
         other.say(new SmppPdu.Query(1, "1", SmppAddress.NONE));
         assertEquals(
-                SmppStatus.QUERY_FAILED, other.last(SmppPdu.PlainResponse.class).status());
-        other.say(new SmppPdu.Cancel(2, "1", SmppAddress.NONE, SmppAddress.NONE));
+                SmppStatus.QUERY_FAILED, other.last(SmppPdu.QueryResponse.class).status());
+        other.say(new SmppPdu.Cancel(2, "", "1", SmppAddress.NONE, SmppAddress.NONE));
         assertEquals(
                 SmppStatus.CANCEL_FAILED,
                 other.last(SmppPdu.PlainResponse.class).status());
         other.say(new SmppPdu.Query(3, "no number", SmppAddress.NONE));
         assertEquals(
-                SmppStatus.QUERY_FAILED, other.last(SmppPdu.PlainResponse.class).status());
+                SmppStatus.QUERY_FAILED, other.last(SmppPdu.QueryResponse.class).status());
     }
 
     @Test
@@ -120,7 +120,7 @@ class SmppReceiptTest extends SmppStage {
         TestCenter.Application sender = sender();
         sender.submit(1, text("1", SERVICE, "x"));
         network.commit();
-        sender.say(new SmppPdu.Cancel(2, "1", SmppAddress.NONE, SmppAddress.NONE));
+        sender.say(new SmppPdu.Cancel(2, "", "1", SmppAddress.NONE, SmppAddress.NONE));
         assertEquals(
                 SmppStatus.CANCEL_FAILED,
                 sender.last(SmppPdu.PlainResponse.class).status());

@@ -63,6 +63,7 @@ final class TestCenter {
 
     final class Application implements SmppPort {
         final List<SmppPdu> heard = new ArrayList<>();
+        byte[] lastOctets;
         private final EsmeSession session;
         boolean isEnding;
         String closed = "";
@@ -106,6 +107,7 @@ final class TestCenter {
 
         @Override
         public void send(byte[] pdu) {
+            lastOctets = pdu;
             try {
                 heard.add(SmppCodec.decode(pdu));
             } catch (SmppViolation violation) {

@@ -1,6 +1,7 @@
 package simgsm.center.smpp.pdu;
 
 import java.util.Optional;
+import java.util.Set;
 import simgsm.air.Msisdn;
 import simgsm.sms.SmsAddress;
 
@@ -15,8 +16,11 @@ public record SmppAddress(int ton, int npi, String value) {
     public static final SmppAddress NONE = new SmppAddress(0, 0, "");
 
     private static final int LETTERS = 5;
-    private static final int MAX_TON = 7;
-    private static final int MAX_NPI = 15;
+    /** addr_ton (5.2.5): unknown ... abbreviated. */
+    private static final int MAX_TON = 6;
+
+    /** addr_npi (5.2.6); 18, a WAP client's id, has no place in the address of a mobile. */
+    private static final Set<Integer> PLANS = Set.of(0, 1, 3, 4, 6, 8, 9, 10, 14);
 
     public static SmppAddress of(SmsAddress address) {
         return new SmppAddress(address.type(), address.plan(), address.value());
@@ -31,9 +35,18 @@ public record SmppAddress(int ton, int npi, String value) {
         return Optional.of(new Msisdn(digits));
     }
 
+    /** @throws SmppViolation with the status of what is not a type of number or numbering plan */
+    public void requireKnown(int typeStatus, int planStatus) throws SmppViolation {
+        if (ton > MAX_TON || !PLANS.contains(npi)) {
+            throw new SmppViolation(
+                    ton > MAX_TON ? typeStatus : planStatus,
+                    "type of number " + ton + " and numbering plan " + npi + " of \"" + value + "\"");
+        }
+    }
+
     /** The address for a mobile: a number, or up to 11 letters for any type of number; empty if it is neither. */
     public Optional<SmsAddress> forMobiles() {
-        if (ton < 0 || ton > MAX_TON || npi > MAX_NPI || value.isEmpty()) {
+        if (value.isEmpty()) {
             return Optional.empty();
         }
         Optional<Msisdn> number = number();

@@ -10,8 +10,19 @@ public final class SmppCodec {
     /** Length, command id, status, sequence number, 4 octets each (3.2). */
     public static final int HEADER_LENGTH = 16;
 
-    /** interface_version of SMPP 3.4. */
+    /** interface_version of SMPP 3.4; a lower one is of 3.3 or earlier (5.2.4). */
     public static final int INTERFACE_VERSION = 0x34;
+
+    /** An application of SMPP 5.0 is answered by 3.4, as sc_interface_version says. */
+    private static final int SMPP_5 = 0x50;
+    /** message_state UNKNOWN (5.2.28). */
+    private static final int UNKNOWN = 7;
+    /** replace_if_present_flag (5.2.18): 0 or 1. */
+    private static final int REPLACE = 1;
+    /** priority_flag (5.2.14). */
+    private static final int MAX_PRIORITY = 3;
+    /** sm_default_msg_id (5.2.20): the centre has no predefined messages. */
+    private static final int NO_DEFAULT_MESSAGE = 0;
 
     private static final int MAX_SYSTEM_ID = 16;
     private static final int MAX_PASSWORD = 9;
@@ -62,26 +73,36 @@ public final class SmppCodec {
                     : unknown.answeredBy(new SmppPdu.GenericNack(SmppStatus.INVALID_COMMAND_ID, sequence));
         }
         if (isResponse) {
-            SmppPdu.Response response = response(command.get(), status, sequence, in.hasBody());
+            SmppPdu.Response response = response(command.get(), status, sequence);
             return in.hasBody() ? body(in, response) : response;
         }
+        SmppPdu request = request(command.get(), sequence);
         try {
-            return body(in, request(command.get(), sequence));
+            return body(in, request);
         } catch (SmppViolation violation) {
-            throw violation.answeredBy(refusal(command.get(), violation.status(), sequence));
+            throw violation.answeredBy(refusal(request, violation.status()));
         }
     }
 
-    /** Encodes one PDU; a response with an error status has no body (4.4.2 and others). */
+    /** Encodes one PDU for a peer of SMPP 3.4. */
     public static byte[] encode(SmppPdu pdu) {
-        SmppWriter out = new SmppWriter();
+        return encode(pdu, true);
+    }
+
+    /**
+     * Encodes one PDU. Of the responses with an error status those to bind and submit_sm have no body (4.1.2, 4.4.2).
+     *
+     * @param withParameters whether the peer takes optional parameters
+     */
+    public static byte[] encode(SmppPdu pdu, boolean withParameters) {
+        SmppWriter out = new SmppWriter(withParameters);
         boolean isResponse = pdu instanceof SmppPdu.Response;
         int status = pdu instanceof SmppPdu.Response response ? response.status() : SmppStatus.OK;
         out.fourOctets("command_length", 0);
         out.fourOctets("command_id", pdu.command().code() | (isResponse ? SmppCommand.RESPONSE : 0));
         out.fourOctets("command_status", status);
         out.fourOctets("sequence_number", pdu.sequence());
-        if (status == SmppStatus.OK) {
+        if (status == SmppStatus.OK || !pdu.command().isBind() && pdu.command() != SmppCommand.SUBMIT_SM) {
             try {
                 body(out, pdu);
             } catch (SmppViolation violation) {
@@ -92,8 +113,10 @@ public final class SmppCodec {
     }
 
     /** The response that refuses a request. */
-    public static SmppPdu refusal(SmppCommand command, int status, int sequence) {
-        return new SmppPdu.PlainResponse(command, status, sequence);
+    public static SmppPdu refusal(SmppPdu request, int status) {
+        return request instanceof SmppPdu.Query query
+                ? new SmppPdu.QueryResponse(status, query.sequence(), query.messageId(), "", UNKNOWN, 0)
+                : response(request.command(), status, request.sequence());
     }
 
     /** A request without content. */
@@ -104,27 +127,21 @@ public final class SmppCodec {
             case SUBMIT_SM, DELIVER_SM, DATA_SM -> new SmppPdu.Message(command, sequence, EMPTY);
             case SUBMIT_MULTI -> new SmppPdu.SubmitMulti(sequence, EMPTY, List.of());
             case QUERY_SM -> new SmppPdu.Query(sequence, "", SmppAddress.NONE);
-            case CANCEL_SM -> new SmppPdu.Cancel(sequence, "", SmppAddress.NONE, SmppAddress.NONE);
+            case CANCEL_SM -> new SmppPdu.Cancel(sequence, "", "", SmppAddress.NONE, SmppAddress.NONE);
             case REPLACE_SM -> new SmppPdu.Replace(sequence, "", SmppAddress.NONE, "", "", 0, 0, NOTHING);
             case ENQUIRE_LINK, UNBIND, GENERIC_NACK -> new SmppPdu.Plain(command, sequence);
         };
     }
 
     /** A response without content. */
-    private static SmppPdu.Response response(SmppCommand command, int status, int sequence, boolean hasBody) {
+    private static SmppPdu.Response response(SmppCommand command, int status, int sequence) {
         return switch (command) {
             case BIND_RECEIVER, BIND_TRANSMITTER, BIND_TRANSCEIVER ->
                 new SmppPdu.BindResponse(command, status, sequence, "");
             case SUBMIT_SM, DELIVER_SM, DATA_SM -> new SmppPdu.MessageResponse(command, status, sequence, "");
             case GENERIC_NACK -> new SmppPdu.GenericNack(status, sequence);
-            case SUBMIT_MULTI ->
-                hasBody
-                        ? new SmppPdu.SubmitMultiResponse(status, sequence, "", List.of())
-                        : new SmppPdu.PlainResponse(command, status, sequence);
-            case QUERY_SM ->
-                hasBody
-                        ? new SmppPdu.QueryResponse(status, sequence, "", "", 0, 0)
-                        : new SmppPdu.PlainResponse(command, status, sequence);
+            case SUBMIT_MULTI -> new SmppPdu.SubmitMultiResponse(status, sequence, "", List.of());
+            case QUERY_SM -> new SmppPdu.QueryResponse(status, sequence, "", "", UNKNOWN, 0);
             case CANCEL_SM, REPLACE_SM, ENQUIRE_LINK, UNBIND -> new SmppPdu.PlainResponse(command, status, sequence);
         };
     }
@@ -171,9 +188,10 @@ public final class SmppCodec {
                     fields.octet("message_state", response.state()),
                     fields.octet("error_code", response.error()));
         } else if (pdu instanceof SmppPdu.Cancel cancel) {
-            serviceType(fields, "");
+            String serviceType = serviceType(fields, cancel.serviceType());
             return new SmppPdu.Cancel(
                     cancel.sequence(),
+                    serviceType,
                     messageId(fields, cancel.messageId()),
                     source(fields, MAX_ADDRESS, cancel.source()),
                     destination(fields, MAX_ADDRESS, cancel.destination()));
@@ -185,7 +203,7 @@ public final class SmppCodec {
                     schedule(fields, replace.schedule()),
                     validity(fields, replace.validity()),
                     fields.octet("registered_delivery", replace.registeredDelivery()),
-                    fields.octet("sm_default_msg_id", replace.defaultMessageId()),
+                    defaultMessage(fields, replace.defaultMessageId()),
                     fields.shortMessage(replace.shortMessage()));
         }
         return pdu;
@@ -196,8 +214,12 @@ public final class SmppCodec {
         String password = fields.text("password", MAX_PASSWORD, SmppStatus.INVALID_PASSWORD, bind.password());
         String type = fields.text("system_type", MAX_SYSTEM_TYPE, SmppStatus.INVALID_SYSTEM_TYPE, bind.systemType());
         int version = fields.octet("interface_version", bind.interfaceVersion());
-        fields.octet("addr_ton", 0);
-        fields.octet("addr_npi", 0);
+        if (version > INTERFACE_VERSION && version != SMPP_5) {
+            throw new SmppViolation(
+                    SmppStatus.BIND_FAILED, "interface_version " + version + ", expected 0 to 0x34 or 0x50");
+        }
+        SmppAddress types = new SmppAddress(fields.octet("addr_ton", 0), fields.octet("addr_npi", 0), "");
+        types.requireKnown(SmppStatus.BIND_FAILED, SmppStatus.BIND_FAILED);
         String range = fields.text("address_range", MAX_ADDRESS_RANGE, SmppStatus.BIND_FAILED, bind.addressRange());
         return new SmppPdu.Bind(bind.command(), bind.sequence(), systemId, password, type, version, range);
     }
@@ -261,13 +283,17 @@ public final class SmppCodec {
                 destination,
                 fields.octet("esm_class", message.esmClass()),
                 fields.octet("protocol_id", message.protocolId()),
-                fields.octet("priority_flag", message.priority()),
+                fields.octet("priority_flag", message.priority(), MAX_PRIORITY, SmppStatus.INVALID_PRIORITY),
                 schedule(fields, message.schedule()),
                 validity(fields, message.validity()),
                 fields.octet("registered_delivery", message.registeredDelivery()),
-                fields.octet("replace_if_present_flag", message.replaceIfPresent()),
+                fields.octet(
+                        "replace_if_present_flag",
+                        message.replaceIfPresent(),
+                        REPLACE,
+                        SmppStatus.INVALID_REPLACE_FLAG),
                 fields.octet("data_coding", message.dataCoding()),
-                fields.octet("sm_default_msg_id", message.defaultMessageId()),
+                defaultMessage(fields, message.defaultMessageId()),
                 fields.shortMessage(message.shortMessage()),
                 fields.parameters(message.parameters()));
     }
@@ -295,6 +321,10 @@ public final class SmppCodec {
                 0,
                 NOTHING,
                 parameters);
+    }
+
+    private static int defaultMessage(SmppFields fields, int value) throws SmppViolation {
+        return fields.octet("sm_default_msg_id", value, NO_DEFAULT_MESSAGE, SmppStatus.INVALID_DEFAULT_MESSAGE);
     }
 
     private static String serviceType(SmppFields fields, String value) throws SmppViolation {

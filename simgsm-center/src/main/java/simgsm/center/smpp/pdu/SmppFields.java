@@ -10,6 +10,13 @@ import simgsm.octets.OctetString;
 interface SmppFields {
     int octet(String field, int value) throws SmppViolation;
 
+    /**
+     * A value from 0 to {@code most}.
+     *
+     * @param status the answer to a larger one
+     */
+    int octet(String field, int value, int most, int status) throws SmppViolation;
+
     int fourOctets(String field, int value) throws SmppViolation;
 
     /**

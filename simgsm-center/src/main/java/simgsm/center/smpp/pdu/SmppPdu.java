@@ -38,7 +38,7 @@ public sealed interface SmppPdu {
     /** @param command submit_sm, deliver_sm or data_sm */
     record Message(SmppCommand command, int sequence, SmppMessage message) implements SmppPdu {}
 
-    /** @param messageId empty in deliver_sm_resp; sent with status 0 only */
+    /** @param messageId empty in deliver_sm_resp and on an error */
     record MessageResponse(SmppCommand command, int status, int sequence, String messageId) implements Response {}
 
     /** @param message its destination is not used */
@@ -49,7 +49,7 @@ public sealed interface SmppPdu {
         }
     }
 
-    /** @param refused the destinations to which nothing was submitted; sent with status 0 only */
+    /** @param refused the destinations to which nothing was submitted */
     record SubmitMultiResponse(int status, int sequence, String messageId, List<Refused> refused) implements Response {
         @Override
         public SmppCommand command() {
@@ -76,7 +76,14 @@ public sealed interface SmppPdu {
         }
     }
 
-    record Cancel(int sequence, String messageId, SmppAddress source, SmppAddress destination) implements SmppPdu {
+    /**
+     * cancel_sm (4.9.1).
+     *
+     * @param serviceType empty: of any; not looked at where the id is given
+     * @param messageId empty: all messages from this source to this destination
+     */
+    record Cancel(int sequence, String serviceType, String messageId, SmppAddress source, SmppAddress destination)
+            implements SmppPdu {
         @Override
         public SmppCommand command() {
             return SmppCommand.CANCEL_SM;
@@ -108,7 +115,7 @@ public sealed interface SmppPdu {
     /** enquire_link or unbind. */
     record Plain(SmppCommand command, int sequence) implements SmppPdu {}
 
-    /** The response to those, to cancel_sm and replace_sm, and any response without a body. */
+    /** The response to those, to cancel_sm and replace_sm. */
     record PlainResponse(SmppCommand command, int status, int sequence) implements Response {}
 
     record GenericNack(int status, int sequence) implements Response {

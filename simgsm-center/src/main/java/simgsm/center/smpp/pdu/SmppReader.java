@@ -20,6 +20,15 @@ final class SmppReader extends OctetReader<SmppViolation> implements SmppFields 
     }
 
     @Override
+    public int octet(String field, int ignored, int most, int status) throws SmppViolation {
+        int value = octet(field);
+        if (value > most) {
+            throw new SmppViolation(status, field + " " + value + ", expected 0 to " + most);
+        }
+        return value;
+    }
+
+    @Override
     public int fourOctets(String field, int ignored) throws SmppViolation {
         return (int) fourOctets(field);
     }

@@ -12,6 +12,8 @@ public final class SmppStatus {
     public static final int INVALID_BIND_STATUS = 0x04;
 
     public static final int ALREADY_BOUND = 0x05;
+    public static final int INVALID_PRIORITY = 0x06;
+    public static final int INVALID_REGISTERED_DELIVERY = 0x07;
     public static final int SYSTEM_ERROR = 0x08;
     public static final int INVALID_SOURCE = 0x0a;
     public static final int INVALID_DESTINATION = 0x0b;
@@ -28,10 +30,16 @@ public final class SmppStatus {
     public static final int INVALID_DESTINATION_FLAG = 0x40;
     public static final int INVALID_ESM_CLASS = 0x43;
     public static final int SUBMIT_FAILED = 0x45;
+    public static final int INVALID_SOURCE_TYPE = 0x48;
+    public static final int INVALID_SOURCE_PLAN = 0x49;
+    public static final int INVALID_DESTINATION_TYPE = 0x50;
+    public static final int INVALID_DESTINATION_PLAN = 0x51;
     public static final int INVALID_SYSTEM_TYPE = 0x53;
+    public static final int INVALID_REPLACE_FLAG = 0x54;
     public static final int THROTTLED = 0x58;
     public static final int INVALID_SCHEDULE = 0x61;
     public static final int INVALID_VALIDITY = 0x62;
+    public static final int INVALID_DEFAULT_MESSAGE = 0x63;
     /** ESME receiver temporary application error. */
     public static final int TEMPORARY_APPLICATION_ERROR = 0x64;
 
@@ -40,6 +48,8 @@ public final class SmppStatus {
     public static final int OPTIONAL_PARAMETER_NOT_ALLOWED = 0xc1;
     public static final int INVALID_PARAMETER_LENGTH = 0xc2;
     public static final int INVALID_PARAMETER_VALUE = 0xc4;
+    /** Of SMPP 5.0, 4.7.6; SMPP 3.4 has no status that names data_coding. */
+    public static final int INVALID_DATA_CODING = 0x104;
 
     private SmppStatus() {}
 

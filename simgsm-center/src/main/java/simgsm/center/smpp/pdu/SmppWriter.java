@@ -7,11 +7,22 @@ import simgsm.octets.OctetWriter;
 /** Writes one PDU. */
 final class SmppWriter implements SmppFields {
     private final OctetWriter out = new OctetWriter();
+    private final boolean writesParameters;
+
+    /** @param writesParameters whether the peer takes optional parameters: not below SMPP 3.4 (3.4.2) */
+    SmppWriter(boolean writesParameters) {
+        this.writesParameters = writesParameters;
+    }
 
     @Override
     public int octet(String field, int value) {
         out.octet(value);
         return value;
+    }
+
+    @Override
+    public int octet(String field, int value, int most, int status) {
+        return octet(field, value);
     }
 
     @Override
@@ -34,7 +45,7 @@ final class SmppWriter implements SmppFields {
 
     @Override
     public List<Tlv> parameters(List<Tlv> values) {
-        for (Tlv each : values) {
+        for (Tlv each : writesParameters ? values : List.<Tlv>of()) {
             out.twoOctets(each.tag()).twoOctets(each.value().length()).string(each.value());
         }
         return values;
