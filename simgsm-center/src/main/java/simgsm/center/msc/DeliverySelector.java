@@ -30,6 +30,11 @@ final class DeliverySelector implements DeliveryPort {
     }
 
     @Override
+    public boolean isSubscriber(Msisdn number) {
+        return register.isSubscriber(number);
+    }
+
+    @Override
     public boolean isReachable(Destination destination) {
         return portOf(destination).isReachable(destination);
     }

@@ -3,92 +3,46 @@ package simgsm.center.smpp;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.regex.PatternSyntaxException;
 import simgsm.air.Msisdn;
 
 /**
- * The numbers that an application serves (5.2.7): one number, as {@code 5550300}; a prefix, as {@code 5553*} or {@code
- * ^5553}; or a POSIX regular expression for the whole number, as {@code 555[0-9]{4}}.
+ * The numbers that an application serves (5.2.7).
+ *
+ * @param digits the number, or the beginning of the numbers
+ * @param isPrefix whether it is a beginning
+ * @param owner the application whose listed numbers alone are meant; empty: any numbers
  */
-final class AddressRange {
-    private static final Pattern PREFIX = Pattern.compile("\\^?\\+?([0-9]+)(\\.?\\*)?");
-    private static final Pattern HARMLESS = Pattern.compile("[0-9+^$.*?()|\\[\\]{},-]+");
+record AddressRange(String digits, boolean isPrefix, String owner) {
+    /** {@code 5550300}, {@code ^5550300$}; {@code 555*}, {@code 555.*}, {@code ^555.*$}, {@code ^555}. */
+    private static final Pattern FORM =
+            Pattern.compile("(\\^)?\\+?([0-9]{1," + Msisdn.MAX_DIGITS + "})(\\.?\\*)?(\\$)?");
 
-    private final String text;
-    private final Optional<Msisdn> exact;
-    private final String prefix;
-    private final Pattern pattern;
-
-    private AddressRange(String text, Optional<Msisdn> exact, String prefix, Pattern pattern) {
-        this.text = text;
-        this.exact = exact;
-        this.prefix = prefix;
-        this.pattern = pattern;
+    /** @throws IllegalArgumentException if the text is neither a number nor a beginning */
+    static AddressRange parse(String text, String owner) {
+        Matcher form = FORM.matcher(text);
+        if (!form.matches()) {
+            throw new IllegalArgumentException("\"" + text + "\" is neither a number nor a beginning such as 555*");
+        }
+        boolean isOpen = form.group(1) != null && form.group(4) == null;
+        return new AddressRange(form.group(2), form.group(3) != null || isOpen, owner);
     }
 
-    /** @throws IllegalArgumentException if the text is none of the three forms */
-    static AddressRange parse(String text) {
-        String plain = text.startsWith("+") ? text.substring(1) : text;
-        if (plain.matches("[0-9]{1," + Msisdn.MAX_DIGITS + "}")) {
-            return new AddressRange(plain, Optional.of(new Msisdn(plain)), plain, null);
-        }
-        Matcher prefix = PREFIX.matcher(text);
-        if (prefix.matches() && (text.startsWith("^") || prefix.group(2) != null)) {
-            return new AddressRange(text, Optional.empty(), prefix.group(1), null);
-        }
-        if (!HARMLESS.matcher(text).matches()) {
-            throw new IllegalArgumentException("\"" + text + "\" is no number, beginning of numbers or pattern");
-        }
-        try {
-            boolean isOpen = text.startsWith("^") && !text.endsWith("$");
-            Pattern pattern = Pattern.compile(isOpen ? text + ".*" : text);
-            return new AddressRange(text, Optional.empty(), leadingDigits(text), pattern);
-        } catch (PatternSyntaxException e) {
-            throw new IllegalArgumentException("\"" + text + "\" is no pattern: " + e.getDescription());
-        }
-    }
-
-    /** The literal digits at the start of a pattern. */
-    private static String leadingDigits(String pattern) {
-        int from = pattern.startsWith("^") ? 1 : 0;
-        int to = from;
-        while (to < pattern.length() && Character.isDigit(pattern.charAt(to))) {
-            to++;
-        }
-        boolean lastIsOptional = to < pattern.length() && "*?{".indexOf(pattern.charAt(to)) >= 0;
-        return pattern.indexOf('|') >= 0 ? "" : pattern.substring(from, Math.max(from, to - (lastIsOptional ? 1 : 0)));
-    }
-
-    /** The only number of the range; empty for a prefix or pattern. */
+    /** The only number of the range; empty for a prefix. */
     Optional<Msisdn> exact() {
-        return exact;
+        return isPrefix ? Optional.empty() : Optional.of(new Msisdn(digits));
     }
 
     boolean contains(Msisdn number) {
-        return exact.isPresent()
-                ? exact.get().equals(number)
-                : pattern == null
-                        ? number.digits().startsWith(prefix)
-                        : pattern.matcher(number.digits()).matches();
+        return isPrefix ? number.digits().startsWith(digits) : number.digits().equals(digits);
     }
 
     /** Length of the common prefix; the range with the longest one gets the message. */
     int closeness() {
-        return exact.isPresent() ? Integer.MAX_VALUE : prefix.length();
-    }
-
-    @Override
-    public boolean equals(Object other) {
-        return other instanceof AddressRange that && text.equals(that.text);
-    }
-
-    @Override
-    public int hashCode() {
-        return text.hashCode();
+        return digits.length();
     }
 
     @Override
     public String toString() {
-        return text;
+        return isPrefix ? digits + "*" : digits;
     }
 }

@@ -25,7 +25,9 @@ public final class EsmeRoutes implements ApplicationPort {
 
     @Override
     public boolean servesExactly(Msisdn number) {
-        return byNumber.containsKey(number);
+        return Optional.ofNullable(byNumber.get(number))
+                .filter(route -> route.permits(number))
+                .isPresent();
     }
 
     @Override
@@ -92,22 +94,22 @@ public final class EsmeRoutes implements ApplicationPort {
 
     private Optional<Route> routeOf(Msisdn number) {
         Route exact = byNumber.get(number);
-        if (exact != null) {
-            return Optional.of(exact);
-        }
-        if (byRange.isEmpty()) {
+        if (exact == null && byRange.isEmpty()) {
             return Optional.empty();
         }
         if (found.size() > MAX_REMEMBERED) {
             found.clear();
         }
-        return found.computeIfAbsent(number, this::closestRange);
+        Optional<Route> route = exact == null ? found.computeIfAbsent(number, this::closestRange) : Optional.of(exact);
+        return route.filter(each -> each.permits(number));
     }
 
     private Optional<Route> closestRange(Msisdn number) {
         AddressRange best = null;
         for (AddressRange range : byRange.keySet()) {
-            if (range.contains(number) && (best == null || range.closeness() > best.closeness())) {
+            if (range.contains(number)
+                    && byRange.get(range).permits(number)
+                    && (best == null || range.closeness() > best.closeness())) {
                 best = range;
             }
         }

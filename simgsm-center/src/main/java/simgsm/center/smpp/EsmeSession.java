@@ -86,6 +86,11 @@ public final class EsmeSession {
         return window.outstanding();
     }
 
+    /** Whether the application may serve and send as a number, or send as a name. */
+    boolean permits(String value) {
+        return server.permits(systemId, value);
+    }
+
     boolean hasRoom() {
         return window.hasRoom();
     }
@@ -223,22 +228,37 @@ public final class EsmeSession {
             server.bindLimiter().refused(host(), bind.systemId(), status, hasWaited, timers.nowNanos());
             throw new SmppViolation(status, "system id or password");
         }
-        try {
-            range = bind.addressRange().isEmpty()
-                    ? Optional.empty()
-                    : Optional.of(AddressRange.parse(bind.addressRange()));
-        } catch (IllegalArgumentException e) {
-            throw new SmppViolation(SmppStatus.BIND_FAILED, e.getMessage());
-        }
+        range = range(bind);
         systemId = bind.systemId();
         takesParameters = bind.interfaceVersion() >= SmppCodec.INTERFACE_VERSION;
         settings = server.users().settings(systemId);
         window.setSize(settings.window());
         settings.requestsPerSecond().ifPresent(limits::setRate);
         requester = new MessageRequests.Requester(
-                systemId, range.flatMap(AddressRange::exact).orElse(ShortMessageCenter.ADDRESS), settings.alphabet());
+                systemId,
+                range.flatMap(AddressRange::exact).orElse(ShortMessageCenter.ADDRESS),
+                settings.alphabet(),
+                this::permits);
         send(new SmppPdu.BindResponse(bind.command(), SmppStatus.OK, bind.sequence(), SmppServer.SYSTEM_ID));
         machine.fire(SmppSessionEvent.of(bind.command()));
+    }
+
+    private Optional<AddressRange> range(SmppPdu.Bind bind) throws SmppViolation {
+        if (bind.addressRange().isEmpty()) {
+            return Optional.empty();
+        }
+        NumberOwners owners = server.users().owners();
+        String id = bind.systemId();
+        AddressRange asked;
+        try {
+            asked = AddressRange.parse(bind.addressRange(), owners.isOwner(id) ? id : "");
+        } catch (IllegalArgumentException e) {
+            throw new SmppViolation(SmppStatus.BIND_FAILED, e.getMessage());
+        }
+        if (asked.isPrefix() ? !owners.permitsPrefix(id, asked.digits()) : !server.permits(id, asked.digits())) {
+            throw new SmppViolation(SmppStatus.BIND_FAILED, asked + " is not a number of " + id);
+        }
+        return Optional.of(asked);
     }
 
     /** The peer's address without its port. */

@@ -23,6 +23,9 @@ public record EsmeSettings(
     static final int MAX_WINDOW = 10_000;
     static final int MAX_RATE = 1_000_000;
 
+    /** The setting that {@link NumberOwners} reads. */
+    static final String NUMBERS = "numbers";
+
     private static final String RETRY = "retry.";
 
     /** How an application codes the text of data_coding 0 and 1. */
@@ -34,7 +37,11 @@ public record EsmeSettings(
 
     /** Whether the name after the system id is that of a setting. */
     static boolean isSetting(String name) {
-        return name.equals("alphabet") || name.equals("window") || name.equals("rate") || name.startsWith(RETRY);
+        return name.equals(NUMBERS)
+                || name.equals("alphabet")
+                || name.equals("window")
+                || name.equals("rate")
+                || name.startsWith(RETRY);
     }
 
     /**

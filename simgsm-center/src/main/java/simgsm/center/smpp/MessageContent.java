@@ -7,7 +7,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import simgsm.center.smpp.EsmeSettings.EsmeAlphabet;
 import simgsm.center.smpp.pdu.SmppMessage;
@@ -37,26 +36,6 @@ final class MessageContent {
     /** Values from here on are data coding schemes of TS 23.038 (5.2.19). */
     private static final int FIRST_OF_MOBILES = 0x10;
 
-    /**
-     * Of the data_codings whose octets are text in an alphabet that mobiles have not, with the names of Java; JIS and KS C
-     * 5601 are not in every run-time image.
-     */
-    private static final Map<Integer, String> CHARSETS = Map.of(
-            ASCII,
-            "ISO-8859-1",
-            LATIN_1,
-            "ISO-8859-1",
-            5,
-            "x-JIS0208",
-            6,
-            "ISO-8859-5",
-            7,
-            "ISO-8859-8",
-            13,
-            "JIS_X0212-1990",
-            14,
-            "EUC-KR");
-
     private static final int ESCAPE = 0x1b;
     private static final int MAX_PARTS = 255;
 
@@ -73,7 +52,7 @@ final class MessageContent {
      */
     static List<UserData> parts(SmppMessage message, int dataCoding, int reference) throws SmppViolation {
         byte[] octets = message.content().toArray();
-        String charset = CHARSETS.getOrDefault(dataCoding, "");
+        String charset = charset(dataCoding);
         if (!charset.isEmpty() && Charset.isSupported(charset)) {
             return partsOfText(message, octets, Charset.forName(charset), reference);
         }
@@ -110,6 +89,19 @@ final class MessageContent {
         boolean isPlain = GsmAlphabet.encodes(text);
         byte[] coded = isPlain ? GsmAlphabet.encode(text) : text.getBytes(StandardCharsets.UTF_16BE);
         return parts(header, coded, isPlain ? DataCodingScheme.GSM_7BIT : DataCodingScheme.UCS2, reference);
+    }
+
+    /** The name of an alphabet that mobiles have not; those of JIS and KS C 5601 are not in every run-time image. */
+    private static String charset(int dataCoding) {
+        return switch (dataCoding) {
+            case ASCII, LATIN_1 -> "ISO-8859-1";
+            case 5 -> "x-JIS0208";
+            case 6 -> "ISO-8859-5";
+            case 7 -> "ISO-8859-8";
+            case 13 -> "JIS_X0212-1990";
+            case 14 -> "EUC-KR";
+            default -> "";
+        };
     }
 
     private static DataCodingScheme scheme(int dataCoding) throws SmppViolation {

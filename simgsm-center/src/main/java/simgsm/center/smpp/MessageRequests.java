@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.center.smpp.EsmeSettings.EsmeAlphabet;
@@ -52,8 +53,9 @@ final class MessageRequests {
      * The application that makes a request.
      *
      * @param ownNumber replaces an empty source address
+     * @param permits whether it may send as a number or name
      */
-    record Requester(String systemId, Msisdn ownNumber, Optional<EsmeAlphabet> alphabet) {}
+    record Requester(String systemId, Msisdn ownNumber, Optional<EsmeAlphabet> alphabet, Predicate<String> permits) {}
 
     private final ShortMessageCenter center;
     private final MessageStatusStore statuses = new MessageStatusStore();
@@ -114,7 +116,7 @@ final class MessageRequests {
             Responder responder,
             Consumer<SmppPdu> answer)
             throws SmppViolation {
-        SmsAddress source = source(message.source(), by.ownNumber);
+        SmsAddress source = source(message.source(), by);
         Receipts receipts = receipts(message.registeredDelivery());
         if ((message.esmClass() & TYPE_BITS) != 0 || (message.esmClass() & MODE_BITS) == FORWARD_MODE) {
             throw new SmppViolation(
@@ -164,31 +166,32 @@ final class MessageRequests {
 
     /** The status for a destination that cannot be served now. */
     private int refusal(SmppAddress destination, int parts) {
-        try {
-            requireKnownDestination(destination);
-        } catch (SmppViolation unknown) {
-            return unknown.status();
-        }
+        int unknown = destination.check(SmppStatus.INVALID_DESTINATION_TYPE, SmppStatus.INVALID_DESTINATION_PLAN);
         Optional<Msisdn> number = destination.number();
-        return number.isEmpty()
-                ? SmppStatus.INVALID_DESTINATION
-                : center.refusal(number.get(), parts)
-                        .map(MessageRequests::status)
-                        .orElse(SmppStatus.OK);
+        return unknown != SmppStatus.OK
+                ? unknown
+                : number.isEmpty()
+                        ? SmppStatus.INVALID_DESTINATION
+                        : center.refusal(number.get(), parts)
+                                .map(MessageRequests::status)
+                                .orElse(SmppStatus.OK);
     }
 
-    private static void requireKnownSource(SmppAddress source) throws SmppViolation {
-        source.requireKnown(SmppStatus.INVALID_SOURCE_TYPE, SmppStatus.INVALID_SOURCE_PLAN);
+    private static void requireKnown(SmppAddress source) throws SmppViolation {
+        int unknown = source.check(SmppStatus.INVALID_SOURCE_TYPE, SmppStatus.INVALID_SOURCE_PLAN);
+        if (unknown != SmppStatus.OK) {
+            throw new SmppViolation(unknown, source + " has an unknown type or plan");
+        }
     }
 
-    private static void requireKnownDestination(SmppAddress destination) throws SmppViolation {
-        destination.requireKnown(SmppStatus.INVALID_DESTINATION_TYPE, SmppStatus.INVALID_DESTINATION_PLAN);
-    }
-
-    private static SmsAddress source(SmppAddress given, Msisdn ownNumber) throws SmppViolation {
-        requireKnownSource(given);
+    private static SmsAddress source(SmppAddress given, Requester by) throws SmppViolation {
+        requireKnown(given);
         if (given.value().isEmpty()) {
-            return SmsAddress.of(ownNumber);
+            return SmsAddress.of(by.ownNumber);
+        }
+        if (!by.permits.test(given.value())) {
+            throw new SmppViolation(
+                    SmppStatus.INVALID_SOURCE, by.systemId + " may not send as \"" + given.value() + "\"");
         }
         return given.forMobiles()
                 .orElseThrow(() -> new SmppViolation(
@@ -333,7 +336,7 @@ final class MessageRequests {
 
     /** @throws SmppViolation with {@code refusal} if this application has no such message */
     private MessageStatus status(Requester by, String id, SmppAddress source, int refusal) throws SmppViolation {
-        requireKnownSource(source);
+        requireKnown(source);
         return statuses.find(center, id, by.systemId, source.value())
                 .orElseThrow(() -> new SmppViolation(
                         refusal, by.systemId + " has no message \"" + id + "\" that waits or has lately ended"));

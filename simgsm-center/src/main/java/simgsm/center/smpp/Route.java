@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import simgsm.air.Msisdn;
 import simgsm.center.smsc.Destination;
 
 /** Sessions that serve the same numbers, or the receipts of the same application; and the destinations that share them. */
@@ -15,6 +16,11 @@ final class Route {
 
     /** May send although others are blocked; null between turns. */
     private Destination hasTurn;
+
+    /** Whether the application may serve this number still: a subscriber may have registered under it since the bind. */
+    boolean permits(Msisdn number) {
+        return sessions.get(0).permits(number.digits());
+    }
 
     boolean isEmpty() {
         return sessions.isEmpty();

@@ -2,8 +2,10 @@ package simgsm.center.smpp;
 
 import java.lang.System.Logger.Level;
 import java.util.Optional;
+import simgsm.center.smpp.pdu.SmppAddress;
 import simgsm.center.smsc.Destination;
 import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.sms.SmsAddress;
 import simgsm.timer.Timers;
 
 /** The centre's side of SMPP for all applications. A deterministic core on the exchange's thread and timers. */
@@ -77,6 +79,15 @@ public final class SmppServer {
     void unbound(EsmeSession session, Optional<AddressRange> range) {
         sessions--;
         routes.remove(session, range);
+    }
+
+    /** Whether an application may serve and send as a number, or send as a name. */
+    boolean permits(String systemId, String value) {
+        boolean isSubscribers = new SmppAddress(SmsAddress.INTERNATIONAL, 0, value)
+                .number()
+                .filter(center::isSubscriber)
+                .isPresent();
+        return users.owners().permits(systemId, value, isSubscribers);
     }
 
     Timers timers() {

@@ -15,16 +15,18 @@ public final class SmppUsers {
     private record User(String password, EsmeSettings settings) {}
 
     private final Map<String, User> users;
+    private final NumberOwners owners;
     private final boolean isOpen;
 
-    private SmppUsers(Map<String, User> users, boolean isOpen) {
+    private SmppUsers(Map<String, User> users, NumberOwners owners, boolean isOpen) {
         this.users = Map.copyOf(users);
+        this.owners = owners;
         this.isOpen = isOpen;
     }
 
     /** Any application on this machine, none on another. */
     public static SmppUsers anyLocal() {
-        return new SmppUsers(Map.of(), true);
+        return new SmppUsers(Map.of(), new NumberOwners(), true);
     }
 
     /**
@@ -36,6 +38,7 @@ public final class SmppUsers {
      */
     public static SmppUsers only(Map<String, String> lines) {
         Map<String, User> users = new HashMap<>();
+        NumberOwners owners = new NumberOwners();
         // In order, so that an id comes before its settings.
         new TreeMap<>(lines).forEach((key, value) -> {
             int dot = settingAfter(key, users);
@@ -43,10 +46,10 @@ public final class SmppUsers {
                 users.put(key, user(key, value));
             } else {
                 String id = key.substring(0, dot);
-                users.put(id, changed(users.get(id), key, key.substring(dot + 1), value));
+                users.put(id, changed(users.get(id), owners, id, key.substring(dot + 1), value));
             }
         });
-        return new SmppUsers(users, false);
+        return new SmppUsers(users, owners, false);
     }
 
     /** The dot between a system id and the name of a setting; -1 if the key is a system id, which may have dots too. */
@@ -74,12 +77,17 @@ public final class SmppUsers {
         return new User(password, EsmeSettings.STANDARD);
     }
 
-    private static User changed(User user, String key, String name, String value) {
+    private static User changed(User user, NumberOwners owners, String id, String name, String value) {
+        String key = id + "." + name;
         if (!EsmeSettings.isSetting(name)) {
             throw new IllegalArgumentException(
-                    key + ": expected alphabet, window, rate or retry.0xSTATUS, found " + name);
+                    key + ": expected numbers, alphabet, window, rate or retry.0xSTATUS, found " + name);
         }
         try {
+            if (name.equals(EsmeSettings.NUMBERS)) {
+                owners.add(id, value);
+                return user;
+            }
             return new User(user.password, user.settings.with(name, value.strip()));
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(key + ": " + e.getMessage());
@@ -104,6 +112,11 @@ public final class SmppUsers {
 
     private static byte[] octets(String text) {
         return text.getBytes(StandardCharsets.ISO_8859_1);
+    }
+
+    /** Who may serve and send as which numbers. */
+    NumberOwners owners() {
+        return owners;
     }
 
     EsmeSettings settings(String systemId) {

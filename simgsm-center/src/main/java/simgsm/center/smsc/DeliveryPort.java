@@ -10,6 +10,11 @@ public interface DeliveryPort {
         return true;
     }
 
+    /** Whether the number is a subscriber's, attached or not. */
+    default boolean isSubscriber(Msisdn number) {
+        return false;
+    }
+
     /**
      * Whether an attempt can be made now. After {@code false}, {@link ShortMessageCenter#available} or {@link
      * ShortMessageCenter#roomFor} is called when that changes.

@@ -248,6 +248,11 @@ public final class ShortMessageCenter {
         return hasRoom ? Optional.empty() : Optional.of(RpCause.CONGESTION);
     }
 
+    /** Whether the number is a subscriber's, attached or not. */
+    public boolean isSubscriber(Msisdn number) {
+        return port.isSubscriber(number);
+    }
+
     /** The store's answer to an earlier commit. */
     public void committed(long ticket, boolean isDurable) {
         Submission submission = submissions.remove(ticket);

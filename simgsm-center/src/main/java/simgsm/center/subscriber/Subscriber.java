@@ -47,6 +47,11 @@ public final class Subscriber {
         return attached;
     }
 
+    /** Whether it has registered once. */
+    boolean hasEntered() {
+        return entered;
+    }
+
     /** Marks the subscriber as known; true the first time. */
     boolean enter() {
         boolean isFirst = !entered;

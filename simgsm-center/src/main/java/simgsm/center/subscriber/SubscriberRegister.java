@@ -67,6 +67,12 @@ public final class SubscriberRegister {
         return owner != null && !home.isBarred(owner.imsi());
     }
 
+    /** Whether the number is that of a SIM of a closed network, or has registered in an open one. */
+    public boolean isSubscriber(Msisdn number) {
+        Subscriber owner = byNumber.get(number);
+        return owner != null && (!home.isOpen() || owner.hasEntered());
+    }
+
     public Collection<Subscriber> all() {
         return Collections.unmodifiableCollection(byNumber.values());
     }

@@ -185,7 +185,7 @@ class SmppDeliveryTest extends SmppStage {
 
     @Test
     void theClosestRangeGetsTheMessage() {
-        TestCenter.Application all = network.bound(SmppCommand.BIND_RECEIVER, "all", "[0-9]+");
+        TestCenter.Application all = network.bound(SmppCommand.BIND_RECEIVER, "all", "5.*");
         TestCenter.Application prefix = network.bound(SmppCommand.BIND_RECEIVER, "prefix", "5553*");
         TestCenter.Application longer = network.bound(SmppCommand.BIND_RECEIVER, "longer", "^55533");
         TestCenter.Application exact = network.bound(SmppCommand.BIND_RECEIVER, "exact", "5553399");
@@ -282,7 +282,7 @@ class SmppDeliveryTest extends SmppStage {
         TestCenter.Application sender = sender();
         sender.submit(1, text("1", "5553100", "early"));
         network.commit();
-        assertEquals(List.of("early"), texts(receiver("555[0-9]{4}")));
+        assertEquals(List.of("early"), texts(receiver("^555.*$")));
     }
 
     @ParameterizedTest

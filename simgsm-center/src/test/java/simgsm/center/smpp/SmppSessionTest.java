@@ -10,7 +10,9 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Msisdn;
 import simgsm.center.smpp.pdu.SmppAddress;
 import simgsm.center.smpp.pdu.SmppCodec;
@@ -88,13 +90,27 @@ class SmppSessionTest extends SmppStage {
         assertTrue(application.isEnding);
     }
 
-    @Test
-    void aRangeThatIsNoneRefusesTheBind() {
-        TestCenter.Application application = network.open(true);
-        application.say(new SmppPdu.Bind(SmppCommand.BIND_RECEIVER, 1, "x", "", "", 0x34, "[1-"));
-        assertEquals(
-                SmppStatus.BIND_FAILED,
-                application.last(SmppPdu.BindResponse.class).status());
+    @ParameterizedTest
+    @ValueSource(strings = {"[1-", "[0-9]+", ".*", "*", "555[0-9]{4}", "^555$|^556", "55?", "abc", "1234567890123456"})
+    void aRangeThatIsNeitherANumberNorABeginningRefusesTheBind(String range) {
+        assertEquals(SmppStatus.BIND_FAILED, bindReceiver(network.open(true), "x", range));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "5550300, 5550300, 55503001",
+        "+5550300, 5550300, 55503001",
+        "^5550300$, 5550300, 55503001",
+        "5550300$, 5550300, 55503001",
+        "555.*, 5550300, 5560300",
+        "^555.*$, 5550300, 5560300",
+        "5553*, 555399, 555299",
+        "^5553, 555399, 555299"
+    })
+    void aRangeIsANumberOrABeginning(String range, String inside, String outside) {
+        assertEquals(SmppStatus.OK, bindReceiver(network.open(true), "x", range));
+        assertTrue(network.server.routes().serves(new Msisdn(inside)));
+        assertFalse(network.server.routes().serves(new Msisdn(outside)));
     }
 
     @Test

@@ -156,7 +156,7 @@ class SmppSettingsTest extends SmppStage {
         "sender.rate=fast, 'sender.rate: expected a number of 1 to 1000000, found \"fast\"'",
         "sender.retry.88=drop, 'sender.retry.88: expected retry.0x and a command_status, found \"retry.88\"'",
         "sender.retry.0x58=never, 'sender.retry.0x58: expected drop or retry, found \"never\"'",
-        "sender.windw=3, 'sender.windw: expected alphabet, window, rate or retry.0xSTATUS, found windw'",
+        "sender.windw=3, 'sender.windw: expected numbers, alphabet, window, rate or retry.0xSTATUS, found windw'",
         "nobody.window=3, nobody.window: there is no line nobody=password"
     })
     void aLineThatIsWrongIsNamedWithWhatWasExpected(String line, String error) {

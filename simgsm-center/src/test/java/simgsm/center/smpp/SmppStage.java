@@ -29,6 +29,11 @@ abstract class SmppStage {
                 .toList();
     }
 
+    static int bindReceiver(TestCenter.Application application, String systemId, String range) {
+        application.say(new SmppPdu.Bind(SmppCommand.BIND_RECEIVER, 1, systemId, "", "", 0x34, range));
+        return application.last(SmppPdu.BindResponse.class).status();
+    }
+
     static int bind(TestCenter.Application application, String systemId, String password) {
         application.say(new SmppPdu.Bind(SmppCommand.BIND_TRANSCEIVER, 1, systemId, password, "", 0x34, ""));
         return application.last(SmppPdu.BindResponse.class).status();

@@ -3,14 +3,22 @@ package simgsm.center.smpp;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Queue;
+import java.util.Set;
+import java.util.function.Consumer;
+import simgsm.air.Msisdn;
 import simgsm.center.smpp.pdu.SmppCodec;
 import simgsm.center.smpp.pdu.SmppCommand;
 import simgsm.center.smpp.pdu.SmppMessage;
 import simgsm.center.smpp.pdu.SmppPdu;
 import simgsm.center.smpp.pdu.SmppStatus;
 import simgsm.center.smpp.pdu.SmppViolation;
+import simgsm.center.smsc.DeliveryOutcome;
+import simgsm.center.smsc.DeliveryPort;
+import simgsm.center.smsc.Destination;
+import simgsm.center.smsc.Envelope;
 import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.timer.Timers;
@@ -21,9 +29,38 @@ final class TestCenter {
 
     final Timers timers = new Timers();
     final SmppServer server = new SmppServer();
+    final Set<String> subscribers = new HashSet<>();
     final Queue<Long> tickets = new ArrayDeque<>();
     final ShortMessageCenter center = new ShortMessageCenter(
-            START, timers, (ticket, entry) -> tickets.add(ticket), server.routes(), (message, state) -> {});
+            START, timers, (ticket, entry) -> tickets.add(ticket), new Applications(), (message, state) -> {});
+
+    /** The applications, and subscribers of whom none is there. */
+    private final class Applications implements DeliveryPort {
+        @Override
+        public boolean isSubscriber(Msisdn number) {
+            return subscribers.contains(number.digits());
+        }
+
+        @Override
+        public boolean isReachable(Destination destination) {
+            return server.routes().isReachable(destination);
+        }
+
+        @Override
+        public int window(Destination destination) {
+            return server.routes().window(destination);
+        }
+
+        @Override
+        public void deliver(Envelope envelope, boolean moreWaiting, Consumer<DeliveryOutcome> ended) {
+            server.routes().deliver(envelope, moreWaiting, ended);
+        }
+
+        @Override
+        public void emptied(Destination destination) {
+            server.routes().emptied(destination);
+        }
+    }
 
     TestCenter() {
         server.serve(center, timers);

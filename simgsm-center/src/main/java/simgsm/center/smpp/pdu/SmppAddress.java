@@ -35,13 +35,9 @@ public record SmppAddress(int ton, int npi, String value) {
         return Optional.of(new Msisdn(digits));
     }
 
-    /** @throws SmppViolation with the status of what is not a type of number or numbering plan */
-    public void requireKnown(int typeStatus, int planStatus) throws SmppViolation {
-        if (ton > MAX_TON || !PLANS.contains(npi)) {
-            throw new SmppViolation(
-                    ton > MAX_TON ? typeStatus : planStatus,
-                    "type of number " + ton + " and numbering plan " + npi + " of \"" + value + "\"");
-        }
+    /** {@link SmppStatus#OK}, or the status given for what is not a type of number or numbering plan. */
+    public int check(int typeStatus, int planStatus) {
+        return ton > MAX_TON ? typeStatus : PLANS.contains(npi) ? SmppStatus.OK : planStatus;
     }
 
     /** The address for a mobile: a number, or up to 11 letters for any type of number; empty if it is neither. */

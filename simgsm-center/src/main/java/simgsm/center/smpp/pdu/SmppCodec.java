@@ -214,12 +214,11 @@ public final class SmppCodec {
         String password = fields.text("password", MAX_PASSWORD, SmppStatus.INVALID_PASSWORD, bind.password());
         String type = fields.text("system_type", MAX_SYSTEM_TYPE, SmppStatus.INVALID_SYSTEM_TYPE, bind.systemType());
         int version = fields.octet("interface_version", bind.interfaceVersion());
-        if (version > INTERFACE_VERSION && version != SMPP_5) {
-            throw new SmppViolation(
-                    SmppStatus.BIND_FAILED, "interface_version " + version + ", expected 0 to 0x34 or 0x50");
-        }
         SmppAddress types = new SmppAddress(fields.octet("addr_ton", 0), fields.octet("addr_npi", 0), "");
-        types.requireKnown(SmppStatus.BIND_FAILED, SmppStatus.BIND_FAILED);
+        if (version > INTERFACE_VERSION && version != SMPP_5 || types.check(1, 1) != SmppStatus.OK) {
+            throw new SmppViolation(
+                    SmppStatus.BIND_FAILED, "interface_version " + version + " or " + types + " is not known");
+        }
         String range = fields.text("address_range", MAX_ADDRESS_RANGE, SmppStatus.BIND_FAILED, bind.addressRange());
         return new SmppPdu.Bind(bind.command(), bind.sequence(), systemId, password, type, version, range);
     }
