@@ -31,7 +31,7 @@ abstract class SmppStage {
 
     static int bindReceiver(TestCenter.Application application, String systemId, String range) {
         application.say(new SmppPdu.Bind(SmppCommand.BIND_RECEIVER, 1, systemId, "", "", 0x34, range));
-        return application.last(SmppPdu.BindResponse.class).status();
+        return application.all(SmppPdu.BindResponse.class).get(0).status();
     }
 
     static int bind(TestCenter.Application application, String systemId, String password) {
