@@ -2,6 +2,7 @@ package simgsm.audio;
 
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.TimeUnit;
 import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioSystem;
 import javax.sound.sampled.LineUnavailableException;
@@ -13,25 +14,37 @@ import simgsm.speech.SpeechCodec;
 
 /**
  * The system's default sound device. A thread of its own opens it and writes to it, because both may block. Samples are
- * dropped until it is open, and always when there is none.
+ * dropped while no device is open; one that is absent, busy or taken away is looked for again.
  */
 public final class SoundCard implements AudioOutput {
+    /** Finds the line of a device; it is not open yet. */
+    interface Lines {
+        SourceDataLine line(AudioFormat format) throws LineUnavailableException;
+    }
+
     private static final System.Logger LOG = System.getLogger(SoundCard.class.getName());
     /** Tried in turn: the rate of speech, then a rate that every device has. */
     private static final int[] RATES_HERTZ = {SpeechCodec.SAMPLES_PER_SECOND, 48_000};
 
     private static final int QUEUE_FRAMES = 10;
-    private static final int LINE_MILLIS = 100;
+    /** Room for {@link SoundCushion#MOST_MILLIS} and a frame. Java's ALSA device has periods of 20 ms above 128 ms. */
+    private static final int LINE_MILLIS = 160;
+
+    private static final int RETRY_MILLIS = 5_000;
     private static final short[] END = {};
 
     private final BlockingQueue<short[]> queue = new ArrayBlockingQueue<>(QUEUE_FRAMES);
     private final Thread player = new Thread(this::run, "sound-card");
+    private final Lines lines;
+    private final System.Logger log;
+    private final int retryMillis;
+    private boolean isFailureLogged;
     private volatile boolean audible;
     private volatile boolean closed;
 
     /** Begins to open the device and returns at once. */
     public static AudioOutput open() {
-        return new SoundCard();
+        return new SoundCard(AudioSystem::getSourceDataLine, LOG, RETRY_MILLIS);
     }
 
     /** The device is opened by the first call of {@link #play}. */
@@ -39,7 +52,10 @@ public final class SoundCard implements AudioOutput {
         return new OnDemandAudioOutput(SoundCard::open);
     }
 
-    private SoundCard() {
+    SoundCard(Lines lines, System.Logger log, int retryMillis) {
+        this.lines = lines;
+        this.log = log;
+        this.retryMillis = retryMillis;
         player.setDaemon(true);
         player.start();
     }
@@ -69,38 +85,68 @@ public final class SoundCard implements AudioOutput {
     }
 
     private void run() {
-        for (int rate : RATES_HERTZ) {
-            AudioFormat format = new AudioFormat(rate, 16, 1, true, false);
-            // without a device getLine throws IllegalArgumentException, not LineUnavailableException
-            try (SourceDataLine line = AudioSystem.getSourceDataLine(format)) {
-                line.open(format, rate / 1000 * LINE_MILLIS * 2);
-                line.start();
-                audible = !closed;
-                playOn(line, rate);
-                return;
-            } catch (LineUnavailableException | IllegalArgumentException | SecurityException | LinkageError e) {
-                LOG.log(System.Logger.Level.DEBUG, "no sound at " + rate + " Hz: " + e.getMessage());
-            } catch (InterruptedException e) {
-                return;
-            } finally {
+        try {
+            while (!closed) {
+                openAndPlay();
                 audible = false;
+                // Without a device only the end is queued.
+                queue.poll(retryMillis, TimeUnit.MILLISECONDS);
             }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            audible = false;
         }
     }
 
+    private void openAndPlay() throws InterruptedException {
+        String reason = "";
+        for (int rate : RATES_HERTZ) {
+            AudioFormat format = new AudioFormat(rate, 16, 1, true, false);
+            // without a device getLine throws IllegalArgumentException, not LineUnavailableException
+            try (SourceDataLine line = lines.line(format)) {
+                line.open(format, rate / 1000 * LINE_MILLIS * 2);
+                line.start();
+                audible = !closed;
+                isFailureLogged = false;
+                playOn(line, rate);
+                if (!closed) {
+                    logFailure(System.Logger.Level.WARNING, "the sound device has gone");
+                }
+                return;
+            } catch (LineUnavailableException | IllegalArgumentException | SecurityException | LinkageError e) {
+                reason = e.getMessage();
+            }
+        }
+        logFailure(System.Logger.Level.INFO, "no sound device can be opened: " + reason);
+    }
+
+    private void logFailure(System.Logger.Level level, String text) {
+        if (!isFailureLogged) {
+            isFailureLogged = true;
+            log.log(level, text + "; looked for again every " + retryMillis + " ms");
+        }
+    }
+
+    /** Returns at the end, or when the device has taken less than it was given, which says that it has gone. */
     private void playOn(SourceDataLine line, int rate) throws InterruptedException {
         Resampler resampler = new Resampler(SpeechCodec.SAMPLES_PER_SECOND, rate, Resampler.Slope.STEEP);
+        SoundCushion cushion = new SoundCushion(System.nanoTime());
         short[] out = new short[rate / 50];
+        // A device begins to run with what it is given first: PulseAudio took 0.1 s for that under the first key.
+        short[] samples = new short[SoundCushion.CUSHION_MILLIS * SpeechCodec.SAMPLES_PER_SECOND / 1000];
         while (!closed) {
-            short[] samples = queue.take();
             float[] in = new float[samples.length];
             for (int i = 0; i < in.length; i++) {
                 in[i] = samples[i];
             }
             resampler.write(in, in.length);
             for (int n; (n = resampler.read(out, 0, out.length)) > 0; ) {
-                line.write(octets(out, n), 0, 2 * n);
+                if (line.write(octets(out, n), 0, 2 * n) < 2 * n) {
+                    return;
+                }
             }
+            samples = cushion.accept(queue.take(), System.nanoTime());
         }
     }
 

@@ -1,0 +1,56 @@
+package simgsm.audio;
+
+import java.util.concurrent.TimeUnit;
+import simgsm.speech.SpeechCodec;
+
+/**
+ * Puts silence before a sound, so that each of its frames reaches the device {@value #CUSHION_MILLIS} ms before it is
+ * played. A device reports what it still has to play with errors of its whole buffer (ALSA's plugin for PulseAudio), so
+ * the time is taken from the caller's clock. A pause is not written after its first frame: the device runs empty, and the
+ * next sound begins with a new cushion, whatever the two clocks have drifted apart.
+ */
+final class SoundCushion {
+    static final int CUSHION_MILLIS = 40;
+    /** With more than this ahead of it a frame is left out. */
+    static final int MOST_MILLIS = 100;
+    /** Twice the smallest value of A-law, for the sum of both directions. */
+    private static final int SILENCE = 16;
+
+    private static final short[] NOTHING = {};
+    private static final long NANOS_PER_SAMPLE = TimeUnit.SECONDS.toNanos(1) / SpeechCodec.SAMPLES_PER_SECOND;
+
+    /** When the device has played all that it was given. */
+    private long endNanos;
+
+    private boolean pausing = true;
+
+    /** A cushion for a device that has nothing to play. */
+    SoundCushion(long nowNanos) {
+        endNanos = nowNanos;
+    }
+
+    /** What the device has to be given now, at 8 kHz: the frame with silence before it, the frame alone, or nothing. */
+    short[] accept(short[] frame, long nowNanos) {
+        long ahead = Math.max(0, endNanos - nowNanos);
+        boolean silent = isSilent(frame);
+        if (silent && pausing || ahead > TimeUnit.MILLISECONDS.toNanos(MOST_MILLIS)) {
+            return NOTHING;
+        }
+        long missing = pausing || ahead == 0 ? TimeUnit.MILLISECONDS.toNanos(CUSHION_MILLIS) - ahead : 0;
+        int pause = (int) (Math.max(0, missing) / NANOS_PER_SAMPLE);
+        short[] padded = new short[pause + frame.length];
+        System.arraycopy(frame, 0, padded, pause, frame.length);
+        endNanos = nowNanos + ahead + padded.length * NANOS_PER_SAMPLE;
+        pausing = silent;
+        return padded;
+    }
+
+    private static boolean isSilent(short[] frame) {
+        for (short sample : frame) {
+            if (Math.abs(sample) > SILENCE) {
+                return false;
+            }
+        }
+        return true;
+    }
+}
