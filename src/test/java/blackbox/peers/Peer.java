@@ -43,7 +43,10 @@ enum Peer {
     XVFB("Xvfb"),
     OPENBOX("openbox"),
     XDOTOOL("xdotool"),
-    XWININFO("xwininfo");
+    XWININFO("xwininfo"),
+    PULSEAUDIO("pulseaudio"),
+    PACTL("pactl"),
+    PAREC("parec");
 
     /** Where {@code src/test/peers/install.sh} puts libraries. */
     static final Path LIBRARIES = Dist.root().resolve("target").resolve("peers");

@@ -4,7 +4,7 @@ import java.util.concurrent.TimeUnit;
 import simgsm.speech.SpeechCodec;
 
 /**
- * Puts silence before a sound, so that each of its frames reaches the device {@value #CUSHION_MILLIS} ms before it is
+ * Delays a sound, so that each of its frames reaches the device {@value #CUSHION_MILLIS} ms before it is
  * played. A device reports what it still has to play with errors of its whole buffer (ALSA's plugin for PulseAudio), so
  * the time is taken from the caller's clock. A pause is not written after its first frame: the device runs empty, and the
  * next sound begins with a new cushion, whatever the two clocks have drifted apart.
@@ -29,7 +29,7 @@ final class SoundCushion {
         endNanos = nowNanos;
     }
 
-    /** What the device has to be given now, at 8 kHz: the frame with silence before it, the frame alone, or nothing. */
+    /** What the device has to be given now, at 8 kHz: the frame with a cushion before it, the frame alone, or nothing. */
     short[] accept(short[] frame, long nowNanos) {
         long ahead = Math.max(0, endNanos - nowNanos);
         boolean silent = isSilent(frame);
@@ -39,7 +39,10 @@ final class SoundCushion {
         long missing = pausing || ahead == 0 ? TimeUnit.MILLISECONDS.toNanos(CUSHION_MILLIS) - ahead : 0;
         int pause = (int) (Math.max(0, missing) / NANOS_PER_SAMPLE);
         short[] padded = new short[pause + frame.length];
-        System.arraycopy(frame, 0, padded, pause, frame.length);
+        // A sound that came too late goes on as it is now, so that what is missing is no longer than it must be.
+        for (int i = pausing ? pause : 0; i < padded.length; i++) {
+            padded[i] = frame[Math.floorMod(i - pause, frame.length)];
+        }
         endNanos = nowNanos + ahead + padded.length * NANOS_PER_SAMPLE;
         pausing = silent;
         return padded;
