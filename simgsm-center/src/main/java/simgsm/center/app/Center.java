@@ -182,8 +182,7 @@ public final class Center implements AutoCloseable {
 
     public void start(Consumer<ExchangeEvent> listener) {
         Instant startedAt = Instant.now().minusNanos(loop.nowNanos());
-        Optional<DetailRecords> details =
-                records.map(files -> new DetailRecords(() -> startedAt.plusNanos(loop.nowNanos()), files));
+        Optional<DetailRecords> details = records.map(files -> new DetailRecords(loop::nowNanos, files));
         Exchange exchange = new Exchange(
                 new ExchangeSettings(
                         ExchangeSettings.DEFAULT_NETWORK_NAME,

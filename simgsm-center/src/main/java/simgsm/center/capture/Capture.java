@@ -19,11 +19,8 @@ public final class Capture implements AutoCloseable {
     private static final int GATHERING_MILLIS = 50;
 
     private static final long NANOS_PER_MICRO = 1_000;
-    private static final long NANOS_PER_SECOND = 1_000_000_000;
 
     private final CapturePlan plan;
-    private final Instant startedAt = Instant.now();
-    private final long startNanos = System.nanoTime();
     private final Thread thread = new Thread(this::run, "capture");
     private final Object lock = new Object();
     private final AtomicInteger sessions = new AtomicInteger();
@@ -73,8 +70,7 @@ public final class Capture implements AutoCloseable {
 
     /** Takes one IP packet, header and all. */
     void packet(byte[] packet) {
-        long nanos = startedAt.getNano() + (System.nanoTime() - startNanos);
-        long seconds = startedAt.getEpochSecond() + nanos / NANOS_PER_SECOND;
+        Instant now = Instant.now();
         synchronized (lock) {
             if (isEnded) {
                 return;
@@ -82,7 +78,7 @@ public final class Capture implements AutoCloseable {
             if (filling.isEmpty()) {
                 lock.notifyAll();
             }
-            boolean isTaken = filling.add((int) seconds, (int) (nanos % NANOS_PER_SECOND / NANOS_PER_MICRO), packet);
+            boolean isTaken = filling.add((int) now.getEpochSecond(), (int) (now.getNano() / NANOS_PER_MICRO), packet);
             if (!isTaken && leftOut++ == 0) {
                 LOG.log(Level.WARNING, "capture {0}: the disk is too slow, packets are left out", plan.file());
             }

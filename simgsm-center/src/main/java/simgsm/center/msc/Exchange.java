@@ -41,6 +41,7 @@ import simgsm.center.smsc.StoreEntry;
 import simgsm.center.smsc.StoredState;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
+import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /**
@@ -52,7 +53,7 @@ public final class Exchange {
     private static final System.Logger LOG = System.getLogger(Exchange.class.getName());
 
     private final Timers timers = new Timers();
-    private final Instant startedAt;
+    private final CivilTime civil;
     private final Consumer<ExchangeEvent> listener;
     private final SubscriberRegister register;
     private final MobilityProcedures mobility;
@@ -76,10 +77,10 @@ public final class Exchange {
             MessageStore store,
             ApplicationPort applications,
             Consumer<ExchangeEvent> listener) {
-        this.startedAt = settings.startedAt();
+        civil = new CivilTime(settings.startedAt(), timers);
         this.listener = listener;
         RandomGenerator random = settings.random();
-        Ladder ladder = new Ladder(startedAt, timers);
+        Ladder ladder = new Ladder(civil);
         register = new SubscriberRegister(
                 settings.home(),
                 random,
@@ -92,7 +93,7 @@ public final class Exchange {
         MobileMessages mobiles = new MobileMessages(locations);
         UssdDialogues services = new UssdDialogues(locations, settings.language(), settings.callWaiting(), this::store);
         shortMessages = new ShortMessageCenter(
-                startedAt, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
+                civil, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);
         calls = new CallSwitch(
                 mobility, settings.tones(), settings.callWaiting(), settings.setupNanos(), this::callChanged);
@@ -224,6 +225,15 @@ public final class Exchange {
         settle();
     }
 
+    /** The wall clock shows this now: stamps and validities follow it, timers do not. */
+    public void clockShows(long nowNanos, Instant wall) {
+        advanceTimers(nowNanos);
+        if (civil.isJump(wall)) {
+            shortMessages.timeHasJumped();
+            advance(nowNanos);
+        }
+    }
+
     /** When {@link #advance} must be called at the latest. */
     public OptionalLong nextDeadlineNanos() {
         return timers.nextDeadlineNanos();
@@ -340,6 +350,6 @@ public final class Exchange {
 
     /** An immutable view of bounded size for a window. */
     public ExchangeSnapshot snapshot() {
-        return snapshots.make(startedAt.plusNanos(timers.nowNanos()), linkCount());
+        return snapshots.make(civil.now(), linkCount());
     }
 }

@@ -10,20 +10,18 @@ import simgsm.air.Direction;
 import simgsm.center.msc.link.Lifeline;
 import simgsm.center.msc.link.Trace;
 import simgsm.octets.OctetString;
-import simgsm.timer.Timers;
+import simgsm.timer.CivilTime;
 
 /** The latest 1000 signalling messages. */
 final class Ladder implements Trace {
     static final int MAX_ENTRIES = 1_000;
 
-    private final Instant startedAt;
-    private final Timers timers;
+    private final CivilTime civil;
     private final Deque<Rung> rungs = new ArrayDeque<>(MAX_ENTRIES);
     private long passed;
 
-    Ladder(Instant startedAt, Timers timers) {
-        this.startedAt = startedAt;
-        this.timers = timers;
+    Ladder(CivilTime civil) {
+        this.civil = civil;
     }
 
     @Override
@@ -31,7 +29,7 @@ final class Ladder implements Trace {
         if (rungs.size() == MAX_ENTRIES) {
             rungs.removeFirst();
         }
-        rungs.addLast(new Rung(party, direction, startedAt.plusNanos(timers.nowNanos()), name, octets));
+        rungs.addLast(new Rung(party, direction, civil.now(), name, octets));
         passed++;
     }
 

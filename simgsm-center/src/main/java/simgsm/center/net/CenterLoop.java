@@ -3,6 +3,7 @@ package simgsm.center.net;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.time.Instant;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -18,6 +19,11 @@ import simgsm.net.SelectorLoop;
 
 /** The thread that owns the exchange, its ports and its connections. */
 public final class CenterLoop implements AutoCloseable {
+    /** Pause between two looks at the wall clock while much happens, and while nothing happens. */
+    private static final long LOOK_NANOS = 10_000_000;
+
+    private static final long LATEST_LOOK_NANOS = 1_000_000_000;
+
     private final SelectorLoop loop = new SelectorLoop("centre");
     private final long startNanos = System.nanoTime();
     private final PortLimits limits;
@@ -25,17 +31,19 @@ public final class CenterLoop implements AutoCloseable {
     private final RateLimitedObserver observer = new RateLimitedObserver();
     private Optional<Capture> capture = Optional.empty();
     private Exchange exchange;
+    private long lookedNanos;
 
     private final class Driver implements SelectorLoop.Core {
         @Override
         public long nextDeadlineNanos() {
             long next = Math.min(exchange.nextDeadlineNanos().orElse(Long.MAX_VALUE), observer.dueNanos());
-            return next == Long.MAX_VALUE ? SelectorLoop.NEVER : startNanos + next;
+            return startNanos + Math.min(next, lookedNanos + LATEST_LOOK_NANOS);
         }
 
         @Override
         public void advance(long loopNanos) {
             long now = loopNanos - startNanos;
+            lookAtClock(now);
             if (exchange.nextDeadlineNanos().orElse(Long.MAX_VALUE) <= now) {
                 changing().advance(now);
             }
@@ -141,7 +149,15 @@ public final class CenterLoop implements AutoCloseable {
     /** The exchange, for a call that may change it. */
     Exchange changing() {
         observer.changed();
+        lookAtClock(nowNanos());
         return exchange;
+    }
+
+    private void lookAtClock(long nowNanos) {
+        if (nowNanos - lookedNanos > LOOK_NANOS) {
+            lookedNanos = nowNanos;
+            exchange.clockShows(nowNanos, Instant.now());
+        }
     }
 
     /** Closes the ports and every connection, and waits for the thread to end. */

@@ -17,6 +17,7 @@ import simgsm.file.CsvLine;
  * @param began SETUP received, or message accepted
  * @param answered a call became active
  * @param ended the first clearing message, or the message's end
+ * @param lasted since the answer of a call, or the acceptance of a message; 0 for an unanswered call
  * @param result answered or refused; delivered, expired, rejected or deleted
  * @param cause of TS 24.008, for a call
  */
@@ -29,6 +30,7 @@ record DetailRecord(
         Instant began,
         Optional<Instant> answered,
         Instant ended,
+        Duration lasted,
         String result,
         Optional<Integer> cause) {
     /** What a record is about. */
@@ -39,7 +41,7 @@ record DetailRecord(
 
     static final String HEADER = "type,id,from,to,via,began,answered,ended,seconds,result,cause";
 
-    /** The line, without its end. Times are UTC in milliseconds; seconds count from the answer, or else from the beginning. */
+    /** The line, without its end. Times are UTC in milliseconds. */
     String line() {
         return CsvLine.of(List.of(
                 type.name().toLowerCase(Locale.ROOT),
@@ -50,16 +52,9 @@ record DetailRecord(
                 time(began),
                 answered.map(DetailRecord::time).orElse(""),
                 time(ended),
-                seconds(),
+                String.format(Locale.ROOT, "%d.%03d", lasted.toSeconds(), lasted.toMillisPart()),
                 result,
                 cause.map(String::valueOf).orElse("")));
-    }
-
-    /** Of an unanswered call 0. */
-    private String seconds() {
-        Instant since = answered.orElse(type == Type.CALL ? ended : began);
-        long millis = Math.max(0, Duration.between(since, ended).toMillis());
-        return String.format(Locale.ROOT, "%d.%03d", millis / 1000, millis % 1000);
     }
 
     private static String time(Instant time) {

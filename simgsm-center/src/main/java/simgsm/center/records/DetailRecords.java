@@ -1,5 +1,6 @@
 package simgsm.center.records;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.HashMap;
@@ -7,6 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import simgsm.air.Cause;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.smsc.EsmeOrigin;
@@ -16,6 +18,9 @@ import simgsm.center.smsc.ShortMessage;
 /** Makes a record of each call that has been cleared and of each message that has ended. Owned by the exchange's thread. */
 public final class DetailRecords implements Consumer<ExchangeEvent> {
     private final InstantSource clock;
+    /** By it a call's seconds are counted: the civil clock may be set in the meantime. */
+    private final LongSupplier nanos;
+
     private final Consumer<DetailRecord> writer;
     private final Map<Long, Course> calls = new HashMap<>();
 
@@ -23,20 +28,22 @@ public final class DetailRecords implements Consumer<ExchangeEvent> {
     private static final class Course {
         final Instant began;
         Optional<Instant> answered = Optional.empty();
+        long answeredNanos;
 
         Course(Instant began) {
             this.began = began;
         }
     }
 
-    DetailRecords(InstantSource clock, Consumer<DetailRecord> writer) {
+    DetailRecords(InstantSource clock, LongSupplier nanos, Consumer<DetailRecord> writer) {
         this.clock = clock;
+        this.nanos = nanos;
         this.writer = writer;
     }
 
-    /** Records that go to files. @param clock the exchange's civil time */
-    public DetailRecords(InstantSource clock, RecordFiles files) {
-        this(clock, files::add);
+    /** Records that go to files. @param nanos the exchange's time */
+    public DetailRecords(LongSupplier nanos, RecordFiles files) {
+        this(InstantSource.system(), nanos, files::add);
     }
 
     @Override
@@ -44,7 +51,10 @@ public final class DetailRecords implements Consumer<ExchangeEvent> {
         if (event instanceof ExchangeEvent.CallChanged call) {
             Course course = calls.computeIfAbsent(call.id(), id -> new Course(clock.instant()));
             switch (call.state()) {
-                case ACTIVE -> course.answered = Optional.of(clock.instant());
+                case ACTIVE -> {
+                    course.answered = Optional.of(clock.instant());
+                    course.answeredNanos = nanos.getAsLong();
+                }
                 case RELEASED -> ended(call, course);
                 default -> {}
             }
@@ -62,6 +72,7 @@ public final class DetailRecords implements Consumer<ExchangeEvent> {
                 course.began,
                 course.answered,
                 clock.instant(),
+                Duration.ofNanos(course.answered.isPresent() ? nanos.getAsLong() - course.answeredNanos : 0),
                 course.answered.isPresent() ? "answered" : "refused",
                 call.cause().map(Cause::code)));
     }
@@ -69,6 +80,8 @@ public final class DetailRecords implements Consumer<ExchangeEvent> {
     /** A message has entered a state. */
     public void accept(ShortMessage message, MessageState state) {
         if (state != MessageState.ACCEPTED) {
+            Instant now = clock.instant();
+            Duration waited = Duration.between(message.acceptedAt(), now);
             writer.accept(new DetailRecord(
                     DetailRecord.Type.MESSAGE,
                     message.id(),
@@ -77,7 +90,8 @@ public final class DetailRecords implements Consumer<ExchangeEvent> {
                     message.esme().map(EsmeOrigin::systemId).orElse(""),
                     message.acceptedAt(),
                     Optional.empty(),
-                    clock.instant(),
+                    now,
+                    waited.isNegative() ? Duration.ZERO : waited,
                     state.name().toLowerCase(Locale.ROOT),
                     Optional.empty()));
         }

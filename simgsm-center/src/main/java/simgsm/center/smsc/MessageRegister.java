@@ -61,7 +61,7 @@ public final class MessageRegister {
         return entries(limit).map(entry -> entry.queue.history(entry)).toList();
     }
 
-    private Stream<QueueEntry> entries(int limit) {
+    Stream<QueueEntry> entries(int limit) {
         return waiting.values().stream().limit(limit);
     }
 

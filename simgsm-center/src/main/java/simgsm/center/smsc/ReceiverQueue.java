@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.stream.Stream;
+import simgsm.timer.CivilTime;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
@@ -18,25 +20,16 @@ final class ReceiverQueue {
     /**
      * What all queues share.
      *
-     * @param startedAt the civil time at which {@code timers} stood at 0
      * @param held counts the octets of the entries
      * @param ended is called with each entry that leaves its queue and its final state
      */
     record Context(
-            Instant startedAt,
+            CivilTime civil,
             Timers timers,
             DeliveryPort port,
             ShortMessageCenter.Containers containers,
             HeldOctets held,
-            BiConsumer<QueueEntry, MessageState> ended) {
-        Instant now() {
-            return timeOf(timers.nowNanos());
-        }
-
-        Instant timeOf(long nanos) {
-            return startedAt.plusNanos(nanos);
-        }
-    }
+            BiConsumer<QueueEntry, MessageState> ended) {}
 
     private final Destination destination;
     private final Context context;
@@ -88,20 +81,33 @@ final class ReceiverQueue {
 
     /** Makes an entry ready, now or at its scheduled time. */
     private void begin(QueueEntry entry) {
-        Instant now = context.now();
-        Optional<Instant> later = entry.envelope.notBefore().filter(now::isBefore);
-        if (later.isPresent()) {
-            entry.isScheduled = true;
+        Instant now = context.civil.now();
+        entry.isScheduled = entry.envelope.notBefore().filter(now::isBefore).isPresent();
+        if (entry.isScheduled) {
             scheduled++;
-            entry.timer = start(now, later.get(), () -> scheduledTimeHasCome(entry));
         } else {
             ready.put(entry.place, entry);
-            entry.timer = start(now, entry.envelope.expiresAt(), () -> expire(entry));
         }
+        startTimer(entry);
     }
 
-    private Timer start(Instant now, Instant end, Runnable action) {
-        return timers.start(Duration.between(now, end).toNanos(), action);
+    /** Starts an entry's timer, again after a jump of the civil time, by which it ends. */
+    void startTimer(QueueEntry entry) {
+        Optional<Instant> later = entry.envelope.notBefore().filter(time -> entry.isScheduled);
+        Instant end = later.orElse(entry.envelope.expiresAt());
+        timers.cancel(entry.timer);
+        entry.timer = timers.start(Duration.between(context.civil.now(), end).toNanos(), () -> {
+            if (entry.isScheduled) {
+                scheduledTimeHasCome(entry);
+            } else {
+                expire(entry);
+            }
+        });
+    }
+
+    /** The entries that are tried by and by; those scheduled, replaced or under way are not among them. */
+    Stream<QueueEntry> entries() {
+        return Stream.concat(ready.values().stream(), postponed.values().stream());
     }
 
     private void scheduledTimeHasCome(QueueEntry entry) {
@@ -204,7 +210,7 @@ final class ReceiverQueue {
     private void attempted(QueueEntry entry, DeliveryOutcome outcome) {
         inFlight--;
         entry.isInFlight = false;
-        context.held.attempted(entry.attempted(context.now(), outcome));
+        context.held.attempted(entry.attempted(context.civil.now(), outcome));
         switch (outcome) {
             case DELIVERED -> answered(entry, MessageState.DELIVERED);
             case REFUSED -> answered(entry, MessageState.REJECTED);
@@ -286,7 +292,7 @@ final class ReceiverQueue {
                 waitReason(entry),
                 entry.attempts,
                 entry.attemptCount,
-                nextTryNanos(entry).map(context::timeOf),
+                nextTryNanos(entry).map(context.civil::at),
                 Optional.empty());
     }
 

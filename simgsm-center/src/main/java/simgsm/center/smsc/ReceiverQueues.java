@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /** The queues of all destinations that something waits for. */
 final class ReceiverQueues {
@@ -40,6 +41,11 @@ final class ReceiverQueues {
             queues.remove(destination);
             context.port().emptied(destination);
         }
+    }
+
+    /** The entries of all queues that are tried by and by. */
+    Stream<QueueEntry> entries() {
+        return queues.values().stream().flatMap(ReceiverQueue::entries);
     }
 
     /** A receiver has become available. */

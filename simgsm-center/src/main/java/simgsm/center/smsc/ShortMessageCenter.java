@@ -14,12 +14,14 @@ import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RpCause;
 import simgsm.octets.OctetString;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
+import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /**
@@ -46,7 +48,7 @@ public final class ShortMessageCenter {
     /** Validity of a message without a validity period, and of every report. */
     private static final Duration DEFAULT_VALIDITY = Duration.ofDays(7);
 
-    private final Instant startedAt;
+    private final CivilTime civil;
     private final Timers timers;
     private final MessageStore store;
     private final DeliveryPort port;
@@ -83,17 +85,16 @@ public final class ShortMessageCenter {
     }
 
     /**
-     * @param startedAt the civil time at which {@code timers} stood at 0
      * @param listener is given every change of state of every message
      */
     public ShortMessageCenter(
-            Instant startedAt,
+            CivilTime civil,
             Timers timers,
             MessageStore store,
             DeliveryPort port,
             BiConsumer<ShortMessage, MessageState> listener) {
         this(
-                startedAt,
+                civil,
                 timers,
                 store,
                 port,
@@ -103,21 +104,20 @@ public final class ShortMessageCenter {
     }
 
     ShortMessageCenter(
-            Instant startedAt,
+            CivilTime civil,
             Timers timers,
             MessageStore store,
             DeliveryPort port,
             BiConsumer<ShortMessage, MessageState> listener,
             Containers containers,
             HeldOctets held) {
-        this.startedAt = startedAt;
+        this.civil = civil;
         this.timers = timers;
         this.store = store;
         this.port = port;
         this.listener = listener;
         this.held = held;
-        this.queues =
-                new ReceiverQueues(new ReceiverQueue.Context(startedAt, timers, port, containers, held, this::ended));
+        this.queues = new ReceiverQueues(new ReceiverQueue.Context(civil, timers, port, containers, held, this::ended));
         this.messages = new MessageRegister(containers.inOrderOfInsertion());
     }
 
@@ -425,8 +425,16 @@ public final class ShortMessageCenter {
         store.commit(MessageStore.NO_TICKET, List.of(entry));
     }
 
+    /** The civil time has jumped: what ends or begins by it is reckoned from the new time. */
+    public void timeHasJumped() {
+        Stream.concat(messages.entries(Integer.MAX_VALUE), queues.entries())
+                .distinct()
+                .toList()
+                .forEach(entry -> entry.queue.startTimer(entry));
+    }
+
     /** Civil time. */
     public Instant now() {
-        return startedAt.plusNanos(timers.nowNanos());
+        return civil.now();
     }
 }

@@ -30,7 +30,8 @@ final class TimeStamps {
         forgetBefore(second);
         Key key = new Key(sender, to, submit.protocolIdentifier(), submit.userData());
         Instant before = last.get(key);
-        boolean isTaken = before != null && !before.isBefore(second);
+        // a later one is of a time before the clock was set back
+        boolean isTaken = before != null && !before.isBefore(second) && !before.isAfter(now.plus(MOST_AHEAD));
         Instant next = isTaken ? before.plusSeconds(1) : now;
         Instant stamp = next.isAfter(now.plus(MOST_AHEAD)) ? before : next;
         last.putNewest(key, stamp.truncatedTo(ChronoUnit.SECONDS));

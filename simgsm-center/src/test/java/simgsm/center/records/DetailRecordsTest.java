@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDate;
 import java.util.ArrayList;
@@ -27,7 +28,9 @@ class DetailRecordsTest {
 
     private final List<String> lines = new ArrayList<>();
     private Instant now = NOON;
-    private final DetailRecords records = new DetailRecords(() -> now, detail -> lines.add(detail.line()));
+    private Duration setAhead = Duration.ZERO;
+    private final DetailRecords records = new DetailRecords(
+            () -> now.plus(setAhead), () -> Duration.between(NOON, now).toNanos(), detail -> lines.add(detail.line()));
 
     private void call(long id, CallProgress state, Optional<Cause> cause) {
         records.accept(new ExchangeEvent.CallChanged(id, new Msisdn("5550100"), new Msisdn("5550200"), state, cause));
@@ -43,6 +46,7 @@ class DetailRecordsTest {
                 NOON,
                 Optional.empty(),
                 ended,
+                Duration.ZERO,
                 "delivered",
                 Optional.empty());
     }
@@ -58,6 +62,20 @@ class DetailRecordsTest {
         assertEquals(
                 List.of("call,1,5550100,5550200,,2026-11-21T12:00:00Z,2026-11-21T12:00:01.500Z,"
                         + "2026-11-21T12:01:03.750Z,62.250,answered,16"),
+                lines);
+    }
+
+    @Test
+    void theSecondsOfACallInWhichTheClockIsSetAreThoseThatHavePassed() {
+        call(1, CallProgress.INITIATED, Optional.empty());
+        call(1, CallProgress.ACTIVE, Optional.empty());
+        now = NOON.plusSeconds(5);
+        setAhead = Duration.ofHours(-3);
+        call(1, CallProgress.RELEASED, Optional.of(Cause.NORMAL_CALL_CLEARING));
+
+        assertEquals(
+                List.of("call,1,5550100,5550200,,2026-11-21T12:00:00Z,2026-11-21T12:00:00Z,2026-11-21T09:00:05Z,"
+                        + "5.000,answered,16"),
                 lines);
     }
 

@@ -21,6 +21,7 @@ import simgsm.center.smsc.Destination;
 import simgsm.center.smsc.Envelope;
 import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /** The core without sockets: applications as lists of PDUs, a clock moved by hand, a store that answers when told. */
@@ -32,7 +33,11 @@ final class TestCenter {
     final Set<String> subscribers = new HashSet<>();
     final Queue<Long> tickets = new ArrayDeque<>();
     final ShortMessageCenter center = new ShortMessageCenter(
-            START, timers, (ticket, entry) -> tickets.add(ticket), new Applications(), (message, state) -> {});
+            new CivilTime(START, timers),
+            timers,
+            (ticket, entry) -> tickets.add(ticket),
+            new Applications(),
+            (message, state) -> {});
 
     /** The applications, and subscribers of whom none is there. */
     private final class Applications implements DeliveryPort {

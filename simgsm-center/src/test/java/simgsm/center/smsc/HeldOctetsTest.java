@@ -17,6 +17,7 @@ import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
+import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /** The limit by the heap: what counts, and that it counts no longer once it has left. */
@@ -51,7 +52,7 @@ class HeldOctetsTest {
     };
 
     private final ShortMessageCenter center = new ShortMessageCenter(
-            Instant.EPOCH,
+            new CivilTime(Instant.EPOCH, timers),
             timers,
             (ticket, entries) -> tickets.add(ticket),
             port,

@@ -24,6 +24,7 @@ import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
+import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /**
@@ -70,7 +71,7 @@ class LargestSizeTest {
     };
 
     private final ShortMessageCenter center = new ShortMessageCenter(
-            Instant.EPOCH,
+            new CivilTime(Instant.EPOCH, timers),
             timers,
             (ticket, entries) -> tickets.add(ticket),
             port,

@@ -26,6 +26,7 @@ import simgsm.sms.Tpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
+import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /** What an operator sees of a message on its way: when it was tried, what it waits for, when it ends. */
@@ -57,8 +58,8 @@ class MessageHistoryTest {
         }
     };
 
-    private final ShortMessageCenter center =
-            new ShortMessageCenter(START, timers, (ticket, entry) -> tickets.add(ticket), port, (message, state) -> {});
+    private final ShortMessageCenter center = new ShortMessageCenter(
+            new CivilTime(START, timers), timers, (ticket, entry) -> tickets.add(ticket), port, (message, state) -> {});
 
     private void submit(String text) {
         submit(text, Optional.empty());

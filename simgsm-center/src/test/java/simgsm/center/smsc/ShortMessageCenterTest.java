@@ -22,6 +22,7 @@ import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
+import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /** The short message centre alone: a port that delivers when the test says so, and a store that is always done. */
@@ -51,7 +52,11 @@ class ShortMessageCenterTest {
     };
 
     private final ShortMessageCenter center = new ShortMessageCenter(
-            Instant.EPOCH, timers, (ticket, entry) -> tickets.add(ticket), port, (message, state) -> states.add(state));
+            new CivilTime(Instant.EPOCH, timers),
+            timers,
+            (ticket, entry) -> tickets.add(ticket),
+            port,
+            (message, state) -> states.add(state));
 
     private static OctetString submit(SmsAddress to, String text) {
         return TpduCodec.encode(new SubmitTpdu(false, false, false, 1, to, 0, Optional.empty(), UserData.of(text)));
@@ -242,7 +247,11 @@ class ShortMessageCenterTest {
         submit("hello");
         ShortMessage first = center.messages().waiting().get(0);
         ShortMessageCenter again = new ShortMessageCenter(
-                Instant.EPOCH, new Timers(), (ticket, entry) -> tickets.add(ticket), port, (message, state) -> {});
+                new CivilTime(Instant.EPOCH, timers),
+                timers,
+                (ticket, entry) -> tickets.add(ticket),
+                port,
+                (message, state) -> {});
         again.restore(new StoredState(1, List.of(), List.of(), List.of(first), List.of()));
         again.submit(SENDER, submit(SmsAddress.of(RECEIVER), "hello"), false, answers::add);
         again.committed(tickets.get(0), true);

@@ -24,6 +24,7 @@ import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
+import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /** What the centre stores, what it does with a restored store, and what it sends back as reports. */
@@ -70,7 +71,7 @@ class StoredMessagesTest {
     };
 
     private final ShortMessageCenter center = new ShortMessageCenter(
-            START,
+            new CivilTime(START, timers),
             timers,
             (ticket, entries) -> {
                 stored.addAll(entries);
