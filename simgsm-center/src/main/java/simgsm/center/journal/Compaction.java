@@ -59,7 +59,7 @@ final class Compaction {
         while (rest.hasNext() && next.size() < STEP_ENTRIES) {
             next.add(rest.next());
         }
-        snapshot.append(next);
+        snapshot.appendUnsynchronised(next);
     }
 
     private void finish() throws IOException {

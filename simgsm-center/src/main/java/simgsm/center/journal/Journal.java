@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import simgsm.center.smsc.HeapShare;
 import simgsm.center.smsc.StoreEntry;
 import simgsm.center.smsc.StoredState;
 
@@ -30,7 +31,7 @@ public final class Journal {
      * @param maxRecent messages kept to recognise repetitions
      */
     record Limits(long segmentOctets, long minCompactedOctets, int mostWaste, int mostSegments, int maxRecent) {
-        static final Limits STANDARD = new Limits(16 << 20, 4 << 20, 3, 32, 20_000);
+        static final Limits STANDARD = new Limits(16 << 20, 4 << 20, 3, 32, HeapShare.count(20_000, 500));
 
         Limits(long minCompactedOctets, int maxRecent) {
             this(STANDARD.segmentOctets, minCompactedOctets, STANDARD.mostWaste, STANDARD.mostSegments, maxRecent);

@@ -46,26 +46,37 @@ final class JournalSegment {
 
     /** Appends entries with one write and one synchronisation. */
     void append(List<StoreEntry> entries) throws IOException {
+        append(entries, true);
+    }
+
+    /** Appends entries that become durable with the next mark. */
+    void appendUnsynchronised(List<StoreEntry> entries) throws IOException {
+        append(entries, false);
+    }
+
+    private void append(List<StoreEntry> entries, boolean isSynchronised) throws IOException {
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
         long sequence = records;
         for (StoreEntry entry : entries) {
             RecordFormat.write(octets, ++sequence, EntryCodec.encode(entry));
         }
-        write(octets, sequence);
+        write(octets, sequence, isSynchronised);
     }
 
     void append(FileMark mark) throws IOException {
         ByteArrayOutputStream octets = new ByteArrayOutputStream();
         RecordFormat.write(octets, records + 1, mark.encode());
-        write(octets, records + 1);
+        write(octets, records + 1, true);
     }
 
-    private void write(ByteArrayOutputStream octets, long lastSequence) throws IOException {
+    private void write(ByteArrayOutputStream octets, long lastSequence, boolean isSynchronised) throws IOException {
         if (size + octets.size() > capacity) {
             throw new IOException("the room held back is full");
         }
         file.write(ByteBuffer.wrap(octets.toByteArray()), size);
-        file.sync();
+        if (isSynchronised) {
+            file.sync();
+        }
         size += octets.size();
         records = lastSequence;
     }

@@ -6,20 +6,25 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.center.smsc.HeapShare;
 import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.StoreEntry;
 
 /**
- * The thread that owns the journal. Commits that arrive while the disk is busy are written as one group with one
- * synchronisation, so the size of the groups follows from the disk's speed.
+ * The thread that owns the journal. Commits that arrive while the disk is busy, and on a slow disk a little later, are
+ * written as one group with one synchronisation.
  */
 public final class JournalThread implements MessageStore, AutoCloseable {
-    /** Commits in a group; about 1 MB. */
-    private static final int MAX_GROUP = 4_000;
+    /** Commits in a group; about 1 MB, or less in a small heap. */
+    private static final int MAX_GROUP = HeapShare.count(4_000, 1_500);
 
     private static final long RETRY_MILLIS = 500;
 
-    private record Order(long ticket, List<StoreEntry> entries) {}
+    private record Order(long ticket, List<StoreEntry> entries) {
+        boolean isRefusable() {
+            return entries.stream().anyMatch(StoreEntry.Accepted.class::isInstance);
+        }
+    }
 
     /** Ends the thread after all orders before it. */
     private static final Order END = new Order(NO_TICKET, List.of());
@@ -33,6 +38,7 @@ public final class JournalThread implements MessageStore, AutoCloseable {
     private final Journal journal;
     private final Answers answers;
     private final BlockingQueue<Order> orders = new LinkedBlockingQueue<>();
+    private final CommitGroups<Order> groups = new CommitGroups<>(System::nanoTime);
     private final Thread thread = new Thread(this::run, "journal");
     private Consumer<Throwable> onFailure;
 
@@ -68,8 +74,10 @@ public final class JournalThread implements MessageStore, AutoCloseable {
             collect(group);
             isEnding = group.removeIf(order -> order == END);
             if (!group.isEmpty() || journal.isFailing()) {
+                long began = System.nanoTime();
                 boolean isDurable = journal.commit(
                         group.stream().flatMap(order -> order.entries.stream()).toList());
+                groups.written(group.size(), System.nanoTime() - began);
                 answers.committed(group.stream().map(Order::ticket).toList(), isDurable);
             }
             journal.compact();
@@ -85,11 +93,20 @@ public final class JournalThread implements MessageStore, AutoCloseable {
                     : journal.isFailing() ? orders.poll(RETRY_MILLIS, TimeUnit.MILLISECONDS) : orders.take();
             if (first != null) {
                 group.add(first);
-                orders.drainTo(group, MAX_GROUP - 1);
+                groups.gather(group, MAX_GROUP, nanos -> next(first, nanos));
             }
         } catch (InterruptedException e) {
             group.add(END);
         }
+    }
+
+    /** While the disk fails, new messages are refused in groups of their own, so that the ends beside them are stored. */
+    private Order next(Order first, long nanos) throws InterruptedException {
+        Order head = orders.peek();
+        if (journal.isFailing()) {
+            return head != null && head.isRefusable() == first.isRefusable() ? orders.poll() : null;
+        }
+        return head == null && nanos > 0 ? orders.poll(nanos, TimeUnit.NANOSECONDS) : orders.poll();
     }
 
     /** Writes all commits so far and ends the thread. */

@@ -18,6 +18,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import simgsm.center.smsc.HeapShare;
 import simgsm.file.FileErrors;
 import simgsm.file.PrivateFiles;
 
@@ -28,7 +29,7 @@ import simgsm.file.PrivateFiles;
  */
 public final class RecordFiles implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(RecordFiles.class.getName());
-    private static final int MOST_WAITING = 100_000;
+    private static final int MOST_WAITING = HeapShare.count(100_000, 500);
     private static final long PAUSE_MILLIS = 1_000;
     /** A disk that does not answer holds up the end of the program for no longer. */
     private static final long GOODBYE_MILLIS = 5_000;

@@ -5,13 +5,15 @@ import java.util.Map;
 import java.util.Optional;
 import simgsm.center.smsc.BoundedMap;
 import simgsm.center.smsc.EsmeOrigin;
+import simgsm.center.smsc.HeapShare;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
 
 /** States of the messages that applications sent, for query_sm and the like: all that wait, and the last that ended. */
 final class MessageStatusStore {
-    static final int MAX_ENDED = 100_000;
+    /** Of 200 octets each. */
+    static final int MAX_ENDED = HeapShare.count(100_000, 200);
 
     /**
      * The status of one message, or of all messages of a submission.

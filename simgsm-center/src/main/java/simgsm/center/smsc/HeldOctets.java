@@ -20,8 +20,13 @@ final class HeldOctets {
     /** Octets of a remembered attempt. */
     private static final int ATTEMPT = 72;
 
+    /** Further refusals are not logged above this share of the octets held at the first. */
+    private static final double QUIET = 0.9;
+
     private final long most;
     private long held;
+    /** Octets held at the first refusal; 0 if nothing is refused. */
+    private long refusedAt;
 
     /** @param most above it nothing is accepted */
     HeldOctets(long most) {
@@ -51,6 +56,14 @@ final class HeldOctets {
 
     void remove(ShortMessage message) {
         held -= of(message);
+        refusedAt = held > refusedAt * QUIET ? refusedAt : 0;
+    }
+
+    /** Whether a refusal is the first, or the first after a tenth of the octets has left. */
+    boolean isNewlyRefusing() {
+        boolean isNew = refusedAt == 0;
+        refusedAt = isNew ? Math.max(1, held) : refusedAt;
+        return isNew;
     }
 
     long most() {

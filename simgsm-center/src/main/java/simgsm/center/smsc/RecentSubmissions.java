@@ -15,7 +15,7 @@ import simgsm.sms.UserData;
  */
 final class RecentSubmissions {
     static final long REMEMBERED_NANOS = Duration.ofHours(1).toNanos();
-    static final int MAX_REMEMBERED = 20_000;
+    static final int MAX_REMEMBERED = HeapShare.count(20_000, 500);
 
     /** After this number of further messages of its sender a submission is new: references repeat after 256. */
     static final int MOST_SINCE = 128;

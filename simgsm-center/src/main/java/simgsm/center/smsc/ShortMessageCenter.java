@@ -245,7 +245,22 @@ public final class ShortMessageCenter {
                 && waitingCount + uncommitted + count <= MAX_WAITING
                 && queues.size(new Destination.Number(receiver)) + count <= MAX_WAITING_PER_RECEIVER
                 && held.hasRoomFor((long) count * HeldOctets.ENVELOPE);
-        return hasRoom ? Optional.empty() : Optional.of(RpCause.CONGESTION);
+        return hasRoom ? Optional.empty() : congestion(receiver);
+    }
+
+    private Optional<RpCause> congestion(Msisdn receiver) {
+        if (held.isNewlyRefusing()) {
+            LOG.log(
+                    Level.WARNING,
+                    "short messages are refused: {0} wait, {1} of them for {2}; they hold {3} MB of the heap, {4} MB are the"
+                            + " limit (-Xmx sets the heap)",
+                    waitingCount + uncommitted,
+                    queues.size(new Destination.Number(receiver)),
+                    receiver.digits(),
+                    held.held() >> 20,
+                    held.most() >> 20);
+        }
+        return Optional.of(RpCause.CONGESTION);
     }
 
     /** Whether the number is a subscriber's, attached or not. */

@@ -17,7 +17,7 @@ final class TimeStamps {
     /** Largest lead of a stamp over the clock; further equal messages share it. */
     static final Duration MOST_AHEAD = Duration.ofHours(1);
 
-    private static final int MAX_REMEMBERED = 20_000;
+    private static final int MAX_REMEMBERED = HeapShare.count(20_000, 500);
 
     private record Key(SmsAddress sender, Msisdn to, int protocolIdentifier, UserData userData) {}
 

@@ -1,6 +1,7 @@
 package simgsm.center.smsc;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
@@ -138,6 +139,28 @@ class HeldOctetsTest {
         assertTrue(center.cancel(1));
         store(true);
         assertTrue(held.held() <= untried, "at most the report is left");
+    }
+
+    @Test
+    void aRefusalIsNewsOnceUntilATenthHasLeft() {
+        ShortMessage message =
+                new ShortMessage(1, SENDER, RECEIVER, OctetString.ofHex("00"), Instant.EPOCH, Instant.EPOCH);
+        for (int i = 0; i < 20; i++) {
+            held.add(message);
+        }
+        assertTrue(held.isNewlyRefusing());
+        assertFalse(held.isNewlyRefusing());
+        held.remove(message);
+        assertFalse(held.isNewlyRefusing(), "one of 20 has left");
+        held.remove(message);
+        assertTrue(held.isNewlyRefusing());
+        assertFalse(held.isNewlyRefusing());
+    }
+
+    @Test
+    void aSmallHeapRemembersLess() {
+        assertEquals(6_710, HeapShare.count(100_000, 200, 64 << 20));
+        assertEquals(100_000, HeapShare.count(100_000, 200, 2L << 30));
     }
 
     @Test
