@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.ProtocolViolation;
-import simgsm.octets.OctetWriter;
 import simgsm.octets.Octets;
 
 /**
@@ -24,11 +23,11 @@ public final class IpaFramer {
     /** The frame as it goes on the wire. */
     public static byte[] encode(IpaFrame frame) {
         byte[] payload = frame.payload();
-        return new OctetWriter()
-                .twoOctets(payload.length)
-                .octet(frame.stream())
-                .bytes(payload)
-                .toArray();
+        return ByteBuffer.allocate(IpaFrame.HEADER_LENGTH + payload.length)
+                .putShort((short) payload.length)
+                .put((byte) frame.stream())
+                .put(payload)
+                .array();
     }
 
     /** Takes all octets that the buffer holds. */

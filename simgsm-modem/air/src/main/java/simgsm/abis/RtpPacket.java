@@ -1,10 +1,10 @@
 package simgsm.abis;
 
+import java.nio.ByteBuffer;
 import simgsm.air.Cause;
 import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.Bounds;
-import simgsm.octets.OctetWriter;
 
 /**
  * One 20 ms speech frame as RTP (RFC 3550), the payload of an {@link IpaFrame#SPEECH} frame.
@@ -23,6 +23,7 @@ public record RtpPacket(int payloadType, int sequence, long timestamp, long sour
     private static final int SIGNATURE_MASK = 0xf0;
 
     private static final int GSM_SIGNATURE = 0xd0;
+    private static final int HEADER_LENGTH = 12;
     private static final int VERSION_2 = 0x80;
     private static final int PADDING_FLAG = 0x20;
     private static final int EXTENSION_FLAG = 0x10;
@@ -46,14 +47,14 @@ public record RtpPacket(int payloadType, int sequence, long timestamp, long sour
 
     /** The packet's octets. */
     public byte[] encode() {
-        return new OctetWriter()
-                .octet(VERSION_2)
-                .octet(payloadType)
-                .twoOctets(sequence)
-                .fourOctets(timestamp)
-                .fourOctets(source)
-                .bytes(payload)
-                .toArray();
+        return ByteBuffer.allocate(HEADER_LENGTH + payload.length)
+                .put((byte) VERSION_2)
+                .put((byte) payloadType)
+                .putShort((short) sequence)
+                .putInt((int) timestamp)
+                .putInt((int) source)
+                .put(payload)
+                .array();
     }
 
     /** The packet of these octets; contributing sources and an extension are skipped. */

@@ -124,6 +124,14 @@ public abstract class Connection {
         }
     }
 
+    /** Writes at the end of the action that runs, together with further output of it. */
+    protected final void flushAfterAction() {
+        if (!isFlushScheduled) {
+            isFlushScheduled = true;
+            endpoint.loop.hasUrgentOutput(this);
+        }
+    }
+
     /** Nothing is read until {@link #resumeReading}. */
     protected final void pauseReading() {
         isPaused = true;

@@ -1,5 +1,6 @@
 package simgsm.net;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
@@ -9,8 +10,9 @@ import java.util.function.Consumer;
 
 /**
  * Messages that a peer has not yet taken. Each is written by a write of its own, so that an observer of the wire sees one
- * message per segment while the peer keeps up; a message that leaves in parts stays whole. Droppable messages beyond
- * their limit replace the oldest of their kind.
+ * message per segment while the peer keeps up; only droppable messages that wait one behind the other share a write, since
+ * a write costs more than what it carries. A message that leaves in parts stays whole. Droppable messages beyond their
+ * limit replace the oldest of their kind.
  */
 public final class OutputQueue {
     private record Message(ByteBuffer octets, boolean isDroppable) {}
@@ -35,7 +37,7 @@ public final class OutputQueue {
 
     /** @return false if more than the permitted number of messages wait: the peer does not read */
     public boolean add(byte[] message, boolean isDroppable) {
-        if (isDroppable && droppable == mostDroppable) {
+        if (isDroppable && dropsNext()) {
             dropOldest();
         }
         droppable += isDroppable ? 1 : 0;
@@ -46,15 +48,49 @@ public final class OutputQueue {
     /** Writes until the channel takes no more or the queue is empty. */
     public void flush(WritableByteChannel channel) throws IOException {
         while (!queue.isEmpty()) {
-            Message first = queue.peekFirst();
-            channel.write(first.octets);
-            if (first.octets.hasRemaining()) {
+            ByteBuffer octets = ofNextWrite();
+            channel.write(octets);
+            remove(octets.position());
+            if (octets.hasRemaining()) {
                 return;
             }
-            queue.removeFirst();
-            droppable -= first.isDroppable ? 1 : 0;
-            written.accept(first.octets.array());
         }
+    }
+
+    /** The first message, or the droppable messages up to the next other one. */
+    private ByteBuffer ofNextWrite() {
+        Message first = queue.peekFirst();
+        if (!first.isDroppable || droppable == 1) {
+            return first.octets.slice();
+        }
+        ByteArrayOutputStream joined = new ByteArrayOutputStream();
+        for (Message each : queue) {
+            if (!each.isDroppable) {
+                break;
+            }
+            joined.write(each.octets.array(), each.octets.position(), each.octets.remaining());
+        }
+        return ByteBuffer.wrap(joined.toByteArray());
+    }
+
+    /** The channel has taken so many octets. */
+    private void remove(int octets) {
+        for (int rest = octets; rest > 0; ) {
+            Message first = queue.peekFirst();
+            int part = Math.min(rest, first.octets.remaining());
+            rest -= part;
+            first.octets.position(first.octets.position() + part);
+            if (!first.octets.hasRemaining()) {
+                queue.removeFirst();
+                droppable -= first.isDroppable ? 1 : 0;
+                written.accept(first.octets.array());
+            }
+        }
+    }
+
+    /** Whether a further droppable message replaces one that waits. */
+    boolean dropsNext() {
+        return droppable == mostDroppable;
     }
 
     public boolean isEmpty() {

@@ -13,14 +13,20 @@ public abstract class QueuedConnection extends Connection {
     }
 
     /**
-     * Queues a message, and writes it at once if none waits before it.
+     * Queues a message. If none waits before it, it is written at once; a droppable one at the end of the loop's present
+     * action, so that those of one action share a write.
      *
      * @return false if more than the permitted number of messages wait: the peer does not read
      */
     protected final boolean write(byte[] message, boolean isDroppable) {
+        if (isDroppable && output.dropsNext()) {
+            flush();
+        }
         boolean isFirst = output.isEmpty();
         boolean hasRoom = output.add(message, isDroppable);
-        if (hasRoom && isFirst) {
+        if (isFirst && isDroppable) {
+            flushAfterAction();
+        } else if (isFirst && hasRoom) {
             flush();
         }
         return hasRoom;

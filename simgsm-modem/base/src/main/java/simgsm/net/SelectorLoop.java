@@ -72,6 +72,7 @@ public final class SelectorLoop implements AutoCloseable {
     private final ArrayDeque<Runnable> batch = new ArrayDeque<>();
     private final AtomicBoolean isWoken = new AtomicBoolean();
     private final Queue<Connection> withOutput = new ArrayDeque<>();
+    private final Queue<Connection> withUrgentOutput = new ArrayDeque<>();
     private final Queue<Connection> failed = new ArrayDeque<>();
     private final ByteBuffer readBuffer = ByteBuffer.allocateDirect(READ_BUFFER_OCTETS);
     private final Timers timers = new Timers();
@@ -205,14 +206,22 @@ public final class SelectorLoop implements AutoCloseable {
         withOutput.add(connection);
     }
 
+    /** Has the connection flushed once the present action has returned. */
+    void hasUrgentOutput(Connection connection) {
+        withUrgentOutput.add(connection);
+    }
+
     /** Has the connection closed once the present action has returned. */
     void hasFailed(Connection connection) {
         failed.add(connection);
     }
 
-    /** Runs an action, then closes the connections that have failed in it. An exception is logged. */
+    /** Runs an action, then flushes connections with urgent output of it and closes those that failed. An exception is logged. */
     public void perform(Runnable action) {
         guard(action);
+        for (Connection each = withUrgentOutput.poll(); each != null; each = withUrgentOutput.poll()) {
+            guard(each::flush);
+        }
         for (Connection each = failed.poll(); each != null; each = failed.poll()) {
             guard(each::closeAfterFailure);
         }

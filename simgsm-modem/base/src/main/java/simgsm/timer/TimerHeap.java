@@ -12,6 +12,7 @@ final class TimerHeap {
     private int size;
     private long started;
     private long nowNanos;
+    private Runnable onEarlier = () -> {};
 
     long nowNanos() {
         return nowNanos;
@@ -25,6 +26,10 @@ final class TimerHeap {
         return size == 0 ? OptionalLong.empty() : OptionalLong.of(heap[0].deadlineNanos);
     }
 
+    void onEarlier(Runnable action) {
+        onEarlier = action;
+    }
+
     Timer start(long delayNanos, Runnable action) {
         Timer timer = new Timer(nowNanos + Math.max(0, delayNanos), started++, action);
         if (size == heap.length) {
@@ -32,6 +37,9 @@ final class TimerHeap {
         }
         place(timer, size++);
         siftUp(timer);
+        if (timer.position == 0) {
+            onEarlier.run();
+        }
         return timer;
     }
 

@@ -35,6 +35,11 @@ public final class Timers {
         return heap.nowNanos();
     }
 
+    /** Has an action run after each start of a timer that is the first to expire. */
+    public void onEarlier(Runnable action) {
+        heap.onEarlier(action);
+    }
+
     /** Number of running timers. */
     public int size() {
         return heap.size();

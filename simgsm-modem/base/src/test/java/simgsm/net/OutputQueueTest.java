@@ -57,7 +57,8 @@ class OutputQueueTest {
     }
 
     private final Peer peer = new Peer();
-    private final OutputQueue outgoing = new OutputQueue(MOST, MOST_SPEECH, written -> {});
+    private final List<Integer> written = new ArrayList<>();
+    private final OutputQueue outgoing = new OutputQueue(MOST, MOST_SPEECH, message -> written.add((int) message[1]));
 
     private boolean send(int mark, boolean isSpeech) throws IOException {
         boolean isFirst = outgoing.isEmpty();
@@ -73,6 +74,25 @@ class OutputQueueTest {
         send(1, false);
         send(2, true);
         assertEquals(List.of(6, 6), peer.writes);
+        assertTrue(outgoing.isEmpty());
+    }
+
+    @Test
+    void speechThatWaitsOneBehindTheOtherSharesAWriteAndSignallingHasItsOwn() throws IOException {
+        peer.room = 2;
+        send(1, true);
+        send(2, true);
+        send(3, true);
+        send(100, false);
+        send(101, false);
+        send(4, true);
+        peer.room = 9;
+        outgoing.flush(peer);
+        peer.room = Integer.MAX_VALUE;
+        outgoing.flush(peer);
+        assertEquals(List.of(2, 9, 7, 6, 6, 6), peer.writes);
+        assertEquals(List.of(1, 2, 3, 100, 101, 4), peer.messages());
+        assertEquals(List.of(1, 2, 3, 100, 101, 4), written);
         assertTrue(outgoing.isEmpty());
     }
 

@@ -109,6 +109,49 @@ class SelectorLoopTest {
         return socket.getInputStream().read();
     }
 
+    /** Answers an octet with so many messages that may be dropped, of which 10 may wait, and tells its writes. */
+    private final class Burst extends QueuedConnection {
+        Burst(Endpoint endpoint) {
+            super(endpoint, new OutputQueue(1, 10, message -> events.add("written " + message[0])));
+        }
+
+        @Override
+        protected void received(ByteBuffer octets) {
+            int count = octets.get();
+            for (int i = 1; i <= count; i++) {
+                write(new byte[] {(byte) i}, true);
+            }
+            events.add("received " + count);
+        }
+    }
+
+    @Test
+    void messagesOfOneActionThatMayBeDroppedLeaveAtItsEnd() throws Exception {
+        int port =
+                loop.listen(ANY_PORT, new ConnectionLimits(10, 10), Burst::new).port();
+        start();
+        try (Socket socket = connect(port)) {
+            assertEquals(1, echo(socket, 2));
+            assertEquals(2, socket.getInputStream().read());
+            expect("received 2");
+            expect("written 1");
+            expect("written 2");
+        }
+    }
+
+    @Test
+    void ofABurstBeyondTheLimitNothingIsDroppedWhileThePeerTakesIt() throws Exception {
+        int port =
+                loop.listen(ANY_PORT, new ConnectionLimits(10, 10), Burst::new).port();
+        start();
+        try (Socket socket = connect(port)) {
+            socket.getOutputStream().write(35);
+            for (int i = 1; i <= 35; i++) {
+                assertEquals(i, socket.getInputStream().read());
+            }
+        }
+    }
+
     @Test
     void anExceptionEndsTheConnectionInWhichItOccurs() throws Exception {
         int port = listen(10, new ConnectionLimits(10, 10));

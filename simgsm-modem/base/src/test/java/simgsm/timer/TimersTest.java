@@ -52,6 +52,18 @@ class TimersTest {
     }
 
     @Test
+    void aStartIsToldOnlyIfTheTimerIsTheFirstToExpire() {
+        timers.onEarlier(() -> expired.add("next " + timers.nextDeadlineNanos().getAsLong()));
+        start(30, "c");
+        start(40, "d");
+        start(30, "e");
+        Timer first = start(10, "a");
+        timers.cancel(first);
+        start(20, "b");
+        assertEquals(List.of("next 30", "next 10", "next 20"), expired);
+    }
+
+    @Test
     void aTimerStartedByAnExpiringOneCountsFromThatMoment() {
         timers.start(10, () -> start(5, "later"));
         timers.advance(100);

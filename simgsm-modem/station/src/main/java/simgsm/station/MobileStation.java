@@ -152,6 +152,11 @@ public final class MobileStation implements StationCommands {
         return context.timers().nextDeadlineNanos().orElse(NO_DEADLINE);
     }
 
+    /** Has an action run whenever {@link #nextDeadlineNanos} becomes earlier. */
+    void onEarlierDeadline(Runnable action) {
+        context.timers().unnamed().onEarlier(action);
+    }
+
     @Override
     public void powerOn() {
         registration.fire(MobileRegistrationEvent.POWER_ON);

@@ -12,6 +12,7 @@ import simgsm.net.SelectorLoop;
 import simgsm.station.context.StationLog;
 import simgsm.station.context.Uplink;
 import simgsm.timer.RateLimit;
+import simgsm.timer.Timer;
 
 /** One station and its connection to the centre, which is made again whenever it is lost. Belongs to the stations' thread. */
 final class StationLink implements Connector.Listener {
@@ -19,6 +20,7 @@ final class StationLink implements Connector.Listener {
     /** A departing station waits this long for the end of its detach procedure. */
     private static final long DEPARTURE_NANOS = TimeUnit.SECONDS.toNanos(1);
 
+    private final SelectorLoop loop;
     private final MobileStation station;
     private final Connector connector;
     private final String address;
@@ -34,6 +36,11 @@ final class StationLink implements Connector.Listener {
     private Runnable departed;
 
     private long departureNanos;
+
+    /** Runs the station's timers; null before the first. */
+    private Timer wake;
+
+    private long wakeNanos;
 
     private final class Uplinked extends IpaConnection implements Uplink {
         Uplinked(Endpoint endpoint) {
@@ -81,7 +88,10 @@ final class StationLink implements Connector.Listener {
 
     /** Makes the first attempt to connect. */
     StationLink(SelectorLoop loop, MobileStation station, InetSocketAddress center) {
+        this.loop = loop;
         this.station = station;
+        station.onEarlierDeadline(this::armWake);
+        armWake();
         address = LineAddress.of(center).toString();
         log = new StationLog(station.identity());
         connector = new Connector(loop, center, this);
@@ -113,6 +123,23 @@ final class StationLink implements Connector.Listener {
         station.linkDown(System.nanoTime());
     }
 
+    private void armWake() {
+        long next = station.nextDeadlineNanos();
+        if (wake == null || !wake.isRunning() || next < wakeNanos) {
+            loop.cancel(wake);
+            wakeNanos = next;
+            wake = next == MobileStation.NO_DEADLINE ? null : loop.after(next - System.nanoTime(), this::wake);
+        }
+    }
+
+    private void wake() {
+        try {
+            station.timePassed(System.nanoTime());
+        } finally {
+            armWake();
+        }
+    }
+
     MobileStation station() {
         return station;
     }
@@ -129,19 +156,18 @@ final class StationLink implements Connector.Listener {
     /** Whether the departing station has detached and all its frames are written, or its time is over. */
     boolean hasDeparted(long nowNanos) {
         boolean isFlushed = connection == null || !connection.hasOutput();
-        return departed != null && (isFlushed && station.isDetached() || nowNanos - departureNanos >= DEPARTURE_NANOS);
+        return isFlushed && station.isDetached() || nowNanos - departureNanos >= DEPARTURE_NANOS;
     }
 
-    long nextDeadlineNanos() {
-        if (departed == null) {
-            return station.nextDeadlineNanos();
-        }
-        boolean isDue = hasDeparted(System.nanoTime());
-        return isDue ? departureNanos : Math.min(station.nextDeadlineNanos(), departureNanos + DEPARTURE_NANOS);
+    /** When a departing station has departed at the latest. */
+    long departureDeadlineNanos() {
+        return departureNanos + (hasDeparted(System.nanoTime()) ? 0 : DEPARTURE_NANOS);
     }
 
     /** Makes no further attempt to connect. */
     void close() {
+        station.onEarlierDeadline(() -> {});
+        loop.cancel(wake);
         connector.close();
         if (departed != null) {
             departed.run();

@@ -2,8 +2,8 @@ package simgsm.station;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.LinkedHashSet;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import simgsm.net.Acceptor;
@@ -17,25 +17,26 @@ import simgsm.net.SelectorLoop;
 public final class StationThread implements AutoCloseable {
     private final SelectorLoop loop;
     private final Consumer<Throwable> onFailure;
-    private final List<StationLink> links = new ArrayList<>();
+    private final Set<StationLink> links = new LinkedHashSet<>();
+    private final Set<StationLink> departing = new LinkedHashSet<>();
     private boolean isClosing;
 
     private final class Stations implements SelectorLoop.Core {
         @Override
         public long nextDeadlineNanos() {
             long next = SelectorLoop.NEVER;
-            for (StationLink link : links) {
-                next = Math.min(next, link.nextDeadlineNanos());
+            for (StationLink link : departing) {
+                next = Math.min(next, link.departureDeadlineNanos());
             }
             return next;
         }
 
         @Override
         public void advance(long nowNanos) {
-            links.forEach(link -> loop.perform(() -> link.station().timePassed(nowNanos)));
-            links.removeIf(link -> {
+            departing.removeIf(link -> {
                 boolean hasDeparted = link.hasDeparted(nowNanos);
                 if (hasDeparted) {
+                    links.remove(link);
                     loop.perform(link::close);
                 }
                 return hasDeparted;
@@ -77,7 +78,7 @@ public final class StationThread implements AutoCloseable {
      * @param gone runs on this thread after the last sign of the station, also when the thread ends before
      */
     public void remove(MobileStation station, Runnable gone) {
-        execute(() -> links.stream().filter(link -> link.station() == station).forEach(link -> link.depart(gone)));
+        execute(() -> links.stream().filter(link -> link.station() == station).forEach(link -> depart(link, gone)));
     }
 
     /**
@@ -86,7 +87,7 @@ public final class StationThread implements AutoCloseable {
      */
     public void execute(Runnable action) {
         loop.post(() -> {
-            stations.advance(System.nanoTime());
+            advanceStations();
             action.run();
         });
     }
@@ -98,7 +99,7 @@ public final class StationThread implements AutoCloseable {
      */
     public <T> T ask(Callable<T> question) {
         return loop.ask(() -> {
-            stations.advance(System.nanoTime());
+            advanceStations();
             return question.call();
         });
     }
@@ -113,6 +114,16 @@ public final class StationThread implements AutoCloseable {
         return loop.listen(address, limits, factory);
     }
 
+    private void advanceStations() {
+        long now = System.nanoTime();
+        links.forEach(link -> loop.perform(() -> link.station().timePassed(now)));
+    }
+
+    private void depart(StationLink link, Runnable gone) {
+        link.depart(gone);
+        departing.add(link);
+    }
+
     private void endIfDone() {
         if (isClosing && links.isEmpty()) {
             loop.end();
@@ -124,7 +135,7 @@ public final class StationThread implements AutoCloseable {
     public void close() {
         execute(() -> {
             isClosing = true;
-            links.forEach(link -> link.depart(() -> {}));
+            links.forEach(link -> depart(link, () -> {}));
             endIfDone();
         });
         loop.join();
