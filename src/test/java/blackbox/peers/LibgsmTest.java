@@ -1,6 +1,7 @@
 package blackbox.peers;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -53,6 +54,19 @@ class LibgsmTest {
         Path in = Files.write(folder.resolve("random.gsm"), frames);
         Audio.tool("gsm", "decode", in.toString(), ours.toString());
         assertArrayEquals(convert(Peer.UNTOAST, frames), Audio.samples(ours));
+    }
+
+    @Test
+    void keysAreFoundInTheGsmFilesThatSoxWrites() throws Exception {
+        Path tones = Audio.tones(folder, "0123456789*#ABCD");
+        for (String name : new String[] {"plain.gsm", "tag49.wav"}) {
+            Path file = folder.resolve(name);
+            Peer.SOX
+                    .run(tones.toString(), "-e", "gsm-full-rate", file.toString())
+                    .expectSuccess();
+            assertEquals(
+                    "0123456789*#ABCD", Audio.tool("decode", file.toString()).split("\t")[1]);
+        }
     }
 
     private byte[] convert(Peer peer, byte[] input) throws Exception {

@@ -40,6 +40,9 @@ final class DigitTracker {
     /** Null where nothing listens. */
     private final Consumer<KeyCandidate> candidates;
 
+    /** Log odds above which a candidate is a key. */
+    private final double limit;
+
     private final ToneFit fit = new ToneFit();
     private final KeyMeasures measures = new KeyMeasures();
     private final Judge judge;
@@ -88,7 +91,9 @@ final class DigitTracker {
             short[] recent,
             DtmfListener listener,
             Consumer<KeyCandidate> candidates,
+            double limit,
             Judge judge) {
+        this.limit = limit;
         this.gate = gate;
         this.judge = judge;
         this.candidates = candidates;
@@ -169,7 +174,7 @@ final class DigitTracker {
         KeyCandidate.Finding finding = finding(hop, wait);
         if (finding == null) {
             add(hop, judge.logOdds(hop, runKey, fit, measures, recent, end));
-            finding = sum > KeyLikelihood.LIMIT ? KeyCandidate.Finding.ACCEPTED : KeyCandidate.Finding.EVIDENCE;
+            finding = sum > limit ? KeyCandidate.Finding.ACCEPTED : KeyCandidate.Finding.EVIDENCE;
         }
         if (candidates != null) {
             publish(hop, finding);
@@ -215,7 +220,7 @@ final class DigitTracker {
                 ToneBank.HOP * (hop + 1),
                 finding,
                 isEvidence || finding == KeyCandidate.Finding.ACCEPTED ? sum : Double.NaN,
-                KeyLikelihood.LIMIT,
+                limit,
                 isEvidence ? against.name() : "",
                 value,
                 false);

@@ -11,6 +11,9 @@ import java.util.function.Consumer;
  * DigitTracker} (since when, is it a key, is it over?).
  */
 public final class DtmfReceiver implements KeyReceiver {
+    /** Two tones with larger log odds (base e) are a key's, unless another limit is given. */
+    public static final double LIMIT = 3.5;
+
     /** Samples kept before those that wait: what the closest look needs, 90 ms of tone and 28 ms before it. */
     private static final int KEPT = 1024;
 
@@ -27,16 +30,22 @@ public final class DtmfReceiver implements KeyReceiver {
 
     /** @param candidates receives the result of each examination of strong tones; null for none */
     public DtmfReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates) {
+        this(listener, candidates, LIMIT);
+    }
+
+    /** @param limit log odds above which tones are a key: a higher one refuses more voices, and more disturbed keys */
+    public DtmfReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates, double limit) {
         this(
                 listener,
                 candidates,
+                limit,
                 (hop, key, fit, measures, samples, end) ->
                         KeyLikelihood.fitted().logOdds(measures, fit, samples, end));
     }
 
     /** One that judges otherwise, for the fit of the likelihood. */
-    DtmfReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates, DigitTracker.Judge judge) {
-        tracker = new DigitTracker(bank, gate, recent, listener, candidates, judge);
+    DtmfReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates, double limit, DigitTracker.Judge judge) {
+        tracker = new DigitTracker(bank, gate, recent, listener, candidates, limit, judge);
     }
 
     @Override

@@ -10,9 +10,6 @@ import java.util.ResourceBundle;
  * recordings.
  */
 final class KeyLikelihood {
-    /** Two tones with larger log odds (base e) are a key's. */
-    static final double LIMIT = 3.5;
-
     /** Subtracted from the log odds of an earlier window before they are added. */
     static final double LEAST = 1.5;
 

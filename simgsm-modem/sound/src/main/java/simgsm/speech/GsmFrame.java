@@ -8,6 +8,7 @@ final class GsmFrame {
     static final int OCTETS = 33;
     static final int SUBFRAMES = 4;
     static final int PULSES = 13;
+    private static final int BITS = 260;
     private static final int SIGNATURE = 0xD;
     private static final int[] RATIO_BITS = {6, 6, 5, 5, 4, 4, 3, 3};
 
@@ -26,6 +27,7 @@ final class GsmFrame {
 
     private byte[] octets;
     private int bit;
+    private boolean leastFirst;
 
     byte[] pack() {
         octets = new byte[OCTETS];
@@ -52,6 +54,25 @@ final class GsmFrame {
         }
         octets = from;
         bit = 4;
+        takeAll();
+    }
+
+    /**
+     * The 33 octets of a frame of a WAV file (tag 49): two frames in 65 octets, without signature, each parameter and octet with
+     * its least significant bit first.
+     *
+     * @param index 0 or 1
+     */
+    static byte[] ofWav(byte[] block, int index) {
+        GsmFrame frame = new GsmFrame();
+        frame.octets = block;
+        frame.bit = BITS * index;
+        frame.leastFirst = true;
+        frame.takeAll();
+        return frame.pack();
+    }
+
+    private void takeAll() {
         for (int i = 0; i < 8; i++) {
             ratios[i] = take(RATIO_BITS[i]);
         }
@@ -75,7 +96,8 @@ final class GsmFrame {
     private int take(int bits) {
         int value = 0;
         for (int i = 0; i < bits; i++, bit++) {
-            value = value << 1 | octets[bit >> 3] >> 7 - (bit & 7) & 1;
+            int octet = octets[bit >> 3];
+            value = leastFirst ? value | (octet >> (bit & 7) & 1) << i : value << 1 | octet >> 7 - (bit & 7) & 1;
         }
         return value;
     }

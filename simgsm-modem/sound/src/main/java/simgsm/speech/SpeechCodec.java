@@ -55,6 +55,15 @@ public interface SpeechCodec {
 
     Kind kind();
 
+    /**
+     * One of the two frames in a block of 65 octets of a WAV file with GSM 06.10 (tag 49), as its 33 octets.
+     *
+     * @param index 0 or 1
+     */
+    static byte[] gsmFrameOfWav(byte[] block, int index) {
+        return GsmFrame.ofWav(block, index);
+    }
+
     /** @param frame 160 samples */
     byte[] encode(short[] frame);
 

@@ -38,7 +38,7 @@ final class LabelledLooks {
 
     /** Collects from a recording that holds no keys. */
     void collect(short[] samples) {
-        new DtmfReceiver(digit -> {}, null, (hop, key, fit, measures, line, end) -> {
+        new DtmfReceiver(digit -> {}, null, DtmfReceiver.LIMIT, (hop, key, fit, measures, line, end) -> {
                     measure(fit, measures, line, end);
                     add(measures, false);
                     return Double.NEGATIVE_INFINITY;
@@ -49,7 +49,7 @@ final class LabelledLooks {
     /** Collects from a recording whose keys are known. */
     void collect(Tape tape) {
         int[] looks = new int[tape.starts.size()];
-        new DtmfReceiver(digit -> {}, null, (hop, key, fit, measures, line, end) -> {
+        new DtmfReceiver(digit -> {}, null, DtmfReceiver.LIMIT, (hop, key, fit, measures, line, end) -> {
                     long now = ToneBank.HOP * (hop + 1);
                     int known = known(tape, key, now);
                     if (known < 0) {

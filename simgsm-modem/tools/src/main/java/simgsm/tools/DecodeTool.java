@@ -10,6 +10,7 @@ import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.Options;
 import simgsm.console.UsageException;
+import simgsm.dtmf.DtmfReceiver;
 
 /** {@code decode FILE...}: the DTMF keys in sound files, a line per file. */
 final class DecodeTool {
@@ -18,8 +19,9 @@ final class DecodeTool {
             new Options(
                             "java -jar simgsm-modem.jar decode FILE.wav... [options]",
                             "Prints path, TAB, the keys found, TAB, when each was decided (milliseconds from the file's start).\n"
-                                    + "Reads any rate, channels (mixed) and sample format of WAV, AU and AIFF files.\n"
-                                    + "Ends with 1 if a file is no audio, with 74 if one cannot be read.")
+                                    + "Reads any rate, up to 256 channels (mixed) and any sample format of WAV, AU and AIFF files, and\n"
+                                    + "GSM 06.10 (.gsm, WAV); - is the standard input.\n"
+                                    + "Ends with 1 if a file is no audio or shorter than its header says, with 74 if one cannot be read.")
                     .flag(
                             "explain",
                             "after each file's line one for each candidate: key, from and to in ms, finding, reason")
@@ -28,6 +30,7 @@ final class DecodeTool {
                             "likelihood|classic",
                             "the modem's own receiver, or eight Goertzel filters as in textbooks")
                     .value("block", "102|205", "samples in a block of the classic receiver (102)")
+                    .value("limit", "X", "log odds above which tones are a key, -100 to 100 (3.5); not with classic")
                     .arguments(Integer.MAX_VALUE),
             DecodeTool::run);
 
@@ -40,6 +43,7 @@ final class DecodeTool {
         }
         DecodedFile.Kind kind = new DecodedFile.Kind(
                 arguments.has("explain"),
+                arguments.number("limit", DtmfReceiver.LIMIT, -100, 100),
                 arguments.choice("receiver", "likelihood", "classic").equals("classic"),
                 Integer.parseInt(arguments.choice("block", "102", "205")));
         if (names.size() == 1) {

@@ -16,11 +16,11 @@ import simgsm.tools.audio.SpeechFile;
 /** The result of {@code decode} for one file. */
 final class DecodedFile {
     /** The receiver of the files. */
-    record Kind(boolean explains, boolean isClassic, int classicBlockSamples) {
+    record Kind(boolean explains, double limit, boolean isClassic, int classicBlockSamples) {
         KeyReceiver open(DtmfListener listener, Consumer<KeyCandidate> candidates) {
             return isClassic
                     ? new ClassicReceiver(listener, candidates, classicBlockSamples)
-                    : new DtmfReceiver(listener, explains ? candidates : null);
+                    : new DtmfReceiver(listener, explains ? candidates : null, limit);
         }
     }
 
@@ -67,6 +67,9 @@ final class DecodedFile {
                 receiver.accept(block, 0, n);
             }
             receiver.finish();
+            if (file.missingOctets() > 0) {
+                failed(ExitStatus.FAILED, path + ": ends " + file.missingOctets() + " octets before its header says");
+            }
         }
     }
 

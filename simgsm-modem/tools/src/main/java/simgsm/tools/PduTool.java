@@ -9,7 +9,9 @@ import simgsm.console.ExitStatus;
 import simgsm.console.Options;
 import simgsm.console.UsageException;
 import simgsm.octets.OctetString;
+import simgsm.octets.Octets;
 import simgsm.sms.MessageSplitter;
+import simgsm.sms.Tpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
 import simgsm.trace.TpduText;
@@ -21,7 +23,7 @@ final class PduTool {
             new Options(
                             "java -jar simgsm-modem.jar pdu encode [--ref HH] TEXT | pdu decode HEX",
                             "encode: one user part of the short message a line, as udhi,dcs,udl,ud-hex.\n"
-                                    + "decode: a SUBMIT, DELIVER or STATUS-REPORT in words.")
+                                    + "decode: a SUBMIT, DELIVER or STATUS-REPORT in words, with or without its SMSC's address before it.")
                     .value("ref", "HH", "encode: reference of a message of several parts, hexadecimal (00)")
                     .arguments(2),
             PduTool::run);
@@ -73,10 +75,26 @@ final class PduTool {
     static String decode(String hex) {
         OctetString octets = octets(hex);
         try {
-            Direction direction = isSubmit(octets) ? Direction.UPLINK : Direction.DOWNLINK;
-            return TpduText.of(TpduCodec.decode(octets, direction));
+            return TpduText.of(decode(octets));
         } catch (ProtocolViolation violation) {
             throw new IllegalArgumentException("not a TPDU: " + violation.getMessage(), violation);
+        }
+    }
+
+    /** Reads a TPDU, or one after the address of its service centre, as AT commands and phone software have it. */
+    private static Tpdu decode(OctetString octets) throws ProtocolViolation {
+        Direction direction = isSubmit(octets) ? Direction.UPLINK : Direction.DOWNLINK;
+        try {
+            return TpduCodec.decode(octets, direction);
+        } catch (ProtocolViolation violation) {
+            int address = octets.length() == 0 ? 0 : 1 + octets.octet(0);
+            boolean hasAddress = address == 1
+                    || address >= 3 && address <= 12 && address < octets.length() && (octets.octet(1) & 0x80) != 0;
+            if (!hasAddress) {
+                throw violation;
+            }
+            OctetString tpdu = OctetString.of(Octets.range(octets.toArray(), address, octets.length()));
+            return TpduCodec.decode(tpdu, isSubmit(tpdu) ? Direction.UPLINK : Direction.DOWNLINK);
         }
     }
 

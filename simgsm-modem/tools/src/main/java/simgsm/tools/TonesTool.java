@@ -36,11 +36,12 @@ final class TonesTool {
                             "ramp",
                             "MILLIS",
                             "raised-cosine rise and fall of each tone, 0 to 10; lengths count at half amplitude (2)")
-                    .value("level", "DBM0", "level of each of the two tones, -100 to 3.14 (-10)")
+                    .value("level", "DBM0", "mean level of the two tones of a key, -100 to 3.14 (-10)")
                     .value(
                             "twist",
                             "DB",
-                            "how much louder the high tone of each key is than the low one, -20 to 20 (0)")
+                            "how much louder the high tone of each key is than the low one, half added to it and half taken"
+                                    + " from the low one, -20 to 20 (0)")
                     .value(
                             "noise",
                             "DB",

@@ -51,6 +51,16 @@ class PduToolTest {
     }
 
     @ParameterizedTest
+    @ValueSource(strings = {"00", "0791947101670000", "0581214365f7"})
+    void theAddressOfTheServiceCentreBeforeAUnitIsLeftOut(String address) {
+        String submit = "31010c919471000000200000a705E8329BFD06";
+        String deliver = "440c91947100000010000462111221000040070500032a020141";
+
+        assertEquals(PduTool.decode(submit), PduTool.decode(address + submit));
+        assertEquals(PduTool.decode(deliver), PduTool.decode(address + deliver));
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"", "3", "zz", "03", "3101", "31010c919471000000200000a705e832"})
     void whatIsNoUnitIsRefusedInWords(String hex) {
         IllegalArgumentException refusal = assertThrows(IllegalArgumentException.class, () -> PduTool.decode(hex));

@@ -3,12 +3,18 @@ package simgsm.tools;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.PrintStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -126,6 +132,81 @@ class ToolsMainTest {
         assertEquals(42 * 160, SpeechFile.readAll(folder.resolve("b.wav")).length);
         run("decode", file("b.wav"));
         assertTrue(out().contains("\t159D\t"), out());
+    }
+
+    @Test
+    void decodeReadsGsmFramesBothPlainAndInAWavFileAndFromStandardInput() throws IOException {
+        run("tones", "159D", file("a.wav"), "--pause-ms", "110");
+        run("gsm", "encode", file("a.wav"), file("a.gsm"));
+        byte[] frames = Files.readAllBytes(folder.resolve("a.gsm"));
+        Files.write(folder.resolve("49.wav"), wav(49, 1, 65, gsmInWav(frames)));
+        assertEquals(0, run("decode", file("a.gsm"), file("49.wav")));
+        assertTrue(out().contains("a.gsm\t159D\t") && out().contains("49.wav\t159D\t"), out());
+        InputStream before = System.in;
+        System.setIn(new ByteArrayInputStream(frames));
+        try {
+            assertEquals(0, run("decode", "-"));
+            assertTrue(out().startsWith("-\t159D\t"), out());
+        } finally {
+            System.setIn(before);
+        }
+        frames[66] = 0;
+        Files.write(folder.resolve("a.gsm"), frames);
+        assertEquals(1, run("decode", file("a.gsm")));
+        assertTrue(err().contains("a.gsm"), err());
+    }
+
+    /** Two frames a block, bit by bit from the least significant bit of each parameter (the widths of ETS 300 961, table 1.1). */
+    private static byte[] gsmInWav(byte[] frames) {
+        int[] ratios = {6, 6, 5, 5, 4, 4, 3, 3};
+        int[] subframe = {7, 2, 2, 6, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3};
+        BitSet bits = new BitSet();
+        int to = 0;
+        for (int frame = 0; frame < frames.length; frame += 33) {
+            int from = 8 * frame + 4;
+            for (int k = 0; k < 8 + 4 * 17; k++) {
+                int width = k < 8 ? ratios[k] : subframe[(k - 8) % 17];
+                for (int i = 0; i < width; i++, to++) {
+                    int source = from + width - 1 - i;
+                    bits.set(to, (frames[source >> 3] >> 7 - (source & 7) & 1) == 1);
+                }
+                from += width;
+            }
+        }
+        return Arrays.copyOf(bits.toByteArray(), to / 520 * 65);
+    }
+
+    private static byte[] wav(int tag, int channels, int promised, byte[] sound) {
+        ByteBuffer octets = ByteBuffer.allocate(44 + sound.length).order(ByteOrder.LITTLE_ENDIAN);
+        octets.put("RIFF".getBytes(StandardCharsets.US_ASCII)).putInt(36 + sound.length);
+        octets.put("WAVEfmt ".getBytes(StandardCharsets.US_ASCII)).putInt(16);
+        octets.putShort((short) tag).putShort((short) channels).putInt(8000).putInt(16000);
+        octets.putShort((short) 65).putShort((short) (tag == 1 ? 16 : 0));
+        octets.put("data".getBytes(StandardCharsets.US_ASCII)).putInt(tag == 1 ? promised : sound.length);
+        return octets.put(sound).array();
+    }
+
+    @Test
+    void aFileThatIsShorterThanItsHeaderSaysOrHasTooManyChannelsEndsWith1() throws IOException {
+        Files.write(folder.resolve("short.wav"), wav(1, 1, 51_200, new byte[10_000]));
+        Files.write(folder.resolve("whole.wav"), wav(1, 1, 10_000, new byte[10_000]));
+        Files.write(folder.resolve("pipe.wav"), wav(1, 1, -1, new byte[10_000]));
+        Files.write(folder.resolve("many.wav"), wav(1, 65_535, 10_000, new byte[10_000]));
+        assertEquals(1, run("decode", file("short.wav")));
+        assertTrue(err().contains("short.wav: ends 41200 octets before its header says"), err());
+        assertEquals(0, run("decode", file("whole.wav"), file("pipe.wav")), err());
+        assertEquals(1, run("decode", file("many.wav")));
+        assertTrue(err().contains("65535 channels"), err());
+    }
+
+    @Test
+    void aHigherLimitRefusesKeysAndALowerOneDoesNot() {
+        run("tones", "1", file("a.wav"), "--noise", "0");
+        assertEquals(0, run("decode", "--limit", "100", file("a.wav")));
+        assertEquals(file("a.wav") + "\t\t\n", out());
+        assertEquals(0, run("decode", "--limit", "0", file("a.wav")));
+        assertTrue(out().contains("\t1\t"), out());
+        assertEquals(2, run("decode", "--limit", "much", file("a.wav")));
     }
 
     @Test

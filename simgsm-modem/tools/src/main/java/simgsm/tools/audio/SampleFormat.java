@@ -14,6 +14,8 @@ final class SampleFormat {
         MU_LAW
     }
 
+    private static final int MOST_CHANNELS = 256;
+
     private final Kind kind;
     private final int channels;
     private final int octetsPerSample;
@@ -31,6 +33,7 @@ final class SampleFormat {
         int channels = format.getChannels();
         int octets = channels < 1 ? 0 : format.getFrameSize() / channels;
         boolean fits = kind != null
+                && channels <= MOST_CHANNELS
                 && (kind == Kind.FLOAT
                         ? octets == 4 || octets == 8
                         : kind == Kind.SIGNED || kind == Kind.UNSIGNED ? octets >= 1 && octets <= 4 : octets == 1);

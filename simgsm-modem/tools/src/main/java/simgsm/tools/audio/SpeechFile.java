@@ -9,6 +9,7 @@ import java.io.SequenceInputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
+import java.nio.channels.ReadableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -29,16 +30,22 @@ public final class SpeechFile implements Closeable {
     /** Octets per read; the header of a WAV file has to end within the first 64 KiB. */
     private static final int BUFFER_OCTETS = 1 << 16;
 
-    private final FileChannel file;
-    private final SampleSource samples;
+    private static final Path STANDARD_INPUT = Path.of("-");
 
-    private SpeechFile(FileChannel file, SampleSource samples) {
+    private final ReadableByteChannel file;
+    private final Path path;
+    private final SampleSource samples;
+    /** Where the sound ends, as the header has it. */
+    private long end;
+
+    private SpeechFile(ReadableByteChannel file, Path path, Resampler.Slope slope) throws IOException {
         this.file = file;
-        this.samples = samples;
+        this.path = path;
+        samples = samples(slope);
     }
 
     /**
-     * Opens a file.
+     * Opens a file; {@code -} is the standard input.
      *
      * @throws NotAudioException if the file exists but is no audio
      */
@@ -57,30 +64,41 @@ public final class SpeechFile implements Closeable {
     }
 
     private static SpeechFile open(Path path, Resampler.Slope slope) throws IOException {
-        FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
+        ReadableByteChannel file = path.equals(STANDARD_INPUT)
+                ? Channels.newChannel(System.in)
+                : FileChannel.open(path, StandardOpenOption.READ);
         if (Files.isDirectory(path)) {
             file.close();
             throw new NotAudioException(path + ": a folder, no audio", null);
         }
         try {
-            return new SpeechFile(file, samples(file, path, slope));
+            return new SpeechFile(file, path, slope);
         } catch (IOException e) {
             file.close();
             throw e;
         }
     }
 
-    private static SampleSource samples(FileChannel file, Path path, Resampler.Slope slope) throws IOException {
+    private SampleSource samples(Resampler.Slope slope) throws IOException {
         ByteBuffer head = ByteBuffer.allocateDirect(BUFFER_OCTETS);
         while (head.hasRemaining() && file.read(head) >= 0) {}
         head.flip();
         Optional<WavHeader> wav = WavHeader.in(head);
         try {
+            if (GsmSamples.begin(head)) {
+                return new GsmSamples(path, rest(head, file), false, Long.MAX_VALUE);
+            }
             if (wav.isEmpty()) {
                 return foreign(rest(head, file), slope);
             }
             AudioFormat format = wav.get().format();
             head.position(wav.get().dataAt());
+            end = wav.get().dataOctets() == Long.MAX_VALUE
+                    ? 0
+                    : wav.get().dataAt() + wav.get().dataOctets();
+            if (format.getEncoding().equals(WavHeader.GSM)) {
+                return new GsmSamples(path, rest(head, file), true, wav.get().dataOctets());
+            }
             return isSpeech(format)
                     ? new UnconvertedSamples(file, head, wav.get().dataOctets())
                     : new ConvertedSamples(rest(head, file), format, wav.get().dataOctets(), slope);
@@ -108,10 +126,15 @@ public final class SpeechFile implements Closeable {
         return new ConvertedSamples(stream, stream.getFormat(), Long.MAX_VALUE, slope);
     }
 
-    private static InputStream rest(ByteBuffer head, FileChannel file) {
+    private static InputStream rest(ByteBuffer head, ReadableByteChannel file) {
         byte[] read = new byte[head.remaining()];
         head.get(read);
         return new SequenceInputStream(new ByteArrayInputStream(read), Channels.newInputStream(file));
+    }
+
+    /** The octets of sound that the header promises and the file does not have; 0 for a pipe. */
+    public long missingOctets() throws IOException {
+        return Files.isRegularFile(path) ? Math.max(0, end - Files.size(path)) : 0;
     }
 
     /** The whole file. */

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioFormat.Encoding;
+import simgsm.speech.SpeechCodec;
 
 /**
  * The header of a RIFF or RF64 file: format, position and length of its samples. Unknown chunks are skipped, and a length
@@ -27,7 +28,9 @@ record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
     private static final int IEEE_FLOAT = 3;
     private static final int A_LAW = 6;
     private static final int MU_LAW = 7;
+    private static final int GSM_FULL_RATE = 49;
     private static final int EXTENSIBLE = 0xFFFE;
+    static final Encoding GSM = new Encoding("GSM 06.10");
 
     /**
      * The header in the first octets of a file, {@code head}'s remaining ones; the position of {@code head} does not
@@ -106,6 +109,9 @@ record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
             tag = chunk.remaining() < 40 || !chunk.slice(26, 14).equals(ByteBuffer.wrap(GUID_END))
                     ? EXTENSIBLE
                     : chunk.getShort(24) & 0xFFFF;
+        }
+        if (tag == GSM_FULL_RATE && channels == 1 && rate == SpeechCodec.SAMPLES_PER_SECOND) {
+            return Optional.of(new AudioFormat(GSM, rate, 0, 1, GsmSamples.WAV_BLOCK_OCTETS, rate, false));
         }
         Optional<Encoding> encoding = encoding(tag, bits);
         if (encoding.isEmpty() || channels == 0 || rate <= 0 || bits == 0 || bits > 64) {
