@@ -30,7 +30,7 @@ class AtCommandsTest {
         probe("""
                 AT                  -> OK
                 at                  -> OK
-                ATI                 -> SimGSM (SIMCOM compatible)|M2|Revision:1.0|OK
+                ATI                 -> SimGSM|M2|Revision:1.0|OK
                 ATQ0 V1 E0 S0=0     -> OK
                 ATE0V1+CMEE=1       -> OK
                 AT+CMEE?            -> +CMEE: 1|OK
@@ -38,15 +38,15 @@ class AtCommandsTest {
                 ATS0?               -> 000|OK
                 ATS3?               -> 013|OK
                 ATX4&C1&D2          -> OK
-                AT+CGMI             -> SimGSM (SIMCOM compatible)|OK
+                AT+CGMI             -> SimGSM|OK
                 AT+CGMM             -> M2|OK
                 AT+CGMR             -> Revision:1.0|OK
                 AT+CIMI             -> 001010005550300|OK
                 AT+GCAP             -> +GCAP: +CGSM|OK
                 AT+WS46=?           -> +WS46: (12)|OK
                 AT+CSCS?            -> +CSCS: "IRA"|OK
-                AT+CSCS=?           -> +CSCS: ("GSM","IRA","UCS2")|OK
-                AT+CSCS="HEX"       -> +CME ERROR: 50
+                AT+CSCS=?           -> +CSCS: ("GSM","IRA","UCS2","HEX")|OK
+                AT+CSCS="LATIN"     -> +CME ERROR: 50
                 AT+CPIN?            -> +CPIN: READY|OK
                 AT+CPIN="1234"      -> +CME ERROR: 3
                 AT+CLCK=?           -> +CLCK: ("SC")|OK
@@ -118,7 +118,9 @@ class AtCommandsTest {
                 AT+CREG?            -> +CREG: 2,1,"0001","0001"|OK
                 AT+CREG=?           -> +CREG: (0-2)|OK
                 AT+CGREG=2          -> OK
-                AT+CGREG?           -> +CGREG: 2,0|OK
+                AT+CGREG?           -> +CGREG: 2,1,"0001","0001"|OK
+                AT+CGATT?           -> +CGATT: 1|OK
+                AT+CGATT=0;+CGREG?  -> +CGREG: 2,0|OK
                 AT+CGATT?           -> +CGATT: 0|OK
                 AT+COPS?            -> +COPS: 0,0,"SimGSM"|OK
                 AT+COPS=3,2         -> OK
@@ -237,7 +239,27 @@ class AtCommandsTest {
                 AT+VTS={1     -> ERROR
                 AT+VTS={1,999} -> ERROR
                 AT+VTS=""     -> ERROR
+                AT+VTS="1,"   -> ERROR
+                AT+VTS="1,,2" -> ERROR
+                AT+VTS={12,3} -> ERROR
                 """);
+    }
+
+    @Test
+    void eachKeyOfAListHasItsOwnLength() {
+        VirtualModem other = suite.modem(OTHER).connect();
+        modem.say("ATD" + OTHER + ";");
+        suite.seconds(0.2);
+        other.say("AT+DDET=1,0,1;A");
+        modem.say("AT+VTD=3");
+        assertEquals("OK", modem.say("AT+VTS={6,2},5,{7,12},\"1,2\",{3,0}"));
+        suite.seconds(1);
+        List<Long> tenths = VirtualModem.lines(other.heard())
+                .lines()
+                .flatMap(line -> List.of(line.split("\\|")).stream())
+                .map(code -> Math.round(Integer.parseInt(code.split(",")[1]) / 100.0))
+                .toList();
+        assertEquals(List.of(2L, 3L, 12L, 3L, 3L, 1L), tenths);
     }
 
     @Test
@@ -566,6 +588,57 @@ class AtCommandsTest {
         assertEquals(
                 "OK|+CUSD: 0,\"0035003500350030003300300030\",15", modem.say("AT+CUSD=1,\"002A0031003000300023\",15"));
         assertEquals("OK", modem.say("AT+CUSD=2"));
+    }
+
+    @Test
+    void everyCodeIsAnsweredWithAText() {
+        String imei = modem.say("AT+CGSN").split("\\|")[0];
+        String identity = "OK|+CUSD: 0,\"" + imei + "\",15";
+        assertEquals(identity, modem.say("ATD*#06#;"));
+        assertEquals("OK", modem.say("AT+CUSD=0,\"*#06#\""));
+        assertEquals(identity, modem.say("AT+CUSD=1,\"*#06#\""));
+        modem.say("AT+CUSD=0");
+        for (String row : List.of(
+                "*#21# -> forwarding unconditional: inactive",
+                "*21*5550132# -> forwarding unconditional: active, +5550132",
+                "*#21# -> forwarding unconditional: active, +5550132",
+                "**61*+5550299# -> forwarding on no reply: active, +5550299",
+                "#61# -> forwarding on no reply: registered, +5550299",
+                "##002# -> all forwarding: inactive",
+                "*43# -> call waiting: active",
+                "*#31# -> calling line restriction: inactive")) {
+            String[] codeAndText = row.split(" -> ");
+            assertEquals("OK|+CUSD: 0,\"" + codeAndText[1] + "\",15", modem.say("ATD" + codeAndText[0] + ";"), row);
+        }
+        assertEquals("OK|+CUSD: 4", modem.say("ATD*#33#;"));
+        assertEquals("OK", modem.say("AT+CUSD=0,\"*100#\""));
+        assertEquals("", modem.heard());
+    }
+
+    @Test
+    void theCodeThatShowsTheOwnNumberPrecedesACallAndTheOneThatHidesItIsRefused() {
+        VirtualModem other = suite.modem(OTHER).connect();
+        assertEquals("OK", modem.say("ATD*31#" + OTHER + ";"));
+        suite.seconds(0.2);
+        assertEquals("RING", VirtualModem.lines(other.heard()));
+        modem.say("ATH;+CMEE=1");
+        assertEquals("+CME ERROR: 4", modem.say("ATD#31#" + OTHER + ";"));
+    }
+
+    @Test
+    void messagesAreDeletedByKind() {
+        modem.say("AT+CMGF=1");
+        modem.say("AT+CMGW=\"5550301\"", "kept");
+        modem.say("AT+CMGW=\"5550301\",145,\"STO SENT\"", "sent");
+        probe("""
+                AT+CMGDA="DEL INBOX" -> OK
+                AT+CPMS="SM"         -> +CPMS: 2,50,2,50,2,50|OK
+                AT+CMGDA="DEL SENT"  -> OK
+                AT+CPMS="SM"         -> +CPMS: 1,50,1,50,1,50|OK
+                AT+CMGDA=6           -> OK
+                AT+CPMS="SM"         -> +CPMS: 0,50,0,50,0,50|OK
+                AT+CMGDA="ALL"       -> +CMS ERROR: 321
+                """);
     }
 
     @Test

@@ -58,6 +58,20 @@ public class UssdTest {
         phone.say("ussd *#06#").expect("imei", "number", "490154203237518");
     }
 
+    /** TS 22.030: what the keys and the green key do, the console's dial does. */
+    @Test
+    void aCodeThatIsDialledIsSentAsOneThatIsTyped() {
+        RunningProgram phone = scenario.phone("5550103", "--imei", "490154203237518");
+        phone.say("dial *#06#").expect("imei", "number", "490154203237518");
+        phone.say("dial *100#").expect("ussd", "text", "5550103");
+        phone.say("dial *#43#").expect("service", "code", "43");
+        phone.say("dial *31#" + Scenario.ROBOT).expect("calling", "number", Scenario.ROBOT);
+        phone.say("hangup").expect("released");
+        String refused = "dial: the network hides no number; leave #31# out";
+        phone.say("dial #31#" + Scenario.ROBOT).expect("error", "text", refused);
+        phone.say("dial *31#abc").expect("error");
+    }
+
     @Test
     void aSubscriberGetsItsOwnNumber() {
         alice.say("ussd *100#").expect("ussd", "text", Scenario.PHONE);

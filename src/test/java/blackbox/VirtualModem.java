@@ -12,6 +12,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.modem.CallDecision;
 import simgsm.modem.Modem;
 import simgsm.modem.ModemOptions;
+import simgsm.modem.at.AtProfile;
 import simgsm.modem.at.command.AtClient;
 import simgsm.modem.at.command.AtModem;
 import simgsm.modem.at.command.ModemTerminal;
@@ -36,7 +37,7 @@ final class VirtualModem {
     private final StringBuilder output = new StringBuilder();
     private AtClient client;
 
-    VirtualModem(VirtualSuite suite, StationIdentity identity) {
+    VirtualModem(VirtualSuite suite, StationIdentity identity, AtProfile profile) {
         this.suite = suite;
         modem = new Modem(
                 identity,
@@ -46,7 +47,7 @@ final class VirtualModem {
                         ModemOptions.MAX_ANSWER_AFTER_MILLIS),
                 caller -> new CallDecision(true, DtmfKey.ONE),
                 event -> {});
-        at = new AtModem(new ModemTerminal(modem), InstantSource.fixed(Instant.parse("2026-11-21T12:00:00Z")));
+        at = new AtModem(new ModemTerminal(modem), profile, InstantSource.fixed(Instant.parse("2026-11-21T12:00:00Z")));
         modem.observe(at::accept);
     }
 

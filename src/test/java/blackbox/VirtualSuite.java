@@ -14,6 +14,7 @@ import simgsm.air.Msisdn;
 import simgsm.center.msc.Exchange;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.modem.ModemOptions;
+import simgsm.modem.at.AtProfile;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
 import simgsm.station.context.StationIdentity;
@@ -164,7 +165,11 @@ public final class VirtualSuite {
 
     /** A modem with its AT commands that has registered. It rings until ATA. */
     VirtualModem modem(String number) {
-        VirtualModem modem = new VirtualModem(this, identity(number, "SimGSM modem"));
+        return modem(number, AtProfile.PLAIN);
+    }
+
+    VirtualModem modem(String number, AtProfile profile) {
+        VirtualModem modem = new VirtualModem(this, identity(number, "SimGSM modem"), profile);
         modems.add(modem);
         modem.link = connect(modem.station());
         return modem;

@@ -5,6 +5,7 @@ module simgsm.station {
     requires transitive simgsm.sound;
 
     exports simgsm.modem;
+    exports simgsm.modem.at;
     exports simgsm.modem.at.command;
     exports simgsm.modem.at.port;
     exports simgsm.modem.client;

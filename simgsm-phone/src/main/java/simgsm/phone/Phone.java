@@ -15,6 +15,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import simgsm.console.FatalError;
+import simgsm.modem.at.AtProfile;
 import simgsm.modem.at.command.AtModem;
 import simgsm.modem.at.port.AtPort;
 import simgsm.phone.handset.Handset;
@@ -83,8 +84,8 @@ final class Phone implements HandsetAccess, AutoCloseable {
     }
 
     /** Opens a port for AT commands, before the start. @return its number */
-    int openAtPort(InetSocketAddress address) throws IOException {
-        AtModem modem = new AtModem(new PhoneTerminal(handset, station, phoneBook), InstantSource.system());
+    int openAtPort(InetSocketAddress address, AtProfile profile) throws IOException {
+        AtModem modem = new AtModem(new PhoneTerminal(handset, station, phoneBook), profile, InstantSource.system());
         AtPort port = AtPort.open(modem, station, thread, address);
         at = Optional.of(port);
         return port.port();

@@ -20,11 +20,12 @@ import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.Refusal;
 import simgsm.phone.store.StoredMessage;
 import simgsm.sms.ChannelList;
+import simgsm.ss.ServiceCode;
 
 /** The console's commands. Each ends on the owner thread before the next is read, so errors appear in order. */
 final class PhoneCommands implements Console.Commands {
     static final CommandTable<PhoneCommands> TABLE = new CommandTable<PhoneCommands>()
-            .add("dial", "NUMBER", "calls a number", PhoneCommands::dial)
+            .add("dial", "NUMBER", "calls a number, or sends a service code such as *#06#", PhoneCommands::dial)
             .add("answer", "", "answers the ringing call", (phone, command) -> phone.perform(command, Handset::answer))
             .add(
                     "hangup",
@@ -101,8 +102,11 @@ final class PhoneCommands implements Console.Commands {
     }
 
     private void dial(ConsoleCommand command) throws CommandException {
-        Msisdn number = number(command, command.words(1, "dial NUMBER").get(0));
-        perform(command, handset -> handset.dial(number));
+        String typed = command.words(1, "dial NUMBER").get(0);
+        if (!ServiceCode.isCode(typed) && !ServiceCode.isHidingCall(typed)) {
+            number(command, ServiceCode.called(typed));
+        }
+        perform(command, handset -> handset.dial(typed));
     }
 
     private void press(ConsoleCommand command) throws CommandException {

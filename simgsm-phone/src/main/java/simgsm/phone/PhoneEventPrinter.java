@@ -9,7 +9,6 @@ import simgsm.console.TextBundle;
 import simgsm.phone.handset.HandsetEvent;
 import simgsm.phone.handset.ToneMeaning;
 import simgsm.sms.DeliveryStatus;
-import simgsm.ss.ServiceStatus;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.UssdEnding;
 
@@ -114,7 +113,7 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
         } else if (event instanceof StationEvent.ServiceAnswered answer) {
             Event line = Event.of("service")
                     .with("code", answer.status().service().typed())
-                    .with("state", stateOf(answer.status()));
+                    .with("state", answer.status().state());
             console.emit(answer.status()
                     .forwardedTo()
                     .map(number -> line.with("to", number))
@@ -125,10 +124,6 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
                     .map(error -> line.with("cause", error.code()).with("text", error.title()))
                     .orElseGet(() -> line.with("text", end.how().title())));
         }
-    }
-
-    private static String stateOf(ServiceStatus status) {
-        return status.isActive() ? "active" : status.isRegistered() ? "registered" : "inactive";
     }
 
     private void print(HandsetEvent event) {

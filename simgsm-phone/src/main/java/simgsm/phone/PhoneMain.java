@@ -16,6 +16,7 @@ import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
+import simgsm.modem.at.AtProfile;
 import simgsm.phone.ui.HandsetWindow;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
@@ -80,6 +81,7 @@ public final class PhoneMain {
                         "at",
                         "PORT",
                         "take AT commands on this port, as a GSM modem does; 0: any free one. Loopback only")
+                .value("at-profile", "plain|sim800", AtProfile.HELP)
                 .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
     }
 
@@ -111,7 +113,9 @@ public final class PhoneMain {
             return ready;
         }
         int port = (int) arguments.integer("at", 0, 0, MAX_PORT);
-        return ready.with("at", phone.openAtPort(new InetSocketAddress(InetAddress.getLoopbackAddress(), port)));
+        InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
+        AtProfile profile = arguments.value("at-profile", AtProfile::named).orElse(AtProfile.PLAIN);
+        return ready.with("at", phone.openAtPort(address, profile));
     }
 
     private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center)

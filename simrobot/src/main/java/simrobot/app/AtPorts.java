@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
+import simgsm.modem.at.AtProfile;
 import simgsm.modem.at.port.AtPort;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
@@ -23,14 +24,16 @@ final class AtPorts implements AutoCloseable {
 
     private final SimRobot simRobot;
     private final InetAddress address;
+    private final AtProfile profile;
     /** The next robot's port; 0 for any free one. */
     private int next;
 
     private final Map<String, AtPort> ports = Collections.synchronizedMap(new LinkedHashMap<>());
 
-    private AtPorts(SimRobot simRobot, InetAddress address, int first) {
+    private AtPorts(SimRobot simRobot, InetAddress address, AtProfile profile, int first) {
         this.simRobot = simRobot;
         this.address = address;
+        this.profile = profile;
         next = first;
     }
 
@@ -38,7 +41,8 @@ final class AtPorts implements AutoCloseable {
     static AtPorts open(Arguments arguments, InetAddress address, SimRobot simRobot)
             throws UsageException, IOException {
         int first = (int) arguments.integer("at", 0, 0, ListeningPorts.MAX_PORT);
-        AtPorts opened = new AtPorts(simRobot, address, first);
+        AtProfile profile = arguments.value("at-profile", AtProfile::named).orElse(AtProfile.PLAIN);
+        AtPorts opened = new AtPorts(simRobot, address, profile, first);
         if (!arguments.has("at")) {
             return opened;
         }
@@ -61,7 +65,7 @@ final class AtPorts implements AutoCloseable {
     }
 
     private void add(TelephoneRobot robot) throws IOException {
-        Optional<AtPort> port = simRobot.openAtPort(robot, new InetSocketAddress(address, next));
+        Optional<AtPort> port = simRobot.openAtPort(robot, new InetSocketAddress(address, next), profile);
         if (port.isPresent()) {
             ports.put(robot.name(), port.get());
             next += next > 0 ? 1 : 0;

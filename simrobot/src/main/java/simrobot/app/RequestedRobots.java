@@ -111,7 +111,7 @@ public final class RequestedRobots {
             if (robots.size() > 1) {
                 throw new UsageException("--modem: expected one robot, found " + robots.size());
             }
-            for (String option : List.of("sim", "codec", "record-audio", "center", "at")) {
+            for (String option : List.of("sim", "codec", "record-audio", "center", "at", "at-profile")) {
                 if (arguments.has(option)) {
                     throw new UsageException("--" + option + ": a real modem (--modem) has none of that");
                 }

@@ -11,6 +11,7 @@ import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.modem.ModemOptions;
+import simgsm.modem.at.AtProfile;
 import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
@@ -99,6 +100,7 @@ public final class SimRobotOptions {
                         "at",
                         "PORT",
                         "take AT commands for the robots' modems, one port per robot upward from PORT; 0: any free ones")
+                .value("at-profile", "plain|sim800", AtProfile.HELP)
                 .value("p2os", "PORT", "serve P2OS clients, one port per robot upward from PORT; 0: any free ones")
                 .value(
                         "pioneer",

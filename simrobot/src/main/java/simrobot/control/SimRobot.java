@@ -22,6 +22,7 @@ import simgsm.air.Msisdn;
 import simgsm.console.FatalError;
 import simgsm.modem.Modem;
 import simgsm.modem.ModemOptions;
+import simgsm.modem.at.AtProfile;
 import simgsm.modem.at.command.AtModem;
 import simgsm.modem.at.command.ModemTerminal;
 import simgsm.modem.at.port.AtPort;
@@ -146,12 +147,13 @@ public final class SimRobot implements AutoCloseable {
      * @return nothing for a robot behind a real modem
      * @throws IOException naming address and port
      */
-    public Optional<AtPort> openAtPort(TelephoneRobot robot, InetSocketAddress address) throws IOException {
+    public Optional<AtPort> openAtPort(TelephoneRobot robot, InetSocketAddress address, AtProfile profile)
+            throws IOException {
         if (robot.m2().isEmpty()) {
             return Optional.empty();
         }
         Modem m2 = robot.m2().get();
-        AtModem modem = new AtModem(new ModemTerminal(m2), InstantSource.system());
+        AtModem modem = new AtModem(new ModemTerminal(m2), profile, InstantSource.system());
         AtPort port = AtPort.open(modem, m2.station(), stationThread, address);
         m2.observe(port::accept);
         return Optional.of(port);

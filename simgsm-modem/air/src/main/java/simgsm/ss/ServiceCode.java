@@ -14,6 +14,14 @@ import simgsm.ss.Component.Invoke;
  * for every other code.
  */
 public final class ServiceCode {
+    /** The equipment's identity (TS 22.030, 6.6); the terminal answers it. */
+    public static final String IMEI = "*#06#";
+
+    /** In front of a number: this call shows one's own number to the called party, or hides it (TS 22.030, annex B). */
+    private static final String SHOWING = "*31#";
+
+    private static final String HIDING = "#31#";
+
     /** Procedure, service code, supplementary information. */
     private static final Pattern FORM = Pattern.compile("(\\*\\*|\\*#|##|\\*|#)([0-9]{2,3})(?:\\*([0-9+]*)[0-9*]*)?#");
 
@@ -33,6 +41,21 @@ public final class ServiceCode {
     }
 
     private ServiceCode() {}
+
+    /** Whether the green key sends the typed text as a code and does not call it (TS 22.030, 6.5.3.2). */
+    public static boolean isCode(String typed) {
+        return typed.endsWith("#");
+    }
+
+    /** Whether a call is typed that hides one's own number. */
+    public static boolean isHidingCall(String typed) {
+        return typed.startsWith(HIDING) && !isCode(typed);
+    }
+
+    /** The number that a typed text calls. */
+    public static String called(String typed) {
+        return typed.startsWith(SHOWING) ? typed.substring(SHOWING.length()) : typed;
+    }
 
     /**
      * The operation for a typed code.

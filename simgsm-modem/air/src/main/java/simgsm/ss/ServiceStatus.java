@@ -40,6 +40,11 @@ public record ServiceStatus(SsCode service, int flags, Optional<String> forwarde
         return (flags & REGISTERED) != 0;
     }
 
+    /** How the service stands, in a word. */
+    public String state() {
+        return isActive() ? "active" : isRegistered() ? "registered" : "inactive";
+    }
+
     /** The result of an operation. */
     public OctetString encode(SsOperation operation) {
         return operation == SsOperation.INTERROGATE_SS ? interrogation() : info();

@@ -23,6 +23,7 @@ import simgsm.sim.SimPhoneBook;
 import simgsm.sms.ChannelList;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
+import simgsm.ss.ServiceCode;
 import simgsm.ss.UssdText;
 import simgsm.station.StationCommands;
 import simgsm.station.StationSnapshot;
@@ -38,9 +39,8 @@ public final class Handset {
     private static final int KEY_MILLIS = 100;
     private static final int SAMPLES_PER_MILLI = 8;
     /** Shows the IMEI, without the network (TS 22.030, 6.7.2). */
-    static final String IMEI_CODE = "*#06#";
-
     private final Msisdn own;
+
     private final Consumer<StationEvent> listener;
     private final HandsetAudio audio;
     private final PhoneCall call = new PhoneCall();
@@ -185,6 +185,20 @@ public final class Handset {
                 : Optional.of(Refusal.CALL_UNDER_WAY);
     }
 
+    /**
+     * Performs what a user types before the green key (TS 22.030, 6.5): a service code, or a number to call.
+     *
+     * @throws IllegalArgumentException for a text that is neither
+     */
+    public Optional<Refusal> dial(String typed) {
+        if (ServiceCode.isCode(typed)) {
+            return ussd(typed);
+        }
+        return ServiceCode.isHidingCall(typed)
+                ? Optional.of(Refusal.NUMBER_IS_SHOWN)
+                : dial(Msisdn.parse(ServiceCode.called(typed)));
+    }
+
     public Optional<Refusal> answer() {
         history.taken();
         return station.answer() ? Optional.empty() : Optional.of(Refusal.NOTHING_RINGS);
@@ -211,7 +225,7 @@ public final class Handset {
         if (!isPowered()) {
             return Optional.of(Refusal.SWITCHED_OFF);
         }
-        if (text.equals(IMEI_CODE)) {
+        if (text.equals(ServiceCode.IMEI)) {
             showImei();
             return Optional.empty();
         }

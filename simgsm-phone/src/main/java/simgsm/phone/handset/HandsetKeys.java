@@ -1,7 +1,6 @@
 package simgsm.phone.handset;
 
 import java.util.List;
-import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.HomeKeys;
@@ -11,6 +10,7 @@ import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.screen.ScreenNavigation;
 import simgsm.phone.screen.SoftKeys;
 import simgsm.phone.store.MessageFolder;
+import simgsm.ss.ServiceCode;
 
 /** The keys of the window and of a keyboard: what each does by the screen and the call, performed on the handset. */
 public final class HandsetKeys {
@@ -55,7 +55,7 @@ public final class HandsetKeys {
         } else if (screens.isHome()) {
             endTones();
             perform(home.press(key, situation()));
-            if (home.typed().equals(Handset.IMEI_CODE)) {
+            if (home.typed().equals(ServiceCode.IMEI)) {
                 handset.showImei();
             }
         } else {
@@ -157,12 +157,10 @@ public final class HandsetKeys {
     }
 
     private void dial(String text) {
-        if (ScreenNavigation.isServiceCode(text)) {
-            handset.ussd(text).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, text));
-        } else if (!ScreenNavigation.isNumber(text)) {
+        try {
+            handset.dial(text).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, text));
+        } catch (IllegalArgumentException notANumber) {
             screens.note(Note.Kind.NOT_A_NUMBER, text);
-        } else if (handset.dial(Msisdn.parse(text)).isPresent()) {
-            screens.note(Note.Kind.REFUSED, text);
         }
     }
 

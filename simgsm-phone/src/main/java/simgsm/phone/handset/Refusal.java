@@ -3,6 +3,7 @@ package simgsm.phone.handset;
 /** Why the handset refuses a command. */
 public enum Refusal {
     CALL_UNDER_WAY("a call is under way; hang up first"),
+    NUMBER_IS_SHOWN("the network hides no number; leave #31# out"),
     NO_CALL("there is no call; dial or answer first"),
     NOTHING_RINGS("no call rings"),
     NOT_ANSWERED("the call is not answered; answer first"),

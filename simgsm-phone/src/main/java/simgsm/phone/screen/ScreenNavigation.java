@@ -174,13 +174,4 @@ public final class ScreenNavigation {
         }
         return page == ussd ? ussd.end() : stack.home();
     }
-
-    /** Whether the green key sends the typed text as a service code and does not call it (TS 22.030, 6.5.3.2). */
-    public static boolean isServiceCode(String text) {
-        return text.endsWith("#");
-    }
-
-    public static boolean isNumber(String text) {
-        return MessagePages.isNumber(text);
-    }
 }

@@ -8,8 +8,8 @@ import simgsm.draw.Ink;
 import simgsm.phone.handset.CallSnapshot;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.screen.CallPhase;
-import simgsm.phone.screen.ScreenNavigation;
 import simgsm.phone.store.MessageFolder;
+import simgsm.ss.ServiceCode;
 import simgsm.station.ServingCell;
 import simgsm.station.StationSnapshot;
 
@@ -116,8 +116,6 @@ final class LcdHome {
         if (!name.equals(phone.typed())) {
             pen.left(name, pen.sans(14, true), LcdPen.MARGIN, 120, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
         }
-        pen.hint(
-                texts.of(ScreenNavigation.isServiceCode(phone.typed()) ? "lcd.hint.code" : "lcd.hint.typed"),
-                HINT_BASELINE);
+        pen.hint(texts.of(ServiceCode.isCode(phone.typed()) ? "lcd.hint.code" : "lcd.hint.typed"), HINT_BASELINE);
     }
 }

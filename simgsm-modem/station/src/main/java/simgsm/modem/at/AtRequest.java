@@ -62,7 +62,7 @@ public final class AtRequest {
      * Sends the prompt and collects text up to Ctrl-Z; ESC ends the command with OK, and 60 s without a character with
      * ERROR.
      *
-     * @param ofLines whether a carriage return begins a new line and a new prompt; else it is ignored
+     * @param ofLines whether a carriage return begins a new line, with echo after a new prompt; else it is ignored
      * @return PENDING
      */
     public AtResult prompt(boolean ofLines, TextReceiver receiver) {

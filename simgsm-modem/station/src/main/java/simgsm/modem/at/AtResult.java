@@ -7,6 +7,7 @@ public sealed interface AtResult {
     Plain NO_CARRIER = new Plain("NO CARRIER", 3);
     Plain ERROR = new Plain("ERROR", 4);
     Plain BUSY = new Plain("BUSY", 7);
+    Plain NORMAL_POWER_DOWN = new Plain("NORMAL POWER DOWN", 4);
     Plain NO_ANSWER = new Plain("NO ANSWER", 8);
 
     /** Not a result yet: {@link AtRequest#finish} gives it later. */

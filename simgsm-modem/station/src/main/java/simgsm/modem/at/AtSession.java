@@ -313,7 +313,7 @@ public final class AtSession<C> {
         } else if (character == '\r') {
             if (textOfLines) {
                 addToText('\n');
-                send("\r\n> ");
+                send(format.isEchoed() ? "\r\n> " : "");
             }
         } else {
             echo(character);

@@ -212,12 +212,14 @@ class AtSessionTest {
         return answer;
     }
 
+    /** TS 27.005, 3.5.1, has one prompt, behind the command; Adafruit_FONA reads the answer behind a text of lines. */
     @Test
-    void aTextOfLinesIsPromptedLineByLine() {
+    void aTextOfLinesIsPromptedLineByLineWithEchoAndOnceWithoutIt() {
         silent();
-        assertEquals("|> |> |OK|", say("AT+TEXT=1\rone\rtwo" + CTRL_Z));
+        assertEquals("AT+TEXT=1!|> one|> two|OK|", sayEchoed("AT+TEXT=1\rone\rtwo" + CTRL_Z));
+        assertEquals("|> |OK|", say("AT+TEXT=1\rone\rtwo" + CTRL_Z));
         assertEquals("|> |OK|", say("AT+TEXT=0\rone\rtwo" + CTRL_Z));
-        assertEquals(List.of("one\ntwo", "onetwo"), done);
+        assertEquals(List.of("one\ntwo", "one\ntwo", "onetwo"), done);
     }
 
     @Test

@@ -10,6 +10,7 @@ public final class AtClient {
     private final AtModem modem;
     private final AtSession<AtClient> session;
     private ClientSettings settings = new ClientSettings();
+    private boolean isBooting;
 
     AtClient(AtModem modem, Consumer<byte[]> output) {
         this.modem = modem;
@@ -54,6 +55,22 @@ public final class AtClient {
         settings = new ClientSettings();
         session.resetFormat();
         modem.settingsChanged();
+    }
+
+    /** Reports what a modem reports after power-on; the rest follows once it is registered. */
+    void boot() {
+        modem.profile().bootCodes.forEach(this::report);
+        isBooting = modem.profile().boots();
+        modem.network().check();
+    }
+
+    /** The modem is registered. */
+    void registered() {
+        if (isBooting) {
+            isBooting = false;
+            report("Call Ready");
+            report("SMS Ready");
+        }
     }
 
     void report(String line) {

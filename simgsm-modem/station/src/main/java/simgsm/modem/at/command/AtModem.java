@@ -4,6 +4,7 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import simgsm.modem.at.AtProfile;
 import simgsm.modem.at.state.ModemClock;
 import simgsm.modem.at.state.PhoneBooks;
 import simgsm.station.context.StationEvent;
@@ -15,6 +16,7 @@ import simgsm.timer.Timers;
  */
 public final class AtModem {
     private final AtTerminal terminal;
+    private final AtProfile profile;
     private final Timers timers = new Timers();
     private final List<AtClient> clients = new ArrayList<>();
     private final ModemClock clock;
@@ -28,8 +30,9 @@ public final class AtModem {
     private final ServiceAnswers services;
 
     /** @param wallClock for AT+CCLK */
-    public AtModem(AtTerminal terminal, InstantSource wallClock) {
+    public AtModem(AtTerminal terminal, AtProfile profile, InstantSource wallClock) {
         this.terminal = terminal;
+        this.profile = profile;
         clock = new ModemClock(wallClock);
         books = new PhoneBooks(terminal.identity().number(), terminal.phoneBook());
         keys = new KeyCodes(this);
@@ -46,6 +49,7 @@ public final class AtModem {
         AtClient client = new AtClient(this, output);
         clients.add(client);
         settingsChanged();
+        client.boot();
         return client;
     }
 
@@ -92,6 +96,14 @@ public final class AtModem {
 
     AtTerminal terminal() {
         return terminal;
+    }
+
+    AtProfile profile() {
+        return profile;
+    }
+
+    UssdCodes ussd() {
+        return ussd;
     }
 
     ModemClock clock() {

@@ -7,10 +7,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
-import simgsm.dtmf.DtmfKey;
 import simgsm.modem.at.AddressType;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
+import simgsm.modem.at.KeyRun;
 import simgsm.station.call.MobileCallState;
 import simgsm.station.context.StationEvent;
 import simgsm.timer.Timer;
@@ -100,12 +100,16 @@ final class CallCodes {
         return false;
     }
 
-    AtResult sendKeys(AtRequest request, List<DtmfKey> keys, int toneMillis) {
+    AtResult sendKeys(AtRequest request, List<KeyRun> runs) {
         sendingKeys.add(request);
-        modem.terminal().sendKeys(keys, toneMillis, () -> {
+        Runnable allSent = () -> {
             sendingKeys.remove(request);
             request.finish(AtResult.OK);
-        });
+        };
+        for (KeyRun run : runs) {
+            boolean isLast = run == runs.get(runs.size() - 1);
+            modem.terminal().sendKeys(run.keys(), run.millis(), isLast ? allSent : () -> {});
+        }
         return AtResult.PENDING;
     }
 
@@ -239,6 +243,11 @@ final class CallCodes {
             modem.terminal().answer();
             return;
         }
+        if (modem.clients().stream()
+                .anyMatch(client -> KeptSettings.kept(client, "+GSMBUSY", "0").equals("1"))) {
+            modem.terminal().hangUp();
+            return;
+        }
         rings++;
         for (AtClient client : modem.clients()) {
             client.reportTogether(() -> reportRinging(client));
@@ -259,7 +268,8 @@ final class CallCodes {
             client.report(AtResult.RING);
         }
         if (client.settings().showsCaller) {
-            client.report("+CLIP: \"" + number + "\"," + AddressType.of(number) + ",,,," + (number.isEmpty() ? 1 : 0));
+            client.report("+CLIP: \"" + number + "\"," + AddressType.of(number) + modem.profile().callerFields
+                    + (number.isEmpty() ? 1 : 0));
         }
     }
 

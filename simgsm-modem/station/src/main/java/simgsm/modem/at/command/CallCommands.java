@@ -1,31 +1,24 @@
 package simgsm.modem.at.command;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import simgsm.air.Msisdn;
-import simgsm.dtmf.DtmfKey;
 import simgsm.modem.at.AtCommandTable;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmeError;
+import simgsm.modem.at.KeyRun;
 import simgsm.modem.at.state.PhoneBooks;
 import simgsm.sim.SimPhoneBook;
+import simgsm.ss.ServiceCode;
 
 /** Calls and keys (V.250, 6.3; TS 27.007, 6, 7 and C.2). */
 final class CallCommands {
     /** Signs that only structure a dial string, and modifiers of lines that are not GSM. */
     private static final String IGNORED_IN_NUMBERS = " -()/.TPWtpw,!@";
-
-    /** Of keys whose length is not set. */
-    private static final int KEY_MILLIS = 100;
-
-    private static final int TENTH_MILLIS = 100;
-    /** In one +VTS. */
-    private static final int MOST_KEYS = 64;
 
     private CallCommands() {}
 
@@ -87,18 +80,17 @@ final class CallCommands {
                 .read((client, request) -> request.answer(client.settings().showsConnectedNumber ? 1 : 0, 1))
                 .test("(0,1)")
                 .set((client, request) -> client.settings().showsConnectedNumber = flag(request));
-        for (String name : new String[] {"+CSSN", "+CVHU", "+CSTA", "+CR", "+CMOD", "+CBST"}) {
-            table.add(name, "...", "accepted, without effect")
-                    .read((client, request) -> request.answer(name.equals("+CSTA") ? 145 : 0))
-                    .test("(0,1)")
-                    .set((client, request) -> request.parameters().atMost(3));
+        KeptSettings.add(table, "+GSMBUSY", "(0,1)", "0", "1 rejects incoming calls");
+        for (String name : List.of("+CLDTMF", "+STTONE")) {
+            table.add(name, "...", "a tone at the loudspeaker; accepted, without effect")
+                    .set((client, request) -> request.parameters().atMost(3).number(0, 0, 100));
         }
     }
 
     private static void keys(AtCommandTable<AtClient> table) {
         table.add(
                         "+VTS",
-                        "key,key,... | \"keys\" | {key,tenths},...",
+                        "key,key,... | \"key,key,...\" | {key,tenths},...",
                         "sends keys in the call; OK once the last has been sent")
                 .test("(0-9,A-D,*,#)")
                 .setFor(CallCommands::sendKeys);
@@ -130,13 +122,16 @@ final class CallCommands {
             return AtResult.NO_CARRIER;
         }
         String dialled = number(client, text.substring(0, text.length() - 1).strip());
-        if (dialled.endsWith("#")) {
-            sendUssd(client, dialled);
+        if (ServiceCode.isCode(dialled)) {
+            client.modem().ussd().send(client, dialled, true);
             return AtResult.OK;
+        }
+        if (ServiceCode.isHidingCall(dialled)) {
+            throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
         }
         Msisdn to;
         try {
-            to = Msisdn.parse(dialled);
+            to = Msisdn.parse(ServiceCode.called(dialled));
         } catch (IllegalArgumentException notANumber) {
             throw new AtException(CmeError.INVALID_DIAL_STRING);
         }
@@ -202,75 +197,17 @@ final class CallCommands {
         }
         client.settings().ussdMode = mode;
         if (parameters.given(1).isPresent()) {
-            sendUssd(client, client.settings().characterSet.decodeUssd(parameters.text(1)));
+            String text = client.settings().characterSet.decodeUssd(parameters.text(1));
+            client.modem().ussd().send(client, text, false);
         }
     }
 
-    private static void sendUssd(AtClient client, String text) throws AtException {
-        try {
-            if (!client.modem().terminal().sendUssd(text)) {
-                throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
-            }
-        } catch (IllegalArgumentException tooLong) {
-            throw new AtException(CmeError.TEXT_TOO_LONG);
-        }
-    }
-
-    /** Each key as +VTS has it: a list, a quoted text of keys, or a key with its length in braces. */
     private static AtResult sendKeys(AtClient client, AtRequest request) throws AtException {
-        List<DtmfKey> keys = new ArrayList<>();
-        int tenths = client.settings().keyTenths;
-        String text = request.command().parameters().replace(" ", "");
-        AtException refused = new AtException(CmeError.INCORRECT_PARAMETERS);
-        for (int at = 0; at < text.length(); ) {
-            if (text.charAt(at) == '{') {
-                int comma = text.indexOf(',', at);
-                int end = text.indexOf('}', at);
-                if (comma != at + 2 || end < comma + 2 || end > comma + 4) {
-                    throw refused;
-                }
-                keys.add(key(text.charAt(at + 1)));
-                tenths = tenths(text.substring(comma + 1, end));
-                at = end + 1;
-            } else if (text.charAt(at) == '"') {
-                int end = text.indexOf('"', at + 1);
-                if (end <= at + 1) {
-                    throw refused;
-                }
-                for (int i = at + 1; i < end; i++) {
-                    keys.add(key(text.charAt(i)));
-                }
-                at = end + 1;
-            } else {
-                keys.add(key(text.charAt(at++)));
-            }
-            if (at < text.length() && (text.charAt(at) != ',' || at + 1 == text.length())) {
-                throw refused;
-            }
-            at++;
-        }
-        if (keys.isEmpty() || keys.size() > MOST_KEYS) {
-            throw refused;
-        }
+        List<KeyRun> runs = KeyRun.parse(request.command().parameters(), client.settings().keyTenths);
         if (!client.modem().calls().isActive()) {
             throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
         }
-        return client.modem().calls().sendKeys(request, keys, tenths == 0 ? KEY_MILLIS : tenths * TENTH_MILLIS);
-    }
-
-    private static DtmfKey key(char symbol) throws AtException {
-        char upper = Character.toUpperCase(symbol);
-        if (!DtmfKey.isKey(upper)) {
-            throw new AtException(CmeError.INCORRECT_PARAMETERS);
-        }
-        return DtmfKey.of(upper);
-    }
-
-    private static int tenths(String text) throws AtException {
-        if (!text.chars().allMatch(sign -> sign >= '0' && sign <= '9') || Integer.parseInt(text) > 255) {
-            throw new AtException(CmeError.INCORRECT_PARAMETERS);
-        }
-        return Integer.parseInt(text);
+        return client.modem().calls().sendKeys(request, runs);
     }
 
     private static void detectKeys(AtClient client, AtRequest request) throws AtException {

@@ -10,10 +10,6 @@ import simgsm.modem.at.state.CharacterSet;
 
 /** Answers and identity (V.250; TS 27.007, 5 and 9). */
 final class GeneralCommands {
-    /** Clients look for SIMCOM before they use +DDET. */
-    private static final String MANUFACTURER = "SimGSM (SIMCOM compatible)";
-
-    private static final String REVISION = "Revision:1.0";
     /** S3, S4, S5: the characters that end a line and erase; S7 and others have no effect here. */
     private static final int[] REGISTERS = {0, 0, 0, 13, 10, 8, 2, 60, 2, 6, 14};
 
@@ -55,24 +51,14 @@ final class GeneralCommands {
                 .set((client, request) -> client.session()
                         .format()
                         .setErrorMode(request.parameters().atMost(1).number(0, 0, 2)));
-        table.add("+CSCS", "\"GSM\"|\"IRA\"|\"UCS2\"", "character set of texts and names (IRA)")
+        table.add("+CSCS", "\"GSM\"|\"IRA\"|\"UCS2\"|\"HEX\"", "character set of texts and names (IRA)")
                 .read((client, request) -> request.answer(
                         AtRequest.quoted(client.settings().characterSet.name())))
-                .test("(\"GSM\",\"IRA\",\"UCS2\")")
+                .test("(\"GSM\",\"IRA\",\"UCS2\",\"HEX\")")
                 .set(GeneralCommands::characterSet);
         table.add("+CLAC", "", "lists all commands")
                 .execute((client, request) -> AtCommands.TABLE.names().forEach(name -> request.line("AT" + name)));
-        table.add("+IPR", "rate", "rate of the line; accepted, without effect")
-                .read((client, request) -> request.answer(0))
-                .test("(),(0,9600,19200,38400,57600,115200)")
-                .set((client, request) -> request.parameters().atMost(1).number(0, 0, 4_000_000));
-        table.add("+IFC", "0-2,0-2", "flow control; accepted, without effect")
-                .read((client, request) -> request.answer(0, 0))
-                .test("(0-2),(0-2)")
-                .set((client, request) -> {
-                    request.parameters().atMost(2).number(0, 0, 2);
-                    request.parameters().number(1, 0, 2, 0);
-                });
+        KeptSettings.addTo(table);
     }
 
     private static void register(AtClient client, AtRequest request) throws AtException {
@@ -111,21 +97,24 @@ final class GeneralCommands {
     }
 
     private static void identity(AtCommandTable<AtClient> table) {
-        table.add("I", "", "manufacturer, model and revision").execute((client, request) -> {
-            request.line(MANUFACTURER);
-            request.line(client.modem().terminal().model());
-            request.line(REVISION);
-        });
+        table.add("I", "", "manufacturer, model and revision")
+                .execute((client, request) -> client.modem()
+                        .profile()
+                        .information(client.modem().terminal().model())
+                        .forEach(request::line));
         for (String name : new String[] {"+CGMI", "+GMI"}) {
-            table.add(name, "", "manufacturer").execute((client, request) -> request.line(MANUFACTURER));
+            table.add(name, "", "manufacturer")
+                    .execute((client, request) -> request.line(client.modem().profile().manufacturer));
         }
         for (String name : new String[] {"+CGMM", "+GMM"}) {
             table.add(name, "", "model: M1 for the phone, M2 for the robot's modem")
-                    .execute((client, request) ->
-                            request.line(client.modem().terminal().model()));
+                    .execute((client, request) -> request.line(client.modem()
+                            .profile()
+                            .model(client.modem().terminal().model())));
         }
         for (String name : new String[] {"+CGMR", "+GMR"}) {
-            table.add(name, "", "revision").execute((client, request) -> request.line(REVISION));
+            table.add(name, "", "revision")
+                    .execute((client, request) -> request.line(client.modem().profile().revision));
         }
         for (String name : new String[] {"+CGSN", "+GSN"}) {
             table.add(name, "", "IMEI")

@@ -1,5 +1,6 @@
 package simgsm.modem.at.command;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -27,6 +28,8 @@ final class MessageCommands {
     private static final AtResult BAD_INDEX = new AtResult.MessageError(CmsError.INVALID_MEMORY_INDEX);
 
     private static final int LEAST_PDU = 7;
+    private static final List<String> DELETIONS =
+            List.of("DEL READ", "DEL UNREAD", "DEL SENT", "DEL UNSENT", "DEL INBOX", "DEL ALL");
 
     private MessageCommands() {}
 
@@ -61,6 +64,12 @@ final class MessageCommands {
                         "deletes a message; 1 all read ones, 2 also sent ones, 3 also unsent ones, 4 all")
                 .test("(1-" + SimMemory.CAPACITY + "),(0-4)")
                 .set(MessageCommands::delete);
+        table.add(
+                        "+CMGDA",
+                        "1-6 | \"DEL READ\"|...|\"DEL ALL\"",
+                        "deletes read, unread, sent, unsent, received or all messages")
+                .test("(1-6)")
+                .set(MessageCommands::deleteAll);
         table.add("+CNMA", "[0-2]", "acknowledges a message that was passed directly, after +CSMS=1")
                 .execute(MessageCommands::acknowledge)
                 .set(MessageCommands::acknowledge)
@@ -262,14 +271,32 @@ final class MessageCommands {
             }
             memory.remove(place);
         } else {
-            for (int each = 1; each <= SimMemory.CAPACITY; each++) {
-                if (memory.get(each)
-                        .filter(entry -> isDeletedBy(flag, entry.status()))
-                        .isPresent()) {
-                    memory.remove(each);
-                }
+            delete(memory, status -> isDeletedBy(flag, status));
+        }
+        client.modem().messages().memoryChanged();
+    }
+
+    private static void delete(SimMemory memory, Predicate<SimMemory.Status> wanted) {
+        for (int place = 1; place <= SimMemory.CAPACITY; place++) {
+            if (memory.get(place).filter(entry -> wanted.test(entry.status())).isPresent()) {
+                memory.remove(place);
             }
         }
+    }
+
+    /** By number in PDU mode, by words in text mode (SIM800 Series AT Command Manual, 4.2.15). */
+    private static void deleteAll(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().refusing(BAD_INDEX).atMost(1);
+        int named = DELETIONS.indexOf(parameters.text(0).toUpperCase(Locale.ROOT));
+        int kind = named >= 0 ? named + 1 : parameters.number(0, 1, DELETIONS.size());
+        delete(client.modem().messages().memory(), status -> switch (kind) {
+            case 1 -> status == SimMemory.Status.RECEIVED_READ;
+            case 2 -> status == SimMemory.Status.RECEIVED_UNREAD;
+            case 3 -> status == SimMemory.Status.STORED_SENT;
+            case 4 -> status == SimMemory.Status.STORED_UNSENT;
+            case 5 -> status.isReceived();
+            default -> true;
+        });
         client.modem().messages().memoryChanged();
     }
 

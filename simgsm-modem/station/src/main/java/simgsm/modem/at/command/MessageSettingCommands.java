@@ -81,10 +81,6 @@ final class MessageSettingCommands {
                 .read((client, request) -> request.answer(0, AtRequest.quoted("" + client.settings().channels), "\"\""))
                 .test("(0,1)")
                 .set(MessageSettingCommands::channels);
-        table.add("+CMMS", "0-2", "keeps the link between messages; accepted, without effect")
-                .read((client, request) -> request.answer(0))
-                .test("(0-2)")
-                .set((client, request) -> number(request, 2));
     }
 
     private static int number(AtRequest request, int most) throws AtException {

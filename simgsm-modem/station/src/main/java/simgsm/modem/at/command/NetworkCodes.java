@@ -28,6 +28,7 @@ final class NetworkCodes {
     private static final int SIGNAL_ZERO_DBM = -113;
 
     private final AtModem modem;
+    private int functionWhenOff;
     private int lastRegistration = -1;
     private String lastPlace = "";
     private List<Integer> lastIndicators = List.of();
@@ -38,6 +39,17 @@ final class NetworkCodes {
 
     private StationSnapshot station() {
         return modem.terminal().snapshot();
+    }
+
+    /** Registers, or detaches. @param function what +CFUN tells from now on */
+    void setPower(boolean on, int function) {
+        functionWhenOff = on ? 0 : function;
+        modem.terminal().setPower(on);
+    }
+
+    /** As +CFUN has set it; a terminal that its user has switched off has 0. */
+    int function() {
+        return station().powered() ? 1 : functionWhenOff;
     }
 
     /** 0 off, 1 registered at home, 2 searching, 3 denied (TS 27.007, 7.2). */
@@ -59,6 +71,20 @@ final class NetworkCodes {
         return mode == 2 && state == 1
                 ? String.format(Locale.ROOT, "%d,\"%04X\",\"%04X\"", state, area, cell)
                 : Integer.toString(state);
+    }
+
+    /** The client's mode of +CREG or +CGREG. */
+    int mode(AtClient client, String command) {
+        return Integer.parseInt(KeptSettings.kept(client, command, "0"));
+    }
+
+    /** As above; there is no packet service, so +CGREG follows +CREG while the client wants to be attached. */
+    String registration(AtClient client, String command) {
+        return command.equals("+CREG") || isAttached(client) ? registration(mode(client, command)) : "0";
+    }
+
+    boolean isAttached(AtClient client) {
+        return registration() == 1 && KeptSettings.kept(client, "+CGATT", "1").equals("1");
     }
 
     /** 0 to 31, -113 dBm and 2 dB a step, or 99. */
@@ -105,10 +131,15 @@ final class NetworkCodes {
             lastRegistration = registration();
             lastPlace = registration(2);
             for (AtClient client : modem.clients()) {
-                if (client.settings().registrationMode > (isOtherState ? 0 : 1)) {
-                    client.report("+CREG: " + registration(client.settings().registrationMode));
+                for (String name : List.of("+CREG", "+CGREG")) {
+                    if (mode(client, name) > (isOtherState ? 0 : 1)) {
+                        client.report(name + ": " + registration(client, name));
+                    }
                 }
             }
+        }
+        if (registration() == 1) {
+            modem.clients().forEach(AtClient::registered);
         }
         List<Integer> now = indicators();
         for (int i = 0; i < lastIndicators.size(); i++) {
@@ -121,7 +152,7 @@ final class NetworkCodes {
 
     private void report(String line) {
         modem.clients().stream()
-                .filter(client -> client.settings().reportsIndicators)
+                .filter(client -> KeptSettings.kept(client, "+CMER", "").matches("[1-3],0,0,[12].*"))
                 .forEach(client -> client.report(line));
     }
 }

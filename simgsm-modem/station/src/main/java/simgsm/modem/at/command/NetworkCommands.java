@@ -5,6 +5,7 @@ import simgsm.modem.at.AtCommandTable;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
+import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmeError;
 import simgsm.modem.at.state.ModemClock;
 
@@ -13,24 +14,18 @@ final class NetworkCommands {
     private NetworkCommands() {}
 
     static void addTo(AtCommandTable<AtClient> table) {
-        table.add(
+        KeptSettings.add(
+                        table,
                         "+CREG",
-                        "0-2",
-                        "registration: 0 off, 1 home, 2 searching, 3 denied; 1: +CREG at each change, 2: with area and cell (0)")
-                .read((client, request) -> {
-                    int mode = client.settings().registrationMode;
-                    request.answer(mode, client.modem().network().registration(mode));
-                })
-                .test("(0-2)")
-                .set((client, request) -> client.settings().registrationMode = mode(request, 2));
-        table.add("+CGREG", "0-2", "packet registration; there is none (0)")
-                .read((client, request) -> request.answer(client.settings().packetRegistrationMode, 0))
-                .test("(0-2)")
-                .set((client, request) -> client.settings().packetRegistrationMode = mode(request, 2));
-        table.add("+CGATT", "0", "packet service; there is none")
-                .read((client, request) -> request.answer(0))
-                .test("(0)")
-                .set((client, request) -> mode(request, 0));
+                        "(0-2)",
+                        "0",
+                        "registration: 0 off, 1 home, 2 searching, 3 denied; 1: +CREG at each change, 2: with area and cell")
+                .read(NetworkCommands::registration);
+        KeptSettings.add(table, "+CGREG", "(0-2)", "0", "packet registration; as +CREG, though no context is set up")
+                .read(NetworkCommands::registration);
+        KeptSettings.add(table, "+CGATT", "(0,1)", "1", "packet service; accepted, no context is set up")
+                .read((client, request) ->
+                        request.answer(client.modem().network().isAttached(client) ? 1 : 0));
         table.add(
                         "+COPS",
                         "0|2|3[,format]",
@@ -53,33 +48,31 @@ final class NetworkCommands {
                 .read((client, request) -> request.answer(client.modem().network().indicators().stream()
                         .map(String::valueOf)
                         .collect(Collectors.joining(","))));
-        table.add("+CMER", "0-3,0,0,0|1", "+CIEV at each change of an indicator (0)")
-                .read((client, request) -> request.answer(
-                        client.settings().reportsIndicators ? 3 : 0, 0, 0, client.settings().reportsIndicators ? 1 : 0))
-                .test("(0-3),(0),(0),(0,1)")
-                .set(NetworkCommands::indicatorReports);
+        KeptSettings.add(
+                table, "+CMER", "(0-3),(0),(0),(0-2),(0,1)", "0,0,0,0,0", "+CIEV at each change of an indicator");
         table.add("+CFUN", "0|1|4[,0|1]", "1: on, 0 and 4: detached from the network; 1,1: also restores the settings")
                 .read((client, request) ->
-                        request.answer(client.modem().terminal().snapshot().powered() ? 1 : 0))
+                        request.answer(client.modem().network().function()))
                 .test("(0,1,4),(0,1)")
                 .set(NetworkCommands::function);
         table.add("+CBC", "", "battery: 0, 100 %")
                 .test("(0),(100)")
-                .execute((client, request) -> request.answer(0, 100));
+                .execute((client, request) -> request.answer(client.modem().profile().battery));
+        table.add("+CSPN", "", "name of the service provider")
+                .read((client, request) ->
+                        request.answer(AtRequest.quoted(client.modem().network().operatorName()), 0));
+        table.add("+CPOWD", "0|1", "detaches, as +CFUN=0; 1 answers NORMAL POWER DOWN in place of OK")
+                .setFor(NetworkCommands::powerDown);
         table.add("+CCLK", "\"yy/MM/dd,hh:mm:ss+zz\"", "clock; zz are quarters of an hour")
                 .read((client, request) -> request.answer(AtRequest.quoted(
                         ModemClock.format(client.modem().clock().now()))))
                 .set(NetworkCommands::setClock);
-        for (String name : new String[] {"+CTZU", "+CTZR"}) {
-            table.add(name, "0|1", "accepted, without effect")
-                    .read((client, request) -> request.answer(0))
-                    .test("(0,1)")
-                    .set((client, request) -> mode(request, 1));
-        }
     }
 
-    private static int mode(AtRequest request, int most) throws AtException {
-        return request.parameters().atMost(1).number(0, 0, most);
+    private static void registration(AtClient client, AtRequest request) {
+        NetworkCodes network = client.modem().network();
+        String name = request.command().name();
+        request.answer(network.mode(client, name), network.registration(client, name));
     }
 
     private static void operator(AtClient client, AtRequest request) {
@@ -108,16 +101,8 @@ final class NetworkCommands {
         }
         client.settings().operatorFormat = format;
         if (mode != 3) {
-            client.modem().terminal().setPower(mode != 2);
+            client.modem().network().setPower(mode != 2, 1);
         }
-    }
-
-    private static void indicatorReports(AtClient client, AtRequest request) throws AtException {
-        AtParameters parameters = request.parameters().atMost(5);
-        int mode = parameters.number(0, 0, 3);
-        parameters.number(1, 0, 0, 0);
-        parameters.number(2, 0, 0, 0);
-        client.settings().reportsIndicators = mode > 0 && parameters.number(3, 0, 2, 0) > 0;
     }
 
     private static void function(AtClient client, AtRequest request) throws AtException {
@@ -127,15 +112,21 @@ final class NetworkCommands {
             throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
         }
         boolean restores = parameters.number(1, 0, 1, 0) == 1;
-        if (function == 1) {
-            client.modem().terminal().setPower(true);
-        } else {
+        if (function != 1) {
             client.modem().calls().hangUp(client);
-            client.modem().terminal().setPower(false);
         }
+        client.modem().network().setPower(function == 1, function);
         if (restores) {
             client.reset();
+            client.boot();
         }
+    }
+
+    private static AtResult powerDown(AtClient client, AtRequest request) throws AtException {
+        boolean isNormal = request.parameters().atMost(1).number(0, 0, 1) == 1;
+        client.modem().calls().hangUp(client);
+        client.modem().network().setPower(false, 0);
+        return isNormal ? AtResult.NORMAL_POWER_DOWN : AtResult.OK;
     }
 
     private static void setClock(AtClient client, AtRequest request) throws AtException {

@@ -56,13 +56,18 @@ final class ServiceCommands {
                 .read((client, request) -> request.answer(client.settings().showsWaiting ? 1 : 0))
                 .test("(0,1)")
                 .setFor(ServiceCommands::callWaiting);
-        table.add("+CLIR", "0|2", "one's own number is shown; the network hides none, so that 1 is refused")
-                .read((client, request) -> request.answer(0, 0))
-                .test("(0,2)")
+        KeptSettings.add(
+                        table,
+                        "+CLIR",
+                        "(0,2)",
+                        "0",
+                        "one's own number is shown; the network hides none, so that 1 is refused")
+                .read((client, request) -> request.answer(KeptSettings.kept(client, "+CLIR", "0"), 0))
                 .set((client, request) -> {
-                    if (request.parameters().atMost(1).number(0, 0, 2) == INVOKED) {
+                    if (request.parameters().number(0, 0, 2) == INVOKED) {
                         throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
                     }
+                    KeptSettings.keep(client, request, "(0,2)", "0");
                 });
     }
 

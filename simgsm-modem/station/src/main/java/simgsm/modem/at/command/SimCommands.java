@@ -26,8 +26,14 @@ final class SimCommands {
                                 "+" + client.modem().terminal().identity().number()),
                         145));
         table.add("+CCID", "", "number of the SIM")
-                .execute((client, request) ->
-                        request.answer(AtRequest.quoted(files(client).iccid())));
+                .execute((client, request) -> request.line(
+                        client.modem().profile().cardNumber(files(client).iccid())));
+        table.add("+SPIC", "", "tries that are left for PIN, PUK, PIN2, PUK2")
+                .execute((client, request) -> request.answer(3, 10, 3, 10));
+        table.add("+CPINR", "", "the same by name").execute((client, request) -> {
+            request.answer("SIM PIN", 3, 3);
+            request.answer("SIM PUK", 10, 10);
+        });
         table.add("+CLCK", "\"SC\",2", "locks: asks whether the SIM has a PIN")
                 .test("(\"SC\")")
                 .set(SimCommands::lock);

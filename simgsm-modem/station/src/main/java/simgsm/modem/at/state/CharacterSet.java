@@ -11,15 +11,18 @@ public enum CharacterSet {
     /** ITU-T T.50: ASCII. */
     IRA,
     /** Four hexadecimal digits for each unit of UTF-16. */
-    UCS2;
+    UCS2,
+    /** Two hexadecimal digits for each octet: of the GSM default alphabet, or of UTF-16 for a text that has others. */
+    HEX;
 
     private static final char UNKNOWN = '?';
 
-    /** The text that a client has written; IllegalArgumentException for digits that are no UCS2. */
+    /** The text that a client has written; IllegalArgumentException for what is not of the set. */
     public String decode(String line) {
         return switch (this) {
             case GSM -> GsmAlphabet.decode(line.getBytes(StandardCharsets.ISO_8859_1));
             case IRA -> line;
+            case HEX -> GsmAlphabet.decode(HexFormat.of().parseHex(line));
             case UCS2 -> {
                 byte[] octets = HexFormat.of().parseHex(line);
                 if (octets.length % 2 != 0) {
@@ -32,7 +35,10 @@ public enum CharacterSet {
 
     /** The text as the client reads it; a question mark for what the set does not have. */
     public String encode(String text) {
-        if (this == UCS2) {
+        if (this == HEX && GsmAlphabet.encodes(text)) {
+            return HexFormat.of().withUpperCase().formatHex(GsmAlphabet.encode(text));
+        }
+        if (this == UCS2 || this == HEX) {
             return HexFormat.of().withUpperCase().formatHex(text.getBytes(StandardCharsets.UTF_16BE));
         }
         StringBuilder line = new StringBuilder(text.length());
@@ -48,8 +54,11 @@ public enum CharacterSet {
         return line.toString();
     }
 
-    /** A USSD text: in this set; what cannot be UCS2 is taken as it is. */
+    /** A USSD text: in this set; what cannot be UCS2, or in HEX is no digits, is taken as it is. */
     public String decodeUssd(String line) {
+        if (this == HEX) {
+            return decodeNumber(line);
+        }
         try {
             return decode(line);
         } catch (IllegalArgumentException notHexadecimal) {
@@ -57,11 +66,8 @@ public enum CharacterSet {
         }
     }
 
-    /** A number: digits as they are, or in this set. */
+    /** A number, or a code of the keys: as it is, or in this set. */
     public String decodeNumber(String line) {
-        if (this != UCS2 || line.length() % 4 != 0 || line.startsWith("+")) {
-            return line;
-        }
         try {
             String decoded = decode(line);
             return decoded.matches("\\+?[0-9*#]+") ? decoded : line;

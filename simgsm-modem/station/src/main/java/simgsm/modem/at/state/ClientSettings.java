@@ -1,5 +1,7 @@
 package simgsm.modem.at.state;
 
+import java.util.HashMap;
+import java.util.Map;
 import simgsm.sms.ChannelList;
 
 /** What one client has set; each connection begins with these values, and ATZ and AT&F restore them. */
@@ -24,10 +26,7 @@ public final class ClientSettings {
     public boolean reportsKeyMillis;
 
     // Network.
-    public int registrationMode;
-    public int packetRegistrationMode;
     public int operatorFormat;
-    public boolean reportsIndicators;
     public int ussdMode;
 
     // Messages.
@@ -46,4 +45,7 @@ public final class ClientSettings {
     public int submitCoding;
 
     public String phoneBook = "SM";
+
+    /** Values of commands that only keep them, by the command's name. */
+    public final Map<String, String> kept = new HashMap<>();
 }

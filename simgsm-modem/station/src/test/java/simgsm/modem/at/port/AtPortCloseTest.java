@@ -15,6 +15,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.modem.CallDecision;
 import simgsm.modem.Modem;
 import simgsm.modem.ModemOptions;
+import simgsm.modem.at.AtProfile;
 import simgsm.modem.at.command.AtModem;
 import simgsm.modem.at.command.ModemTerminal;
 import simgsm.speech.CallAudioListener;
@@ -36,7 +37,7 @@ class AtPortCloseTest {
                         ModemOptions.MAX_ANSWER_AFTER_MILLIS),
                 caller -> new CallDecision(true, DtmfKey.ONE),
                 event -> {});
-        AtModem at = new AtModem(new ModemTerminal(modem), InstantSource.system());
+        AtModem at = new AtModem(new ModemTerminal(modem), AtProfile.PLAIN, InstantSource.system());
         try (StationThread thread = new StationThread("station", fault -> {})) {
             AtPort port = AtPort.open(
                     at, modem.station(), thread, new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));

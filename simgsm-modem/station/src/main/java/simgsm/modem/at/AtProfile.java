@@ -1,0 +1,84 @@
+package simgsm.modem.at;
+
+import java.util.List;
+import java.util.Locale;
+
+/** Forms of answers where TS 27.007 and a module's manual differ, and the names that the modem gives itself. */
+public enum AtProfile {
+    /** TS 27.007. */
+    PLAIN("SimGSM", "", "Revision:1.0", "", "0,100", ",,,,"),
+    /** SIM800 Series AT Command Manual V1.09; clients find the type by the beginning of the answer to ATI. */
+    SIM800(
+            "SIMCOM_Ltd",
+            "SIMCOM_SIM800L",
+            "Revision:1308B08SIM800L16",
+            "SIM800 R13.08",
+            "0,100,4200",
+            ",\"\",0,\"\",",
+            "RDY",
+            "+CFUN: 1",
+            "+CPIN: READY");
+
+    /** Of the programs' option {@code --at-profile plain|sim800}. */
+    public static final String HELP =
+            "forms of the AT answers: TS 27.007's, or the SIM800's with its boot codes (plain)";
+
+    public final String manufacturer;
+    public final String revision;
+    /** Charging state and percent; the manual's form also has millivolts. */
+    public final String battery;
+    /** Fields of +CLIP between the number's type and its validity. */
+    public final String callerFields;
+    /** Codes after power-on, before registration. */
+    public final List<String> bootCodes;
+
+    private final String model;
+    private final String information;
+
+    AtProfile(
+            String manufacturer,
+            String model,
+            String revision,
+            String information,
+            String battery,
+            String callerFields,
+            String... bootCodes) {
+        this.manufacturer = manufacturer;
+        this.model = model;
+        this.revision = revision;
+        this.information = information;
+        this.battery = battery;
+        this.callerFields = callerFields;
+        this.bootCodes = List.of(bootCodes);
+    }
+
+    /** The profile of a lower-case name; IllegalArgumentException for another. */
+    public static AtProfile named(String name) {
+        for (AtProfile profile : values()) {
+            if (profile.name().toLowerCase(Locale.ROOT).equals(name)) {
+                return profile;
+            }
+        }
+        throw new IllegalArgumentException("expected plain or sim800, found " + name);
+    }
+
+    /** The model's name; the manual's in place of the terminal's own. */
+    public String model(String own) {
+        return model.isEmpty() ? own : model;
+    }
+
+    /** The lines of ATI. */
+    public List<String> information(String ownModel) {
+        return information.isEmpty() ? List.of(manufacturer, ownModel, revision) : List.of(information);
+    }
+
+    /** The answer to +CCID, which the manual's form gives without name and quotation marks. */
+    public String cardNumber(String iccid) {
+        return this == SIM800 ? iccid : "+CCID: " + AtRequest.quoted(iccid);
+    }
+
+    /** Whether the profile names the codes of a modem that has started. */
+    public boolean boots() {
+        return !bootCodes.isEmpty();
+    }
+}
