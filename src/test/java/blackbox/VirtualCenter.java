@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
@@ -33,6 +34,9 @@ final class VirtualCenter {
     private final SuiteTrace trace;
     private final HomeRegister home;
     private final Optional<Path> folder;
+    /** Of the process that runs: its death ends them and their locks. */
+    private final List<DiskFile> open = new ArrayList<>();
+
     private Exchange exchange;
 
     /** @param folder of the journal; without it messages are kept in memory */
@@ -71,6 +75,10 @@ final class VirtualCenter {
             return;
         }
         try {
+            for (DiskFile file : open) {
+                file.close();
+            }
+            open.clear();
             Journal journal = Journal.open(new TracedDisk(new FileDisk(folder.get())));
             exchange = new Exchange(settings, new TracedStore(journal), event -> {});
             trace.stored("Journal", "M3", "restore messages and subscribers");
@@ -156,6 +164,7 @@ final class VirtualCenter {
 
         TracedFile(DiskFile file) {
             this.file = file;
+            open.add(file);
         }
 
         @Override

@@ -1,29 +1,14 @@
 package blackbox.uml;
 
-import blackbox.MainCode;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-/** Uses between packages, and the few of them that a picture needs. */
+/** The few arrows that a picture needs. */
 final class Arrows {
     private Arrows() {}
-
-    /** Every package and the packages of the suite that its classes use. */
-    static Map<String, Set<String>> betweenPackages() {
-        Map<String, Set<String>> arrows = new TreeMap<>();
-        MainCode.packages().forEach(name -> arrows.put(name, new TreeSet<>()));
-        MainCode.CLASSES.forEach(type -> type.getDirectDependenciesFromSelf().forEach(use -> {
-            String from = use.getOriginClass().getPackageName();
-            String to = use.getTargetClass().getPackageName();
-            if (!from.equals(to) && arrows.containsKey(from) && arrows.containsKey(to)) {
-                arrows.get(from).add(to);
-            }
-        }));
-        return arrows;
-    }
 
     /** Without the arrows that a way over other arrows implies. */
     static Map<String, Set<String>> reduced(Map<String, Set<String>> arrows) {

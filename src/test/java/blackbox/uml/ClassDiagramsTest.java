@@ -1,11 +1,12 @@
 package blackbox.uml;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import blackbox.MainCode;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaMethod;
 import com.tngtech.archunit.core.domain.JavaModifier;
-import java.lang.module.ModuleDescriptor;
-import java.util.Comparator;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -15,44 +16,87 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
 /**
- * The public face of each package, printed from the compiled classes: public types that classes outside the package use,
- * the methods of its interfaces, inheritance, which type holds which (solid) and takes which as a parameter (dashed). A face
- * of fewer than three types has no diagram.
+ * Ten class diagrams, each for a question of a reader, printed from the compiled classes: inheritance, the methods of the
+ * interfaces, which type holds which (solid) and takes which as a parameter (dashed).
  */
 class ClassDiagramsTest {
+    /** Question and types, by the file's name. No class name stands twice in the suite. */
+    private static final Map<String, List<String>> DIAGRAMS = new TreeMap<>(Map.of(
+            "key",
+            List.of(
+                    "Who decides that a key was heard?",
+                    "KeyReceiver DtmfReceiver ClassicReceiver ToneBank DigitTracker ToneFit KeyLikelihood DtmfGenerator"
+                            + " DtmfListener DtmfDigit DtmfKey ReceiverTrace"),
+            "order",
+            List.of(
+                    "Who judges an order, and who executes it?",
+                    "VeriCommand CommandRecognizer CommandGrammar Recognition Order Instruction StatusRules StatusMachine"
+                            + " OrderExecution Robot Verdict MotionOutcome Reply ReplyTone VeriCommandListener"),
+            "motion",
+            List.of(
+                    "What moves a robot?",
+                    "Robot SteeredRobot SimulatedRobot OrderedMotion MotionProgress DrivenMotion Drive Axis Trapezoid"
+                            + " Wheels Floor SimulatedFloor Autonomy Odometry Noise"),
+            "world",
+            List.of(
+                    "What is a world, and what is a kind of item?",
+                    "World WorldBuilder WorldItem AreaItem Surface ItemKind ItemField ItemKinds Segment Point Home Box Goal"
+                            + " ForbiddenLine ForbiddenArea Treadmill"),
+            "message",
+            List.of(
+                    "Where is a short message while it waits?",
+                    "ShortMessageCenter MessageStore MessageRegister ReceiverQueues ReceiverQueue QueueEntry ShortMessage"
+                            + " RetrySchedule DeliveryPort DeliveryAttempt StoreEntry MessageHistory"),
+            "journal",
+            List.of(
+                    "How does a message reach the disk?",
+                    "JournalThread Journal JournalSegment JournalState Disk DiskFile FileDisk Recovery RecordReader EntryCodec"
+                            + " Compaction"),
+            "call",
+            List.of(
+                    "Who connects two legs of a call?",
+                    "CallSwitch LinkCalls CallLeg NetworkCall NetworkTones ToneSender KeyTap CallView"),
+            "station",
+            List.of(
+                    "What is a mobile station made of?",
+                    "MobileStation StationThread StationContext StationLink MessageDispatcher ConnectionControl"
+                            + " MobileRegistration MobileCall SecondCall SpeechPath KeySignalling ShortMessages MobileUssd"),
+            "modem",
+            List.of(
+                    "How does M2 serve an AT client and the robot?",
+                    "Modem AnsweringModem ModemEvent Replies AtSession AtLineParser AtCommandTable AtCommand AtHandler"
+                            + " AtRequest AtResult"),
+            "town",
+            List.of(
+                    "What stands between a phone and a tower?",
+                    "CellNetwork Mobile MobilePort MobileNetwork RadioLink IdleSelection Reception RadioField BaseStation"
+                            + " TowerChannel TowerPort Walker")));
+
     @Test
-    void thePublicFaceOfEachPackage() throws Exception {
-        Map<String, List<JavaClass>> faces = MainCode.CLASSES.stream()
-                .filter(ClassDiagramsTest::isOfTheFace)
-                .sorted(Comparator.comparing(JavaClass::getName))
-                .collect(Collectors.groupingBy(JavaClass::getPackageName, TreeMap::new, Collectors.toList()));
+    void tenQuestionsOfReaders() throws Exception {
+        Map<String, JavaClass> types = MainCode.CLASSES.stream()
+                .filter(JavaClass::isTopLevelClass)
+                .collect(Collectors.toMap(JavaClass::getSimpleName, type -> type, (one, other) -> one));
         Set<String> files = new TreeSet<>();
-        for (ModuleDescriptor module : MainCode.descriptors()) {
-            for (String name : new TreeSet<>(module.packages())) {
-                if (faces.getOrDefault(name, List.of()).size() >= 3) {
-                    String file = "classes-" + Diagram.fileName(name) + ".puml";
-                    files.add(file);
-                    Diagram.hold("design/" + file, diagram(module, name, faces.get(name)));
-                }
+        for (Map.Entry<String, List<String>> each : DIAGRAMS.entrySet()) {
+            List<JavaClass> shown = new ArrayList<>();
+            for (String name : each.getValue().get(1).split(" ")) {
+                assertTrue(types.containsKey(name), each.getKey() + ": there is no class " + name);
+                shown.add(types.get(name));
             }
+            String file = "classes-" + each.getKey() + ".puml";
+            files.add(file);
+            Diagram.hold("design/" + file, diagram(each.getValue().get(0), shown));
         }
         Diagram.holdOnly("design", "classes-", files);
     }
 
-    /** Public, on the top level, and used by another package. */
-    private static boolean isOfTheFace(JavaClass type) {
-        return type.getModifiers().contains(JavaModifier.PUBLIC)
-                && type.isTopLevelClass()
-                && type.getDirectDependenciesToSelf().stream()
-                        .anyMatch(use -> !use.getOriginClass().getPackageName().equals(type.getPackageName()));
-    }
-
-    private static String diagram(ModuleDescriptor module, String name, List<JavaClass> face) {
-        StringBuilder uml = new StringBuilder(Diagram.head("Public face of " + name + ", module " + module.name()));
+    private static String diagram(String question, List<JavaClass> shown) {
+        StringBuilder uml = new StringBuilder(Diagram.head(question));
         uml.append("hide empty members\nhide circle\n");
-        face.forEach(type -> declare(uml, type));
+        shown.forEach(type -> declare(uml, type));
         Set<String> arrows = new TreeSet<>();
-        face.forEach(type -> arrows(type, face, arrows));
+        shown.forEach(type -> arrows(type, shown, arrows));
         arrows.forEach(arrow -> uml.append(arrow).append('\n'));
         return uml.append("@enduml\n").toString();
     }

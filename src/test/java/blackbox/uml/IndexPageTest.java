@@ -31,15 +31,15 @@ class IndexPageTest {
 
     /** Folder and prefix of the file names, with the section's heading; an empty prefix takes what is left. */
     private static final List<List<String>> SECTIONS = List.of(
-            List.of("", "", "Status"),
-            List.of("analysis", "", "Analysis (by hand)"),
-            List.of("design", "sequence-", "Design: sequences (recorded)"),
-            List.of("design", "state-", "Design: state machines (printed)"),
-            List.of("design", "activity-", "Design: activities (by hand)"),
-            List.of("implementation", "modules", "Implementation: modules (printed)"),
-            List.of("implementation", "packages-", "Implementation: packages of each module (printed)"),
-            List.of("implementation", "", "Implementation: deployment (by hand)"),
-            List.of("testing", "", "Testing: classes, boundaries, cause-effect graphs (by hand)"));
+            List.of("", "", "What may the robot do in which status?"),
+            List.of("analysis", "", "What is the suite about, and who uses it? (by hand)"),
+            List.of("design", "sequence-", "Which messages pass, and in which order? (recorded)"),
+            List.of("design", "classes-", "Which classes do it? (printed)"),
+            List.of("design", "state-", "Which states has a party, and what leads from one to the next? (printed)"),
+            List.of("design", "activity-", "Which steps does an order take? (by hand)"),
+            List.of("implementation", "modules", "Which module needs which? (printed)"),
+            List.of("implementation", "", "Which processes, ports and threads run? (by hand)"),
+            List.of("testing", "", "What is tested of an order? (by hand)"));
 
     @Test
     void thePageListsEveryDiagram() throws IOException {
@@ -56,9 +56,6 @@ class IndexPageTest {
             }
             page.setLength(page.length() - 1);
         }
-        page.append("\n## Design: public face of each package (printed)\n\n");
-        titles.forEach((file, title) ->
-                page.append("- [").append(title).append("](").append(file).append(")\n"));
         Diagram.hold("README.md", page.toString());
     }
 
