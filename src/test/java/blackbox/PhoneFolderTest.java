@@ -41,7 +41,8 @@ class PhoneFolderTest {
                     "second", "simgsm-phone", "--headless", "--number", Scenario.PHONE, "--data", folder);
             assertEquals(74, second.awaitExit());
             assertEquals(
-                    "simgsm-phone: another phone 5550100 holds the data directory " + folder,
+                    "simgsm-phone: another phone 5550100 holds the data directory " + folder
+                            + "; expected another one by --data DIR",
                     second.log().strip());
             RunningProgram other = scenario.phone("5550101", "--data", folder);
             first.say("sms 5550101 hello");

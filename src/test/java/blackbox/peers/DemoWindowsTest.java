@@ -8,6 +8,7 @@ import blackbox.Dist;
 import java.awt.Rectangle;
 import java.io.BufferedReader;
 import java.io.InputStreamReader;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -29,6 +31,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 class DemoWindowsTest {
     private static final long PATIENCE_SECONDS = 60;
     private static final List<String> TITLES = List.of("Sim Cellular 5550100", "SimRobot 5550200", "SMSyCT");
+
+    @TempDir
+    Path folder;
 
     private final List<Process> running = new ArrayList<>();
     private String display;
@@ -119,6 +124,40 @@ class DemoWindowsTest {
         String printed = new String(robot.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertTrue(printed.contains("nope.map: no such file"), printed);
         assertEquals(74, robot.exitValue());
+    }
+
+    @Test
+    void f11InTheCentreFillsTheScreenAndItsConsoleAnswersBesideTheWindow() throws Exception {
+        screen(1920, 1080);
+        Process center = start(onDisplay(new ProcessBuilder(Dist.command(
+                "simgsm-center", List.of("--console", "--fresh", "--port=0", "--lang=en", "--data=" + folder)))));
+        BufferedReader events = center.inputReader(StandardCharsets.UTF_8);
+        assertTrue(events.readLine().startsWith("ready port="));
+        String window = window("SMSyCT");
+        Rectangle before = boundsOf("SMSyCT");
+        xdotool("windowactivate", "--sync", window, "key", "F11");
+        long deadline = deadline();
+        while (boundsOf("SMSyCT").width < 1900 || boundsOf("SMSyCT").height < 1000) {
+            assertTrue(System.nanoTime() < deadline, boundsOf("SMSyCT").toString());
+        }
+        xdotool("windowactivate", "--sync", window, "key", "F11");
+        while (!boundsOf("SMSyCT").getSize().equals(before.getSize())) {
+            assertTrue(System.nanoTime() < deadline, boundsOf("SMSyCT").toString());
+        }
+        try (Writer commands = center.outputWriter(StandardCharsets.UTF_8)) {
+            commands.write("subscribers\nquit\n");
+        }
+        assertEquals("end of=subscribers count=0", events.readLine());
+        assertTrue(center.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS));
+        assertEquals(0, center.exitValue());
+    }
+
+    @Test
+    void aClassSaysThatTheScreenHasNoRoomForItsZoom() throws Exception {
+        screen(1920, 1080);
+        Process demo = start(onDisplay(new ProcessBuilder(Dist.command(
+                "simgsm-center", List.of("--demo", "--class=4", "--fresh", "--port=0", "--lang=en", "--zoom=150")))));
+        assertTrue(demo.errorReader().readLine().contains("zoom 150 leaves no room for three windows on this screen"));
     }
 
     private void screen(int width, int height) throws Exception {

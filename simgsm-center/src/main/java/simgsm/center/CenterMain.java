@@ -20,7 +20,6 @@ import simgsm.center.lesson.WindowedLesson;
 import simgsm.center.net.PortLimits;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
-import simgsm.console.Event;
 import simgsm.console.ExitStatus;
 import simgsm.console.Options;
 import simgsm.console.Program;
@@ -58,6 +57,7 @@ public final class CenterMain {
                         "java -jar simgsm-center.jar [OPTION]...",
                         "M3, the SMS/Phone centre: phones and modems register here, call each other and send messages.")
                 .commands(CenterCommands.COMMANDS)
+                .flag("console", Program.CONSOLE_HELP)
                 .flag(
                         "demo",
                         "the whole suite: the centre, one phone and one SimRobot, ready to dial; without a display a"
@@ -187,13 +187,14 @@ public final class CenterMain {
         boolean isHeadless = arguments.has("headless");
         if (arguments.has("demo")) {
             if (arguments.has("class")) {
-                return ClassDemo.run(arguments, settings);
+                return ClassDemo.run(arguments, settings, given.has("zoom"));
             }
             if (!arguments.has("lesson") && (isHeadless || !Display.isAvailable())) {
                 return HeadlessDemo.run(arguments, settings);
             }
             return lessons(
                     arguments,
+                    given.has("zoom"),
                     arguments.has("lesson")
                             ? arguments.text("lesson")
                             : WindowedDemo.run(arguments, settings, given.has("zoom")));
@@ -209,14 +210,15 @@ public final class CenterMain {
             }
             chosen = CenterWindow.run(center, arguments, settings, null, window.get(), CenterWindow.Watch.NONE);
         }
-        return lessons(arguments, chosen);
+        return lessons(arguments, given.has("zoom"), chosen);
     }
 
     /** Opens the lesson that was chosen, and those that are chosen in its windows. */
-    private static int lessons(Arguments arguments, Optional<String> first) throws Exception {
+    private static int lessons(Arguments arguments, boolean isZoomGiven, Optional<String> first) throws Exception {
         Optional<String> next = first;
         while (next.isPresent()) {
-            next = WindowedLesson.run(arguments.without("remember-as", "window").with("lesson", next.get()));
+            next = WindowedLesson.run(
+                    arguments.without("remember-as", "window").with("lesson", next.get()), isZoomGiven);
         }
         return ExitStatus.OK;
     }
@@ -230,14 +232,9 @@ public final class CenterMain {
     private static int runConsole(Center center, Arguments arguments, CenterSettings settings) throws Exception {
         try (Console console = Console.onStandardOutput()) {
             center.start(event -> console.emit(CenterEventPrinter.of(event)));
-            Event ready = Event.of("ready").with("port", center.port());
-            console.ready(withPort(withPort(ready, "smpp", center.smppPort()), "http", center.httpPort()));
+            console.ready(CenterEventPrinter.ready(center));
             Program.runConsole(console, arguments, new CenterCommands(center, console));
             return console.exitStatus();
         }
-    }
-
-    private static Event withPort(Event event, String name, OptionalInt port) {
-        return port.isPresent() ? event.with(name, port.getAsInt()) : event;
     }
 }

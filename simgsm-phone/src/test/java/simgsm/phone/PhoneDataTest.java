@@ -128,7 +128,9 @@ class PhoneDataTest {
     void aSecondPhoneOfTheNumberIsRefusedByTheFoldersName() throws IOException {
         try (PhoneData first = PhoneData.take(folder, OWN)) {
             IOException refusal = assertThrows(IOException.class, () -> PhoneData.take(folder, OWN));
-            assertEquals("another phone 5550100 holds the data directory " + folder, refusal.getMessage());
+            assertEquals(
+                    "another phone 5550100 holds the data directory " + folder + "; expected another one by --data DIR",
+                    refusal.getMessage());
             assertEquals(Map.of(), first.read());
         }
         PhoneData.take(folder, OWN).close();

@@ -5,6 +5,7 @@ import java.time.temporal.ChronoUnit;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalInt;
 import simgsm.center.msc.BroadcastView;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.call.CallView;
@@ -18,6 +19,16 @@ import simgsm.console.Event;
 /** Console events of the exchange's events and lists. */
 public final class CenterEventPrinter {
     private CenterEventPrinter() {}
+
+    /** The first event of a console, with the ports that are open. */
+    public static Event ready(Center center) {
+        Event ready = Event.of("ready").with("port", center.port());
+        return withPort(withPort(ready, "smpp", center.smppPort()), "http", center.httpPort());
+    }
+
+    private static Event withPort(Event event, String name, OptionalInt port) {
+        return port.isPresent() ? event.with(name, port.getAsInt()) : event;
+    }
 
     public static Event of(ExchangeEvent event) {
         if (event instanceof ExchangeEvent.Attached attached) {

@@ -21,6 +21,8 @@ import simgsm.center.ui.CenterActions;
 import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.NetworkAccess;
 import simgsm.console.Arguments;
+import simgsm.console.Console;
+import simgsm.console.Program;
 import simgsm.ui.Theme;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
@@ -86,7 +88,14 @@ public final class CenterWindow implements CenterActions {
         operator.children = children;
         operator.takenNumbers = watch.takenNumbers();
         center.publishSnapshots(watch.snapshots());
-        center.start(watch.events());
+        Optional<Console> console =
+                arguments.has("console") ? Optional.of(Console.onStandardOutput()) : Optional.empty();
+        center.start(console.map(out -> watch.events().andThen(event -> out.emit(CenterEventPrinter.of(event))))
+                .orElse(watch.events()));
+        console.ifPresent(out -> {
+            out.ready(CenterEventPrinter.ready(center));
+            window.withConsole(() -> Program.runConsole(out, arguments, new CenterCommands(center, out)));
+        });
         if (watch.mayBeginLesson()) {
             window.onLesson(operator::beginLesson);
         }
@@ -100,6 +109,7 @@ public final class CenterWindow implements CenterActions {
             return MonitorWindow.content(operator, CenterTexts.in(language));
         });
         operator.endChildren();
+        console.ifPresent(Console::close);
         return operator.chosenLesson();
     }
 

@@ -85,7 +85,7 @@ public final class ClassDemo {
     }
 
     /** Runs until the centre's window is closed, or without a display until all robots have moved. */
-    public static int run(Arguments given, CenterSettings settings) throws Exception {
+    public static int run(Arguments given, CenterSettings settings, boolean isZoomGiven) throws Exception {
         Arguments arguments = given.without("remember-as", "window");
         ClassDemo demo = new ClassDemo(arguments, settings);
         demo.roll.requireCards();
@@ -93,7 +93,7 @@ public final class ClassDemo {
             demo.printStudents(programs);
             return arguments.has("headless") || !Display.isAvailable()
                     ? demo.runHeadless(programs)
-                    : demo.runWindowed(programs);
+                    : demo.runWindowed(programs, isZoomGiven);
         }
     }
 
@@ -290,12 +290,13 @@ public final class ClassDemo {
         return options;
     }
 
-    private int runWindowed(DemoPrograms programs) throws Exception {
+    private int runWindowed(DemoPrograms programs, boolean isZoomGiven) throws Exception {
         WindowPlace screen = Display.usableArea();
         int column = (int) (SHARE_OF_SCREEN * screen.width());
         DemoLayout layout = DemoLayout.of(
-                new WindowPlace(screen.x(), screen.y(), screen.width() - column, screen.height()),
-                ProgramWindow.zoomPercent(arguments));
+                        new WindowPlace(screen.x(), screen.y(), screen.width() - column, screen.height()),
+                        ProgramWindow.zoomPercent(arguments))
+                .saying(isZoomGiven, ProgramWindow.zoomPercent(arguments));
         String zoom = String.valueOf(layout.zoomPercent());
         if (!settings.home().isClosed() || settings.home().numbers().contains(new Msisdn(roll.teacher()))) {
             List<String> options = List.of(

@@ -9,6 +9,7 @@ import simgsm.ui.window.WindowPlace;
  * SimRobot. No window meets another, none leaves the screen, and the world takes at least a fifth of the screen.
  */
 public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center, int zoomPercent) {
+    private static final System.Logger LOG = System.getLogger(DemoLayout.class.getName());
     /** What the windows fill comfortably at 100 %; a larger screen gets a larger zoom. */
     private static final int COMFORTABLE_WIDTH = 1_340;
 
@@ -40,6 +41,18 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
             zoom = Math.max(LEAST_ZOOM_PERCENT, (zoom - 1) / ZOOM_STEP_PERCENT * ZOOM_STEP_PERCENT);
         }
         return at(area, zoom);
+    }
+
+    /** Warns if the command line's zoom did not fit. @return this layout */
+    public DemoLayout saying(boolean isZoomGiven, OptionalInt wantedPercent) {
+        if (isZoomGiven && zoomPercent < wantedPercent.getAsInt()) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "zoom {0} leaves no room for three windows on this screen; {1} is used",
+                    wantedPercent.getAsInt(),
+                    zoomPercent);
+        }
+        return this;
     }
 
     private static int comfortablePercent(WindowPlace area) {

@@ -16,8 +16,6 @@ import simgsm.ui.window.WindowPlace;
 
 /** The demo with a display: three windows that do not cover each other, ready to dial; closing the centre's window ends all. */
 public final class WindowedDemo {
-    private static final System.Logger LOG = System.getLogger(WindowedDemo.class.getName());
-
     /** The name under which the centre's window is remembered, and those of phone and robot. */
     public static final String CENTER = "demo-center";
 
@@ -41,13 +39,7 @@ public final class WindowedDemo {
         try (DemoPrograms programs = result(opening)) {
             Optional<DemoLayout> left = asLeft(arguments);
             DemoLayout layout = left.isPresent() ? left.get() : DemoLayout.of(screen, wanted);
-            if (isZoomGiven && layout.zoomPercent() < wanted.getAsInt()) {
-                LOG.log(
-                        System.Logger.Level.WARNING,
-                        "zoom {0} leaves no room for three windows on this screen; {1} is used",
-                        wanted.getAsInt(),
-                        layout.zoomPercent());
-            }
+            layout.saying(isZoomGiven, wanted);
             String zoom = String.valueOf(layout.zoomPercent());
             LessonChoice choice = new LessonChoice();
             choice.listenTo(programs.startPhone(

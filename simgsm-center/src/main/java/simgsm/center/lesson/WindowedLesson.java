@@ -90,7 +90,7 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
      *
      * @return the lesson that the user has chosen next, if any
      */
-    public static Optional<String> run(Arguments given) throws Exception {
+    public static Optional<String> run(Arguments given, boolean isZoomGiven) throws Exception {
         long seed = given.has("seed")
                 ? LessonCheck.seed(given)
                 : ThreadLocalRandom.current().nextInt(MOST_RANDOM_SEED);
@@ -104,8 +104,9 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
                 screen,
                 DemoLayout.of(screen, ProgramWindow.zoomPercent(arguments)).zoomPercent());
         DemoLayout layout = DemoLayout.of(
-                new WindowPlace(screen.x(), screen.y(), screen.width() - place.width(), screen.height()),
-                ProgramWindow.zoomPercent(arguments));
+                        new WindowPlace(screen.x(), screen.y(), screen.width() - place.width(), screen.height()),
+                        ProgramWindow.zoomPercent(arguments))
+                .saying(isZoomGiven, ProgramWindow.zoomPercent(arguments));
         ProgramWindow window = ProgramWindow.of(
                 arguments.with("zoom", String.valueOf(layout.zoomPercent())), Optional.of(layout.center()));
         Path folder = LessonNetwork.newFolder();

@@ -27,6 +27,7 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.pane.DividedPanel;
 import simgsm.ui.pane.Divider;
+import simgsm.ui.window.Display;
 
 /** The content of M3's window: shows snapshots and passes the user's actions to the operator. Needs no display. */
 public final class MonitorPanel extends JPanel {
@@ -142,12 +143,13 @@ public final class MonitorPanel extends JPanel {
         showLists();
     }
 
-    /** The ladder takes the room of the header, the fields and the lists, and gives it back. */
+    /** The ladder takes the screen and the room of the header, the fields and the lists, and gives it back. */
     private void showAlone() {
         boolean isAlone = aloneSwitch.isSelected();
         header.setVisible(!isAlone);
         passingCard.setVisible(!isAlone && areFieldsShown);
         fold(isAlone || isLow);
+        Display.maximize(this, isAlone);
         ladder.requestFocusInWindow();
     }
 

@@ -39,7 +39,8 @@ public final class FolderLock implements AutoCloseable {
         try {
             return FileErrors.naming(lockFile, () -> lock(path, lockFile));
         } catch (OverlappingFileLockException e) {
-            throw new IOException(holder + " holds the data directory " + path, e);
+            throw new IOException(
+                    holder + " holds the data directory " + path + "; expected another one by --data DIR", e);
         } catch (IOException e) {
             throw new IOException("cannot lock the data directory: " + FileErrors.describe(e), e);
         }

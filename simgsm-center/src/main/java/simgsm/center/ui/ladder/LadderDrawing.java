@@ -23,6 +23,8 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
     private static final double WIDEST_BOX_UNITS = 160;
     private static final double MARGIN_UNITS = 10;
     private static final double ARROW_HEAD_UNITS = 6;
+    /** Between the time and a long name. */
+    private static final double NAME_GAP_UNITS = 8;
 
     private double px(double units) {
         return canvas.px(units);
@@ -94,13 +96,14 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         double back = tip - sign * ARROW_HEAD_UNITS * 1.4;
         double half = isLow ? 3 : ARROW_HEAD_UNITS * 0.7;
         canvas.fill(Outline.polygon(px(tip), px(y), px(back), px(y - half), px(back), px(y + half)));
-        name(name, Math.abs(end - start) - 8, (start + end) / 2, heightUnits, behind);
+        double clockEnd = px(MARGIN_UNITS + NAME_GAP_UNITS) + canvas.width(row.clock(), Face.MONO_SMALL);
+        double left = Math.max(px(Lifelines.TIME_UNITS), clockEnd);
+        name(name, left, Math.abs(end - start) - 8, (start + end) / 2, heightUnits, behind);
     }
 
-    private void name(String name, double arrowUnits, double middleUnits, double heightUnits, Ink behind) {
+    private void name(String name, double left, double arrowUnits, double middleUnits, double heightUnits, Ink behind) {
         boolean isLarge = heightUnits >= RUNG_UNITS && canvas.width(name, Face.BASE) <= px(arrowUnits);
         Face face = isLarge ? Face.BASE : Face.SMALL;
-        double left = px(Lifelines.TIME_UNITS);
         double right = px(widthUnits - Lifelines.TAG_UNITS);
         String fitted = fitted(name, face, right - left);
         double width = canvas.width(fitted, face);

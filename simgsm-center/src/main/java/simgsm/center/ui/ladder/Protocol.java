@@ -8,6 +8,8 @@ enum Protocol {
     CALL_CONTROL("CC", Ink.ACCENT),
     MOBILITY_MANAGEMENT("MM", Ink.GOOD),
     SHORT_MESSAGES("SMS", Ink.WARNING),
+    /** Outside a call; within one they are call control's. */
+    SUPPLEMENTARY_SERVICES("SS", Ink.TEXT),
     RADIO_RESOURCE("RR", Ink.QUIET),
     /** Paging, cell broadcast, and what a tower and its controller tell each other. */
     COMMON_CHANNEL("RSL", Ink.QUIET);
@@ -33,6 +35,8 @@ enum Protocol {
                 return MOBILITY_MANAGEMENT;
             case 9:
                 return SHORT_MESSAGES;
+            case 0xb:
+                return SUPPLEMENTARY_SERVICES;
             // Radio link layer, dedicated and common channels, transceiver, ip.access: no layer 3 protocol has these
             // numbers.
             case 0x2, 0x8, 0xc, 0x0, 0xe:

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.center.msc.LadderEntry;
 import simgsm.center.ui.Scene;
 import simgsm.octets.OctetString;
@@ -48,6 +50,16 @@ class MessageFieldsTest {
 
         assertTrue(words.contains("text                  ** #*#90 **\n"), words);
         assertTrue(words.contains("TP-DA                 5550200 (international, plan 1)"), words);
+    }
+
+    /** TS 24.007, 11.2.3.1.1: 0x0B is non call related supplementary services; with the transaction's flag 0x8B. */
+    @ParameterizedTest
+    @CsvSource({"0b3b00, SS", "8b2a00, SS", "0305, CC", "0508, MM", "0901, SMS", "0606, RR"})
+    void aMessageHasTheTagOfItsProtocolDiscriminator(String octets, String tag) {
+        LadderEntry entry =
+                new LadderEntry(Instant.EPOCH, LadderEntry.CENTER, "5550100", "message", OctetString.ofHex(octets));
+
+        assertEquals(tag, Protocol.of(entry).tag());
     }
 
     @Test
