@@ -31,6 +31,9 @@ final class EntryCodec {
     /** A subscriber with services. */
     private static final int KNOWN_WITH_SERVICES = 7;
 
+    /** An accepted message with its place, time of delivery and service type. */
+    private static final int ACCEPTED_WITH_SERVICE_TYPE = 8;
+
     private EntryCodec() {}
 
     static byte[] encode(StoreEntry entry) {
@@ -48,11 +51,16 @@ final class EntryCodec {
             Optional<EsmeOrigin> placed = accepted.message()
                     .esme()
                     .filter(origin -> !origin.group().equals(EsmeOrigin.Group.SINGLE)
-                            || origin.deliverAt().isPresent());
-            to.writeByte(placed.isPresent() ? ACCEPTED_WITH_PLACE : ACCEPTED);
+                            || origin.deliverAt().isPresent()
+                            || !origin.serviceType().isEmpty());
+            boolean hasType = placed.isPresent() && !placed.get().serviceType().isEmpty();
+            to.writeByte(hasType ? ACCEPTED_WITH_SERVICE_TYPE : placed.isPresent() ? ACCEPTED_WITH_PLACE : ACCEPTED);
             write(accepted.message(), to);
             if (placed.isPresent()) {
                 writePlace(placed.get(), to);
+            }
+            if (hasType) {
+                to.writeUTF(placed.get().serviceType());
             }
         } else if (entry instanceof StoreEntry.Ended ended) {
             to.writeByte(ENDED);
@@ -131,7 +139,9 @@ final class EntryCodec {
         int kind = from.readUnsignedByte();
         return switch (kind) {
             case ACCEPTED -> new StoreEntry.Accepted(readMessage(from, shared));
-            case ACCEPTED_WITH_PLACE -> new StoreEntry.Accepted(readPlace(readMessage(from, shared), from, shared));
+            case ACCEPTED_WITH_PLACE, ACCEPTED_WITH_SERVICE_TYPE ->
+                new StoreEntry.Accepted(
+                        readPlace(readMessage(from, shared), from, shared, kind == ACCEPTED_WITH_SERVICE_TYPE));
             case ENDED ->
                 new StoreEntry.Ended(
                         from.readLong(), MessageState.valueOf(from.readUTF()), readInstant(from), from.readBoolean());
@@ -155,7 +165,8 @@ final class EntryCodec {
                 from.readBoolean() ? shared.of(Optional.of(readOrigin(from))) : Optional.empty());
     }
 
-    private static ShortMessage readPlace(ShortMessage message, DataInputStream from, SharedValues shared)
+    private static ShortMessage readPlace(
+            ShortMessage message, DataInputStream from, SharedValues shared, boolean hasServiceType)
             throws IOException {
         EsmeOrigin origin =
                 message.esme().orElseThrow(() -> new IOException("a place in a submission, but no application"));
@@ -174,7 +185,8 @@ final class EntryCodec {
                         origin.dataCoding(),
                         origin.receipts(),
                         place,
-                        deliverAt))));
+                        deliverAt,
+                        hasServiceType ? from.readUTF() : ""))));
     }
 
     private static EsmeOrigin readOrigin(DataInputStream from) throws IOException {

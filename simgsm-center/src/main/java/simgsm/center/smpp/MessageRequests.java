@@ -3,10 +3,13 @@ package simgsm.center.smpp;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.center.smpp.EsmeSettings.EsmeAlphabet;
@@ -27,6 +30,7 @@ import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
+import simgsm.timer.Timers;
 
 /** Fulfils the requests that submit, query, cancel and replace messages. */
 final class MessageRequests {
@@ -37,6 +41,9 @@ final class MessageRequests {
 
     /** TP-MR and the reference of concatenated parts are one octet. */
     private static final int REFERENCES = 256;
+
+    /** Pause before the next {@link #MAX_MESSAGES} of those that one request cancels. */
+    private static final long CANCEL_PAUSE_NANOS = Duration.ofMillis(1).toNanos();
 
     private static final int RECEIPT_BITS = 0x03;
     /** Of registered_delivery (5.2.17): receipts, and an intermediate notification if there is one to give. */
@@ -58,10 +65,12 @@ final class MessageRequests {
     record Requester(String systemId, Msisdn ownNumber, Optional<EsmeAlphabet> alphabet, Predicate<String> permits) {}
 
     private final ShortMessageCenter center;
+    private final Timers timers;
     private final MessageStatusStore statuses = new MessageStatusStore();
 
-    MessageRequests(ShortMessageCenter center) {
+    MessageRequests(ShortMessageCenter center, Timers timers) {
         this.center = center;
+        this.timers = timers;
         center.addListener((message, state) -> statuses.changed(message, state, center.now()));
     }
 
@@ -92,7 +101,7 @@ final class MessageRequests {
         } else if (request instanceof SmppPdu.Query query) {
             answer.accept(query(by, query));
         } else if (request instanceof SmppPdu.Cancel cancel) {
-            answer.accept(cancel(by, cancel));
+            cancel(by, cancel, answer);
         } else if (request instanceof SmppPdu.Replace replace) {
             replace(by, replace, answer);
         } else {
@@ -150,18 +159,19 @@ final class MessageRequests {
             answer.accept(responder.response(new Submitted("", status, refused)));
             return;
         }
-        EsmeOrigin origin =
-                new EsmeOrigin(by.systemId, source, dataCoding, receipts, EsmeOrigin.Group.SINGLE, deliverAt);
+        EsmeOrigin origin = new EsmeOrigin(
+                by.systemId, source, dataCoding, receipts, EsmeOrigin.Group.SINGLE, deliverAt, message.serviceType());
+        boolean replaces = message.replaceIfPresent() != 0;
         // Parts are delivered in order, so the last one's id and receipt stand for the message.
         String id = Long.toString(firstId + units.size() - 1);
-        center.submit(
-                origin,
-                source.number().orElse(by.ownNumber),
-                units,
-                expiry,
-                cause -> answer.accept(responder.response(cause.map(
-                                refusal -> new Submitted("", status(refusal), List.<SmppPdu.Refused>of()))
-                        .orElseGet(() -> new Submitted(id, SmppStatus.OK, refused)))));
+        center.submit(origin, source.number().orElse(by.ownNumber), units, expiry, cause -> {
+            if (replaces && cause.isEmpty()) {
+                units.stream().map(SubmitTpdu::destination).distinct().forEach(to -> cancelReplaced(origin, to));
+            }
+            answer.accept(responder.response(cause.map(
+                            refusal -> new Submitted("", status(refusal), List.<SmppPdu.Refused>of()))
+                    .orElseGet(() -> new Submitted(id, SmppStatus.OK, refused))));
+        });
     }
 
     /** The status for a destination that cannot be served now. */
@@ -276,18 +286,54 @@ final class MessageRequests {
                 0);
     }
 
-    /** Cancels all messages of a submission that wait. */
-    private SmppPdu cancel(Requester by, SmppPdu.Cancel cancel) throws SmppViolation {
-        MessageStatus status = status(by, cancel.messageId(), cancel.source(), SmppStatus.CANCEL_FAILED);
-        boolean isCancelled = false;
-        for (long id = status.firstId(); id <= status.id(); id++) {
-            isCancelled |= center.cancel(id);
+    /** Cancels what waits of a submission; without an id all that waits from the source to the destination (4.9). */
+    private void cancel(Requester by, SmppPdu.Cancel cancel, Consumer<SmppPdu> answer) throws SmppViolation {
+        Stream<Long> ids;
+        if (cancel.messageId().isEmpty()) {
+            String source = source(cancel.source(), by).value();
+            int unknown = refusal(cancel.destination(), 0);
+            if (unknown != SmppStatus.OK) {
+                throw new SmppViolation(unknown, cancel.destination() + " is no destination");
+            }
+            ids = center.messages()
+                    .sent(by.systemId, source, cancel.destination().number().orElseThrow())
+                    .filter(message -> cancel.serviceType().isEmpty() || isOfType(message, cancel.serviceType()))
+                    .map(ShortMessage::id);
+        } else {
+            MessageStatus status = status(by, cancel.messageId(), cancel.source(), SmppStatus.CANCEL_FAILED);
+            ids = LongStream.rangeClosed(status.firstId(), status.id()).boxed();
         }
-        if (!isCancelled) {
-            throw new SmppViolation(
-                    SmppStatus.CANCEL_FAILED, "message " + cancel.messageId() + " has ended or is being delivered");
+        cancelNext(ids.iterator(), SmppStatus.CANCEL_FAILED, cancel, answer);
+    }
+
+    /** Cancels {@link #MAX_MESSAGES} at a time, so that other requests have their turn. */
+    private void cancelNext(Iterator<Long> ids, int before, SmppPdu.Cancel cancel, Consumer<SmppPdu> answer) {
+        int status = before;
+        for (int i = 0; i < MAX_MESSAGES && ids.hasNext(); i++) {
+            status = center.cancel(ids.next()) ? SmppStatus.OK : status;
         }
-        return new SmppPdu.PlainResponse(SmppCommand.CANCEL_SM, SmppStatus.OK, cancel.sequence());
+        int soFar = status;
+        if (ids.hasNext()) {
+            timers.start(CANCEL_PAUSE_NANOS, () -> cancelNext(ids, soFar, cancel, answer));
+        } else {
+            answer.accept(new SmppPdu.PlainResponse(SmppCommand.CANCEL_SM, soFar, cancel.sequence()));
+        }
+    }
+
+    /** Cancels the latest earlier message that a new one replaces (5.2.18), if it waits. */
+    private void cancelReplaced(EsmeOrigin by, SmsAddress to) {
+        List<ShortMessage> earlier = center.messages()
+                .sent(by.systemId(), by.source().value(), to.number().orElseThrow())
+                .limit(MAX_MESSAGES)
+                .filter(message -> isOfType(message, by.serviceType()))
+                .toList();
+        earlier.stream()
+                .filter(part -> part.submissionId() == earlier.get(0).submissionId())
+                .forEach(part -> center.cancel(part.id()));
+    }
+
+    private static boolean isOfType(ShortMessage message, String serviceType) {
+        return message.esme().orElseThrow().serviceType().equals(serviceType);
     }
 
     private void replace(Requester by, SmppPdu.Replace replace, Consumer<SmppPdu> answer) throws SmppViolation {

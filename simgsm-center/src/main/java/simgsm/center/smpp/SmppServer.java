@@ -29,7 +29,7 @@ public final class SmppServer {
     public void serve(ShortMessageCenter shortMessages, Timers centersTimers) {
         timers = centersTimers;
         center = shortMessages;
-        requests = new MessageRequests(shortMessages);
+        requests = new MessageRequests(shortMessages, centersTimers);
     }
 
     /** Sets the applications that may bind from now on; at first, any on this machine. */

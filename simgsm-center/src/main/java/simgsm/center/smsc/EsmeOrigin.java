@@ -13,6 +13,7 @@ import simgsm.sms.SmsAddress;
  * @param receipts which receipts are requested
  * @param group the message's place in its submission
  * @param deliverAt the first attempt (SMPP 3.4, 5.2.15); empty for an immediate one
+ * @param serviceType as submitted (SMPP 3.4, 5.2.11); tells apart what replaces what
  */
 public record EsmeOrigin(
         String systemId,
@@ -20,7 +21,8 @@ public record EsmeOrigin(
         int dataCoding,
         Receipts receipts,
         Group group,
-        Optional<Instant> deliverAt) {
+        Optional<Instant> deliverAt,
+        String serviceType) {
     /** Bits 1-0 of registered_delivery (SMPP 3.4, 5.2.17); the value is the ordinal. */
     public enum Receipts {
         NONE,
@@ -44,15 +46,16 @@ public record EsmeOrigin(
 
     /** A single message, delivered at once. */
     public EsmeOrigin(String systemId, SmsAddress source, int dataCoding, Receipts receipts) {
-        this(systemId, source, dataCoding, receipts, Group.SINGLE, Optional.empty());
+        this(systemId, source, dataCoding, receipts, Group.SINGLE, Optional.empty(), "");
     }
 
     EsmeOrigin member(Group place, boolean isReceipted) {
-        return new EsmeOrigin(systemId, source, dataCoding, isReceipted ? receipts : Receipts.NONE, place, deliverAt);
+        Receipts wanted = isReceipted ? receipts : Receipts.NONE;
+        return new EsmeOrigin(systemId, source, dataCoding, wanted, place, deliverAt, serviceType);
     }
 
     /** The same origin with another request for receipts and time of delivery. */
     public EsmeOrigin with(Receipts newReceipts, Optional<Instant> newDeliverAt) {
-        return new EsmeOrigin(systemId, source, dataCoding, newReceipts, group, newDeliverAt);
+        return new EsmeOrigin(systemId, source, dataCoding, newReceipts, group, newDeliverAt, serviceType);
     }
 }

@@ -11,6 +11,9 @@ final class HeldOctets {
      */
     static final int ENVELOPE = 900;
 
+    /** Of an application's message, for its place among those from the same source to the same receiver. */
+    private static final int SENT = 100;
+
     /** Of the heap. The collector needs the rest, and the serial one gives long-lived objects two thirds. */
     private static final double SHARE = 0.6;
 
@@ -39,7 +42,7 @@ final class HeldOctets {
     }
 
     static long of(ShortMessage message) {
-        return ENVELOPE + message.submit().length();
+        return ENVELOPE + message.submit().length() + (message.esme().isPresent() ? SENT : 0);
     }
 
     boolean hasRoomFor(long octets) {

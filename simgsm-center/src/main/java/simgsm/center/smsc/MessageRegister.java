@@ -3,10 +3,13 @@ package simgsm.center.smsc;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
+import simgsm.air.Msisdn;
 
 /** The messages that wait, and the last that have ended, by id. Reports are not among them. */
 public final class MessageRegister {
@@ -15,7 +18,17 @@ public final class MessageRegister {
     /** Ids rise in the order of acceptance. */
     private final Map<Long, QueueEntry> waiting;
 
+    /** What applications sent, by its latest message; {@link QueueEntry#older} has the others. */
+    private final Map<SentKey, QueueEntry> latest = new HashMap<>();
+
     private final Map<Long, MessageHistory> ended = new BoundedMap<>(MAX_ENDED_HISTORIES);
+
+    private record SentKey(String systemId, String source, Msisdn to) {
+        static SentKey of(ShortMessage message) {
+            EsmeOrigin origin = message.esme().orElseThrow();
+            return new SentKey(origin.systemId(), origin.source().value(), message.to());
+        }
+    }
 
     /** @param waiting an empty map that keeps the order of insertion */
     MessageRegister(Map<Long, QueueEntry> waiting) {
@@ -23,12 +36,39 @@ public final class MessageRegister {
     }
 
     void add(QueueEntry entry) {
-        waiting.put(entry.envelope.message().id(), entry);
+        ShortMessage message = entry.envelope.message();
+        waiting.put(message.id(), entry);
+        if (message.esme().isPresent()) {
+            entry.older = latest.put(SentKey.of(message), entry);
+            if (entry.older != null) {
+                entry.older.newer = entry;
+            }
+        }
+    }
+
+    private void unlink(QueueEntry entry, SentKey key) {
+        if (entry.older != null) {
+            entry.older.newer = entry.newer;
+        }
+        if (entry.newer != null) {
+            entry.newer.older = entry.older;
+        } else if (entry.older != null) {
+            latest.put(key, entry.older);
+        } else {
+            latest.remove(key);
+        }
+    }
+
+    /** What an application sent from a source to a receiver and waits, the latest first. Messages may end meanwhile. */
+    public Stream<ShortMessage> sent(String systemId, String source, Msisdn to) {
+        return Stream.iterate(latest.get(new SentKey(systemId, source, to)), Objects::nonNull, entry -> entry.older)
+                .map(entry -> entry.envelope.message());
     }
 
     void ended(QueueEntry entry, MessageState state, Instant now) {
         ShortMessage message = entry.envelope.message();
         waiting.remove(message.id());
+        message.esme().ifPresent(origin -> unlink(entry, SentKey.of(message)));
         ended.put(
                 message.id(),
                 new MessageHistory(

@@ -40,6 +40,10 @@ final class QueueEntry {
     boolean isInFlight;
     /** When it is tried again by itself; null unless it is postponed. */
     Due due;
+    /** The entry before this one, and behind it, from the same source of an application to the same receiver. */
+    QueueEntry older;
+
+    QueueEntry newer;
     /** Final state if the attempt under way fails; null if another attempt follows. */
     MessageState stateOnFailure;
 

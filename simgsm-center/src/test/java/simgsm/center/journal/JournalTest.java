@@ -75,13 +75,25 @@ class JournalTest {
                 0,
                 EsmeOrigin.Receipts.ALWAYS,
                 new EsmeOrigin.Group(3, 250),
-                Optional.of(NOW));
+                Optional.of(NOW),
+                "");
+        EsmeOrigin typed = new EsmeOrigin(
+                "shop",
+                SmsAddress.ofLetters("Shop"),
+                0,
+                EsmeOrigin.Receipts.ALWAYS,
+                EsmeOrigin.Group.SINGLE,
+                Optional.empty(),
+                "CMT");
+        ShortMessage ofType = new ShortMessage(
+                4, new Msisdn("1"), new Msisdn("2"), OctetString.ofHex("00"), NOW, NOW, Optional.of(typed));
         ShortMessage inGroup = new ShortMessage(
                 3, new Msisdn("1"), new Msisdn("2"), OctetString.ofHex("00"), NOW, NOW, Optional.of(scheduled));
         for (StoreEntry entry : List.of(
                 accepted(1),
                 new StoreEntry.Accepted(ofApplication),
                 new StoreEntry.Accepted(inGroup),
+                new StoreEntry.Accepted(ofType),
                 ended(1, true),
                 new StoreEntry.Reported(1),
                 new StoreEntry.Known(new Msisdn("5550100"), Imsi.ofOpenNumber(new Msisdn("5550100"))),

@@ -287,6 +287,123 @@ class SmppOperationsTest extends SmppStage {
         assertEquals(4, query("3"));
     }
 
+    /** A message of this service type, with replace_if_present_flag or without. */
+    private void submit(String type, String from, String to, String text, int replaces) {
+        SmppMessage m = text(from, to, text);
+        sender.submit(
+                1,
+                new SmppMessage(
+                        type,
+                        m.source(),
+                        m.destination(),
+                        0,
+                        0,
+                        0,
+                        "",
+                        "",
+                        1,
+                        replaces,
+                        0,
+                        0,
+                        m.shortMessage(),
+                        text.length() < 200 ? List.of() : List.of(new Tlv(Tlv.MESSAGE_PAYLOAD, m.shortMessage()))));
+        network.commit();
+    }
+
+    private List<String> waiting() {
+        return network.center.messages().waiting().stream()
+                .map(message -> message.text())
+                .toList();
+    }
+
+    @Test
+    void aMessageReplacesTheLatestThatWaitsOfItsSourceDestinationAndServiceType() {
+        receiver.leave();
+        submit("CMT", "1", SERVICE, "one", 0);
+        submit("CMT", "1", SERVICE, "two", 1);
+        assertEquals(List.of("two"), waiting());
+        assertTrue(texts(sender).get(0).contains("stat:DELETED"), "the receipt of the first");
+        submit("", "1", SERVICE, "other type", 1);
+        submit("CMT", "2", SERVICE, "other source", 1);
+        submit("CMT", "1", OTHER_SERVICE, "other destination", 1);
+        submit("CMT", "1", SERVICE, "without the flag", 0);
+        assertEquals(List.of("two", "other type", "other source", "other destination", "without the flag"), waiting());
+        submit("CMT", "1", SERVICE, "three", 1);
+        assertEquals(List.of("two", "other type", "other source", "other destination", "three"), waiting());
+    }
+
+    @Test
+    void aMessageReplacesAllPartsOfALongOneButNoneOfAnotherApplicationNorOneUnderWay() {
+        submit("", "1", SERVICE, "under way", 0);
+        receiver.leave();
+        TestCenter.Application next = receiver(SERVICE);
+        assertEquals(List.of("under way"), texts(next));
+        TestCenter.Application other = network.bound(SmppCommand.BIND_TRANSMITTER, "other", "");
+        other.submit(1, text("1", SERVICE, "another's"));
+        other.submit(1, ofThreeParts());
+        sender.submit(1, ofThreeParts());
+        submit("", "1", OTHER_SERVICE, "waits", 0);
+        network.commit();
+        int before = network.center.messages().waiting().size();
+        submit("", "1", OTHER_SERVICE, "instead", 1);
+        assertEquals(before, network.center.messages().waiting().size());
+        next.leave();
+        submit("", "1", SERVICE, "short", 1);
+        assertEquals(before - 3 + 1, network.center.messages().waiting().size());
+        assertTrue(waiting().contains("another's"));
+    }
+
+    @Test
+    void aMessageThatIsNotStoredReplacesNothing() {
+        receiver.leave();
+        submit("", "1", SERVICE, "one", 0);
+        SmppMessage m = text("1", SERVICE, "two");
+        sender.submit(
+                2,
+                new SmppMessage(
+                        "", m.source(), m.destination(), 0, 0, 0, "", "", 0, 1, 0, 0, m.shortMessage(), List.of()));
+        network.center.committed(network.tickets.remove(), false);
+        assertEquals(List.of("one"), waiting());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"'', 0, 3", "CMT, 0, 4", "CPT, 0x11, 5"})
+    void cancelWithoutAnIdEndsAllFromTheSourceToTheDestination(String type, String status, int left) {
+        receiver.leave();
+        submit("", "1", SERVICE, "a", 0);
+        submit("CMT", "1", SERVICE, "b", 0);
+        submit("CMT", "2", SERVICE, "other source", 0);
+        submit("CMT", "1", OTHER_SERVICE, "other destination", 0);
+        network.bound(SmppCommand.BIND_TRANSMITTER, "other", "").submit(1, text("1", SERVICE, "another's"));
+        network.commit();
+        assertEquals(Integer.decode(status), statusOf(new SmppPdu.Cancel(9, type, "", number("1"), number(SERVICE))));
+        assertEquals(left, waiting().size());
+    }
+
+    @Test
+    void cancellingThousandsLeavesTurnsToOthers() {
+        receiver.leave();
+        for (int i = 0; i < 3_500; i++) {
+            sender.submit(i, text("1", SERVICE, "x"));
+        }
+        network.commit();
+        sender.heard.clear();
+        sender.say(new SmppPdu.Cancel(9, "", "", number("1"), number(SERVICE)));
+        assertEquals(List.of(), sender.heard);
+        assertEquals(2_500, waiting().size());
+        network.center.cancel(1);
+        network.timers.advance(network.timers.nowNanos() + 3_000_000);
+        assertEquals(SmppStatus.OK, lastResponse().status());
+        assertEquals(0, waiting().size());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 7, 0x50", "1, 1, 0x0b"})
+    void cancelWithoutAnIdNamesWhatIsWrongWithItsDestination(int plan, int type, String status) {
+        SmppAddress to = new SmppAddress(type, plan, "letters");
+        assertEquals(Integer.decode(status), statusOf(new SmppPdu.Cancel(9, "", "", number("1"), to)));
+    }
+
     @Test
     void theIdOfAPartIsNotThatOfAMessage() {
         receiver.leave();
