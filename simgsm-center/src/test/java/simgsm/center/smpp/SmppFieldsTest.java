@@ -140,7 +140,9 @@ class SmppFieldsTest extends SmppStage {
         "SUBMIT_SM,    . x01 x01 1 x01 x01 letters x00 x00 x00 . . x00 x00 x00 x00 x01 -41, ''",
         "CANCEL_SM,    . 999999 x01 x01 1 x01 x01 1, ''",
         "REPLACE_SM,   999999 x01 x01 1 . . x00 x00 x01 -41, ''",
-        "BIND_RECEIVER, again . . x34 x00 x00 ., ''"
+        "BIND_RECEIVER, again . . x34 x00 x00 ., ''",
+        "BIND_TRANSMITTER, again . . x34 x00 x00 ., ''",
+        "BIND_TRANSCEIVER, again . . x34 x00 x00 ., 000210000134"
     })
     void aResponseWithMandatoryFieldsHasThemOnAnErrorToo(SmppCommand command, String fields, String body) {
         TestCenter.Application sender = sender();

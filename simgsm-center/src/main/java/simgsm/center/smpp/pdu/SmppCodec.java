@@ -1,8 +1,10 @@
 package simgsm.center.smpp.pdu;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import simgsm.octets.OctetString;
 
 /** Decodes and encodes PDUs. Each kind has one method that names its fields in order, for both directions. */
@@ -40,6 +42,9 @@ public final class SmppCodec {
     private static final int ADDRESS_FLAG = 1;
 
     private static final int LIST_FLAG = 2;
+
+    private static final Set<SmppCommand> WITHOUT_BODY_ON_ERRORS =
+            EnumSet.of(SmppCommand.BIND_TRANSMITTER, SmppCommand.BIND_RECEIVER, SmppCommand.SUBMIT_SM);
 
     private static final OctetString NOTHING = OctetString.of(new byte[0]);
     private static final SmppMessage EMPTY =
@@ -90,7 +95,8 @@ public final class SmppCodec {
     }
 
     /**
-     * Encodes one PDU. Of the responses with an error status those to bind and submit_sm have no body (4.1.2, 4.4.2).
+     * Encodes one PDU. Of the responses with an error status those to bind_transmitter, bind_receiver and submit_sm have no
+     * body (4.1.2, 4.1.4, 4.4.2); that to bind_transceiver has one, because gosmpp reads it.
      *
      * @param withParameters whether the peer takes optional parameters
      */
@@ -102,7 +108,7 @@ public final class SmppCodec {
         out.fourOctets("command_id", pdu.command().code() | (isResponse ? SmppCommand.RESPONSE : 0));
         out.fourOctets("command_status", status);
         out.fourOctets("sequence_number", pdu.sequence());
-        if (status == SmppStatus.OK || !pdu.command().isBind() && pdu.command() != SmppCommand.SUBMIT_SM) {
+        if (status == SmppStatus.OK || !WITHOUT_BODY_ON_ERRORS.contains(pdu.command())) {
             try {
                 body(out, pdu);
             } catch (SmppViolation violation) {
