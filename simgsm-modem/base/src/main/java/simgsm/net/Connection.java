@@ -126,10 +126,7 @@ public abstract class Connection {
 
     /** Writes at the end of the action that runs, together with further output of it. */
     protected final void flushAfterAction() {
-        if (!isFlushScheduled) {
-            isFlushScheduled = true;
-            endpoint.loop.hasUrgentOutput(this);
-        }
+        endpoint.loop.afterAction(this::flush);
     }
 
     /** Nothing is read until {@link #resumeReading}. */
@@ -156,7 +153,7 @@ public abstract class Connection {
     public final void fail(String reason) {
         if (isOpen()) {
             failure = reason;
-            endpoint.loop.hasFailed(this);
+            endpoint.loop.afterAction(this::closeAfterFailure);
         }
     }
 

@@ -64,12 +64,10 @@ public final class OutputQueue {
             return first.octets.slice();
         }
         ByteArrayOutputStream joined = new ByteArrayOutputStream();
-        for (Message each : queue) {
-            if (!each.isDroppable) {
-                break;
-            }
-            joined.write(each.octets.array(), each.octets.position(), each.octets.remaining());
-        }
+        queue.stream()
+                .takeWhile(Message::isDroppable)
+                .map(Message::octets)
+                .forEach(each -> joined.write(each.array(), each.position(), each.remaining()));
         return ByteBuffer.wrap(joined.toByteArray());
     }
 

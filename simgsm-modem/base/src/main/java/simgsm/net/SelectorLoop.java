@@ -36,20 +36,14 @@ public final class SelectorLoop implements AutoCloseable {
     /** The state machine that a loop drives. */
     public interface Core {
         /** A core without deadlines. */
-        Core NONE = new Core() {
-            @Override
-            public long nextDeadlineNanos() {
-                return NEVER;
-            }
-
-            @Override
-            public void advance(long nowNanos) {}
-        };
+        Core NONE = new Core() {};
 
         /** When {@link #advance} must be called next; {@link #NEVER} for no deadline. */
-        long nextDeadlineNanos();
+        default long nextDeadlineNanos() {
+            return NEVER;
+        }
 
-        void advance(long nowNanos);
+        default void advance(long nowNanos) {}
 
         /** The loop has ended, all its connections are closed; the last call. */
         default void ended() {}
@@ -72,8 +66,7 @@ public final class SelectorLoop implements AutoCloseable {
     private final ArrayDeque<Runnable> batch = new ArrayDeque<>();
     private final AtomicBoolean isWoken = new AtomicBoolean();
     private final Queue<Connection> withOutput = new ArrayDeque<>();
-    private final Queue<Connection> withUrgentOutput = new ArrayDeque<>();
-    private final Queue<Connection> failed = new ArrayDeque<>();
+    private final Queue<Runnable> afterAction = new ArrayDeque<>();
     private final ByteBuffer readBuffer = ByteBuffer.allocateDirect(READ_BUFFER_OCTETS);
     private final Timers timers = new Timers();
     private final long originNanos = System.nanoTime();
@@ -206,24 +199,16 @@ public final class SelectorLoop implements AutoCloseable {
         withOutput.add(connection);
     }
 
-    /** Has the connection flushed once the present action has returned. */
-    void hasUrgentOutput(Connection connection) {
-        withUrgentOutput.add(connection);
+    /** Has a step run once the present action has returned. */
+    void afterAction(Runnable step) {
+        afterAction.add(step);
     }
 
-    /** Has the connection closed once the present action has returned. */
-    void hasFailed(Connection connection) {
-        failed.add(connection);
-    }
-
-    /** Runs an action, then flushes connections with urgent output of it and closes those that failed. An exception is logged. */
+    /** Runs an action, then the steps that it has left for its end. An exception is logged. */
     public void perform(Runnable action) {
         guard(action);
-        for (Connection each = withUrgentOutput.poll(); each != null; each = withUrgentOutput.poll()) {
-            guard(each::flush);
-        }
-        for (Connection each = failed.poll(); each != null; each = failed.poll()) {
-            guard(each::closeAfterFailure);
+        for (Runnable step = afterAction.poll(); step != null; step = afterAction.poll()) {
+            guard(step);
         }
     }
 

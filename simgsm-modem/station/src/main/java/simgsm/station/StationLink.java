@@ -20,6 +20,8 @@ final class StationLink implements Connector.Listener {
     /** A departing station waits this long for the end of its detach procedure. */
     private static final long DEPARTURE_NANOS = TimeUnit.SECONDS.toNanos(1);
 
+    private static final long DEPARTURE_CHECK_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
+
     private final SelectorLoop loop;
     private final MobileStation station;
     private final Connector connector;
@@ -144,24 +146,24 @@ final class StationLink implements Connector.Listener {
         return station;
     }
 
-    /** Detaches the station. @param whenDeparted runs after the last sign of the station */
+    /** Detaches the station. @param whenDeparted runs after the last sign of the station, in a later action of the loop */
     void depart(Runnable whenDeparted) {
         if (departed == null) {
             departed = whenDeparted;
             departureNanos = System.nanoTime();
             station.powerOff();
+            loop.after(0, this::closeIfDeparted);
         }
     }
 
-    /** Whether the departing station has detached and all its frames are written, or its time is over. */
-    boolean hasDeparted(long nowNanos) {
+    /** The station has departed when it has detached and all its frames are written, or its time is over. */
+    private void closeIfDeparted() {
         boolean isFlushed = connection == null || !connection.hasOutput();
-        return isFlushed && station.isDetached() || nowNanos - departureNanos >= DEPARTURE_NANOS;
-    }
-
-    /** When a departing station has departed at the latest. */
-    long departureDeadlineNanos() {
-        return departureNanos + (hasDeparted(System.nanoTime()) ? 0 : DEPARTURE_NANOS);
+        if (isFlushed && station.isDetached() || System.nanoTime() - departureNanos >= DEPARTURE_NANOS) {
+            close();
+        } else {
+            loop.after(DEPARTURE_CHECK_NANOS, this::closeIfDeparted);
+        }
     }
 
     /** Makes no further attempt to connect. */

@@ -3,6 +3,7 @@ package simgsm.station;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
@@ -18,39 +19,7 @@ public final class StationThread implements AutoCloseable {
     private final SelectorLoop loop;
     private final Consumer<Throwable> onFailure;
     private final Set<StationLink> links = new LinkedHashSet<>();
-    private final Set<StationLink> departing = new LinkedHashSet<>();
     private boolean isClosing;
-
-    private final class Stations implements SelectorLoop.Core {
-        @Override
-        public long nextDeadlineNanos() {
-            long next = SelectorLoop.NEVER;
-            for (StationLink link : departing) {
-                next = Math.min(next, link.departureDeadlineNanos());
-            }
-            return next;
-        }
-
-        @Override
-        public void advance(long nowNanos) {
-            departing.removeIf(link -> {
-                boolean hasDeparted = link.hasDeparted(nowNanos);
-                if (hasDeparted) {
-                    links.remove(link);
-                    loop.perform(link::close);
-                }
-                return hasDeparted;
-            });
-            endIfDone();
-        }
-
-        @Override
-        public void ended() {
-            links.forEach(link -> loop.perform(link::close));
-        }
-    }
-
-    private final Stations stations = new Stations();
 
     /**
      * Not started yet. It is a daemon thread and must be closed.
@@ -64,7 +33,13 @@ public final class StationThread implements AutoCloseable {
 
     /** Starts the thread. */
     public void start() {
-        loop.start(stations, onFailure);
+        SelectorLoop.Core end = new SelectorLoop.Core() {
+            @Override
+            public void ended() {
+                List.copyOf(links).forEach(link -> loop.perform(link::close));
+            }
+        };
+        loop.start(end, onFailure);
     }
 
     /** Takes over a station and keeps it connected; before or after {@link #start}. */
@@ -120,8 +95,11 @@ public final class StationThread implements AutoCloseable {
     }
 
     private void depart(StationLink link, Runnable gone) {
-        link.depart(gone);
-        departing.add(link);
+        link.depart(() -> {
+            links.remove(link);
+            endIfDone();
+            gone.run();
+        });
     }
 
     private void endIfDone() {

@@ -21,7 +21,6 @@ final class SpeechFrameNumber {
     static final int COUNT = DIGITS * DIGITS;
 
     private static final int SAMPLES = 160;
-    private static final int QUARTER = SAMPLES / 4;
     private static final int SAMPLES_PER_SECOND = 8_000;
     /** Of the table, so that sums of 160 products with samples fit into 32 bits. */
     private static final int AMPLITUDE = 64;
@@ -55,29 +54,22 @@ final class SpeechFrameNumber {
         }
     }
 
-    /**
-     * All tones are odd about the middle of the frame, and odd or even about that of its first half, in turn: 40 products a
-     * tone give what 160 would.
-     */
+    /** Each tone is odd about the middle of the frame, so 80 products with the folded frame give what 160 would. */
     static int read(short[] frame) {
-        int[][] quarters = new int[2][QUARTER];
-        for (int i = 0; i < QUARTER; i++) {
-            int outer = frame[i] - frame[SAMPLES - 1 - i];
-            int inner = frame[SAMPLES / 2 - 1 - i] - frame[SAMPLES / 2 + i];
-            quarters[0][i] = outer - inner;
-            quarters[1][i] = outer + inner;
+        int[] folded = new int[SAMPLES / 2];
+        for (int i = 0; i < folded.length; i++) {
+            folded[i] = frame[i] - frame[SAMPLES - 1 - i];
         }
-        int low = digit(quarters, 0);
-        int high = digit(quarters, FREQUENCIES);
+        int low = digit(folded, 0);
+        int high = digit(folded, FREQUENCIES);
         return low == NONE || high == NONE ? NONE : low + DIGITS * high;
     }
 
-    private static int digit(int[][] quarters, int firstTone) {
+    private static int digit(int[] folded, int firstTone) {
         int strongest = 0;
         int digit = NONE;
         for (int i = 0; i < FREQUENCIES; i++) {
-            int tone = firstTone + i;
-            int level = product(TABLE[tone], quarters[tone % 2]);
+            int level = product(TABLE[firstTone + i], folded);
             if (Math.abs(level) > strongest) {
                 strongest = Math.abs(level);
                 digit = level > 0 ? i : FREQUENCIES + i;
@@ -86,10 +78,10 @@ final class SpeechFrameNumber {
         return strongest < LEAST ? NONE : digit;
     }
 
-    private static int product(int[] tone, int[] quarter) {
+    private static int product(int[] tone, int[] folded) {
         int sum = 0;
-        for (int i = 0; i < QUARTER; i++) {
-            sum += tone[i] * quarter[i];
+        for (int i = 0; i < folded.length; i++) {
+            sum += tone[i] * folded[i];
         }
         return sum;
     }
