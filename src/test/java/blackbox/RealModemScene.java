@@ -1,6 +1,7 @@
 package blackbox;
 
 import java.nio.charset.StandardCharsets;
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -20,6 +21,8 @@ import vericommand.VeriCommandSettings;
 /** A robot behind an emulated modem, in one thread with a clock moved by hand in steps of 10 ms. */
 final class RealModemScene {
     static final String CALLER = "5550100";
+    /** Earlier than the emulated modem's messages. */
+    private static final Instant START = Instant.parse("2026-11-22T00:00:00Z");
 
     final EmulatedModem modem;
     final SimulatedRobot robot;
@@ -42,7 +45,8 @@ final class RealModemScene {
                 robot,
                 new Msisdn("5550200"),
                 (admission, listener) -> {
-                    attached = new AttachedModem(new Msisdn("5550200"), 1500, this::toModem, admission, listener);
+                    attached =
+                            new AttachedModem(new Msisdn("5550200"), 1500, START, this::toModem, admission, listener);
                     return attached;
                 },
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP),

@@ -171,6 +171,19 @@ class RealModemTest {
     }
 
     @Test
+    void aSilentModemLetsTheRobotStandWithinTwoAndAHalfSecondsWhateverItWasAsked() {
+        for (int step = 0; step < 50; step++) {
+            RealModemScene each = new RealModemScene(EmulatedModem.Family.SIM800);
+            each.ready().inCall().press("** #**500 **");
+            each.seconds(3 + step * 0.01);
+            assertEquals(RobotStatus.MOVING, each.robot.status());
+            each.modem.silence(10_000, true);
+            each.seconds(2.5);
+            assertEquals(RobotStatus.STOPPED, each.robot.status(), "silent from " + step * 10 + " ms on");
+        }
+    }
+
+    @Test
     void anOrderWhoseKeysALastingSilenceHasSwallowedIsNotExecuted() {
         scene.ready().inCall().press("** #**2");
         modem.silence(700, true);

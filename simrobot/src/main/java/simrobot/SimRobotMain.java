@@ -125,7 +125,7 @@ public final class SimRobotMain {
         if (!arguments.has("headless")) {
             return replayInWindow(arguments, ProgramWindow.of(arguments, Optional.empty()), file, speed);
         }
-        OptionalDouble pace = arguments.has("speed") ? OptionalDouble.of(speed) : OptionalDouble.empty();
+        OptionalDouble pace = speed > 0 && arguments.has("speed") ? OptionalDouble.of(speed) : OptionalDouble.empty();
         return new HeadlessReplay(Program.standardOutput(), System.err, pace).play(file);
     }
 
@@ -146,8 +146,8 @@ public final class SimRobotMain {
             ReplayModel model = new ReplayModel(replay, refusals);
             replay.seek(replay.recording().firstNanos() + TimeUnit.SECONDS.toNanos(from));
             replay.onFailure(fault -> FatalError.end(NAME, fault));
-            replay.setSpeed(speed);
-            replay.setPaused(false);
+            replay.setSpeed(speed == 0 ? 1 : speed);
+            replay.setPaused(speed == 0);
             replay.start();
             String title = "SimRobot - " + file.getFileName();
             window.show(chosen -> {
@@ -223,7 +223,8 @@ public final class SimRobotMain {
                 new InetSocketAddress(center.host(), center.port()),
                 settings,
                 SimRobotOptions.sound(arguments));
-        simRobot.simulation().setSpeed(speed);
+        simRobot.simulation().setPaused(speed == 0);
+        simRobot.simulation().setSpeed(speed == 0 ? 1 : speed);
         simRobot.simulation().onFailure(fault -> FatalError.end(NAME, fault));
         Fleet fleet = new Fleet(simRobot, kit);
         Optional<LineAddress> real = RequestedRobots.real(arguments, names);

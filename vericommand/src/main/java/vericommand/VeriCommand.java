@@ -113,7 +113,8 @@ public final class VeriCommand {
      * @param nowNanos the time now, by any clock that only goes forward
      */
     public void message(String from, String text, long nowNanos) {
-        if (!settings.permits(from)) {
+        boolean isOpened = text.replaceAll("\\s", "").startsWith("**");
+        if (!settings.permits(from) || settings.answered() == VeriCommandSettings.Answered.ORDERS && !isOpened) {
             listener.senderIgnored(from);
         } else if (ReplyForms.isReply(text)) {
             listener.replyIgnored(from);
@@ -412,7 +413,9 @@ public final class VeriCommand {
         display.reply(reply);
         listener.outcome(reply);
         if (origin.isMessage()) {
-            listener.message(origin.number(), reply.message());
+            if (settings.answered() != VeriCommandSettings.Answered.NONE) {
+                listener.message(origin.number(), reply.message());
+            }
         } else if (byTone) {
             listener.tone(reply.tone());
             if (reply.tone() == ReplyTone.CONNECTION_DENIED) {

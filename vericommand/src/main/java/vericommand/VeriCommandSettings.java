@@ -9,8 +9,17 @@ import java.util.Set;
  *
  * @param language of the reply texts; English unless Spanish
  * @param operators the numbers that may command; empty: every number
+ * @param answered which short messages get a reply
  */
-public record VeriCommandSettings(Locale language, Set<String> operators, OnHangup onHangup) {
+public record VeriCommandSettings(Locale language, Set<String> operators, OnHangup onHangup, Answered answered) {
+    /** Which short messages are answered. */
+    public enum Answered {
+        ALL,
+        /** Those that begin with {@code **}; others may be no order at all, and each reply is paid. */
+        ORDERS,
+        NONE
+    }
+
     /** What happens to the motion under way when the call that ordered it ends. */
     public enum OnHangup {
         /** The robot brakes: it must not run on without an operator. */
@@ -26,6 +35,11 @@ public record VeriCommandSettings(Locale language, Set<String> operators, OnHang
         Objects.requireNonNull(language);
         Objects.requireNonNull(onHangup);
         operators = Set.copyOf(operators);
+    }
+
+    /** As above, answering all messages. */
+    public VeriCommandSettings(Locale language, Set<String> operators, OnHangup onHangup) {
+        this(language, operators, onHangup, Answered.ALL);
     }
 
     /** @param number as authenticated by the network; empty when the network does not say */

@@ -315,4 +315,25 @@ class VeriCommandMessageTest {
             }
         }
     }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ALL, Hi there, true",
+        "ALL, ** #*0 **, true",
+        "ORDERS, Hi there, false",
+        "ORDERS, #**20, false",
+        "ORDERS, ** #*0 **, true",
+        "ORDERS, '* * #*7 *', true",
+        "NONE, Hi there, false",
+        "NONE, ** #*0 **, false"
+    })
+    void aMessageIsAnsweredAsTheSettingSays(VeriCommandSettings.Answered setting, String text, boolean isAnswered) {
+        Bench bench = Bench.with(
+                new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP, setting));
+        bench.sms(text);
+        assertEquals(
+                isAnswered,
+                bench.events().stream().anyMatch(event -> event.startsWith("sms")),
+                bench.events().toString());
+    }
 }

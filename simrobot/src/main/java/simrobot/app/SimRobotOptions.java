@@ -1,6 +1,7 @@
 package simrobot.app;
 
 import java.util.HashSet;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
@@ -61,6 +62,10 @@ public final class SimRobotOptions {
                                 + "\nwith 0.5 s of silence between calls; of several robots each in FILE-NAME.wav;"
                                 + "\nan existing file is overwritten")
                 .value("operators", "N,N,...", "the only numbers that may command; else every subscriber may")
+                .value(
+                        "reply",
+                        "all|orders|none",
+                        "which short messages are answered (all; with --modem orders: those that begin with **)")
                 .value("on-hangup", "stop|finish", "what happens to a motion whose call is lost (stop)")
                 .value("power", "on|off", "start with the robot switched on or off (on)")
                 .value("motors", "on|off", "start with the motors switched on or off (on)")
@@ -90,7 +95,7 @@ public final class SimRobotOptions {
                         "replay a recorded session, in the window with a timeline; headless its events,"
                                 + "\nat the pace of --speed or at once")
                 .value("replay-from", "SECONDS", "in the window: begin the replay there")
-                .value("speed", "N", "simulated seconds per second (1)")
+                .value("speed", "N", "simulated seconds per second (1); 0: begin in pause")
                 .value(
                         "noise",
                         "N",
@@ -128,9 +133,10 @@ public final class SimRobotOptions {
                 .flag("print-world", "print what was loaded from the world file, in mm and degrees, and end");
     }
 
-    /** Simulated seconds per second. */
+    /** Simulated seconds per second; 0 begins in pause. */
     public static double speed(Arguments arguments) throws UsageException {
-        return arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
+        boolean isPaused = arguments.has("speed") && arguments.number("speed", 1, 0, MAX_SPEED) == 0;
+        return isPaused ? 0 : arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
     }
 
     /** @param single whether there is one robot, whose calls are recorded in the named file itself */
@@ -177,7 +183,13 @@ public final class SimRobotOptions {
                 arguments.choice("on-hangup", "stop", "finish").equals("stop")
                         ? VeriCommandSettings.OnHangup.STOP
                         : VeriCommandSettings.OnHangup.FINISH;
-        return new VeriCommandSettings(arguments.language(), operators, onHangup);
+        boolean isPaid = arguments.has("modem");
+        String answered = arguments.choice("reply", isPaid ? "orders" : "all", isPaid ? "all" : "orders", "none");
+        return new VeriCommandSettings(
+                arguments.language(),
+                operators,
+                onHangup,
+                VeriCommandSettings.Answered.valueOf(answered.toUpperCase(Locale.ROOT)));
     }
 
     private static Set<String> operators(String list) {

@@ -2,6 +2,8 @@ package simrobot.control;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
@@ -42,6 +44,9 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
     // owned by the stations' thread
     /** Number of the newest call, from 1; requests for earlier calls are dropped. */
     private long callNumber;
+
+    /** Replies on their way, by their ids. */
+    private final Map<Integer, RobotEvent.ReplyFailed> replies = new HashMap<>();
 
     private boolean accepted;
     private long heardSamples;
@@ -111,11 +116,15 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
                 String reply = control.question(question.text());
                 stations.execute(() -> modem.replyUssd(reply));
             });
+        } else if (event instanceof StationEvent.MessageSent sent) {
+            replies.remove(sent.id());
         } else if (event instanceof StationEvent.MessageFailed failed) {
             LOG.log(
                     Level.WARNING,
                     "reply SMS to " + failed.to() + " was not taken: cause "
                             + failed.cause().code());
+            Optional.ofNullable(replies.remove(failed.id()))
+                    .ifPresent(reply -> simulation.execute(() -> control.tell(reply)));
         }
     }
 
@@ -219,7 +228,7 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
             LOG.log(Level.INFO, "no reply to \"" + to + "\": " + notANumber.getMessage());
             return false;
         }
-        stations.execute(() -> modem.reply(number, text));
+        stations.execute(() -> replies.put(modem.reply(number, text), new RobotEvent.ReplyFailed(to, text)));
         return true;
     }
 

@@ -194,7 +194,7 @@ final class RobotControl {
 
         @Override
         public void senderIgnored(String from) {
-            LOG.log(Level.INFO, robot.name() + ": SMS from " + from + " ignored, no operator");
+            LOG.log(Level.INFO, robot.name() + ": SMS from " + from + " ignored: no operator, or no order");
         }
 
         @Override

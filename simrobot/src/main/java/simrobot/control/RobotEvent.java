@@ -101,6 +101,14 @@ public sealed interface RobotEvent {
         }
     }
 
+    /** A reply SMS was refused for good, or not taken for 10 minutes. */
+    record ReplyFailed(String to, String text) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "reply-failed").with("to", to).with("text", text);
+        }
+    }
+
     /** A question of the network by USSD was answered. */
     record UssdAnswered(String text, String reply) implements RobotEvent {
         @Override
@@ -222,6 +230,7 @@ public sealed interface RobotEvent {
                         case "outcome" ->
                             new OrderAnswered(Integer.parseInt(field(fields, "tone")), field(fields, "text"));
                         case "reply" -> new ReplySent(field(fields, "to"), field(fields, "text"));
+                        case "reply-failed" -> new ReplyFailed(field(fields, "to"), field(fields, "text"));
                         case "sms" -> new MessageReceived(field(fields, "from"), field(fields, "text"));
                         case "ussd" -> new UssdAnswered(field(fields, "text"), field(fields, "reply"));
                         case "call-idle" -> new CallIdle(Integer.parseInt(field(fields, "seconds")));

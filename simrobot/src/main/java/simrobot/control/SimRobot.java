@@ -3,6 +3,7 @@ package simrobot.control;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.time.Duration;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
@@ -171,8 +172,8 @@ public final class SimRobot implements AutoCloseable {
         TelephoneRobot added = new TelephoneRobot(
                 robot,
                 number,
-                (admission, listener) ->
-                        line.attach(new AttachedModem(number, answerAfterMillis, line::send, admission, listener)),
+                (admission, listener) -> line.attach(
+                        new AttachedModem(number, answerAfterMillis, Instant.now(), line::send, admission, listener)),
                 settings,
                 new ControlThreads(line::execute, simulationThread, System::nanoTime));
         join(added, new ModemConnection() {

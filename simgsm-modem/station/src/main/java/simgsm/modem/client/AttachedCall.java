@@ -28,12 +28,15 @@ import simgsm.timer.Timers;
 
 /**
  * The call of an attached modem; runs by {@link AttachedCallTable}. While it is active the modem is asked for its calls every
- * 0.5 s, which shows that both still are: 2 s without an answer are a lost call. A key that is reported while an answer is
+ * 0.25 s, which shows that both still are: 0.5 s without an answer are a lost call, so that a robot at full speed stands
+ * within 2.5 s of the modem's last sign. A key that is reported while an answer is
  * due waits for it, so that no order is completed by a modem that has just lost a key.
  */
 final class AttachedCall {
-    static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
-    static final int POLL_LIMIT_MILLIS = 2_000;
+    static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
+    static final int POLL_LIMIT_MILLIS = 500;
+    /** Of a list of calls while one rings, and of a tone. */
+    static final int LIMIT_MILLIS = 2_000;
     /** RING is repeated every 3 to 6 s. */
     static final long RING_GUARD_NANOS = TimeUnit.SECONDS.toNanos(7);
     /** As M2. */
@@ -232,7 +235,7 @@ final class AttachedCall {
     }
 
     private static ModemCommand list() {
-        return ModemCommand.query("AT+CLCC", "+CLCC:").within(POLL_LIMIT_MILLIS);
+        return ModemCommand.query("AT+CLCC", "+CLCC:").within(LIMIT_MILLIS);
     }
 
     static Optional<Msisdn> number(String text) {
@@ -331,7 +334,7 @@ final class AttachedCall {
         }
         pollUnderWay = true;
         disturbed = false;
-        dialogue.sendFirst(list(), this::listed);
+        dialogue.sendFirst(list().within(POLL_LIMIT_MILLIS), this::listed);
     }
 
     private void listed(ModemAnswer answer) {
@@ -370,7 +373,7 @@ final class AttachedCall {
         }
         DtmfKey key = tones.remove();
         long began = timers.nowNanos();
-        dialogue.send(ModemCommand.of("AT+VTS=" + key.symbol()).within(POLL_LIMIT_MILLIS), answer -> {
+        dialogue.send(ModemCommand.of("AT+VTS=" + key.symbol()).within(LIMIT_MILLIS), answer -> {
             if (phase() == AttachedCallPhase.ACTIVE) {
                 long left = Math.max(1, began + TONE_NANOS - timers.nowNanos());
                 toneTimer = timers.start(answer.isOk() ? left : 1, () -> toneEnded(key, answer.isOk()));

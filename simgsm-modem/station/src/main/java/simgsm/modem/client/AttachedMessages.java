@@ -2,6 +2,7 @@ package simgsm.modem.client;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.LinkedHashMap;
@@ -31,7 +32,8 @@ import simgsm.timer.Timers;
 
 /**
  * Short messages of an attached modem. A received message is read twice, because the line may be disturbed, erased, and then
- * reported once, also if it could not be erased. A message to be sent waits for the modem for 10 minutes.
+ * reported once, also if it could not be erased; one that waited in the modem from before the start is not reported. A
+ * message to be sent waits for the modem for 10 minutes; one that the network refuses is tried three times.
  */
 final class AttachedMessages {
     /** As M2's replies. */
@@ -43,13 +45,20 @@ final class AttachedMessages {
     /** RP causes as M2's replies, and "no network service" and "network timeout" (TS 27.005, 3.2.5). */
     private static final Set<Integer> TEMPORARY = Set.of(38, 42, 47, 331, 332);
 
+    private static final int MOST_TRIES = 3;
     private static final int MAX_READINGS = 4;
     private static final int MAX_REMEMBERED = 64;
     /** While a call stands a modem that is silent for longer is taken for lost. */
     private static final long LIMIT_IN_CALL_MILLIS = 10_000;
 
-    /** What is sent in one command. @param next the part, from 0 */
-    private record Outgoing(int id, Msisdn to, String text, int next, long sinceNanos) {}
+    /** What is sent in one command. @param next the part, from 0 @param tries of it that were refused */
+    private record Outgoing(int id, Msisdn to, String text, int next, int tries, long sinceNanos) {
+        Outgoing with(int nextPart, int refusedTries) {
+            return new Outgoing(id, to, text, nextPart, refusedTries, sinceNanos);
+        }
+    }
+
+    private final Instant start;
 
     private final CommandDialogue dialogue;
     private final Timers timers;
@@ -66,7 +75,9 @@ final class AttachedMessages {
     private boolean inCall;
     private int nextId;
 
-    AttachedMessages(CommandDialogue dialogue, Timers timers, Consumer<StationEvent> listener) {
+    /** @param start of the program: what the network took before, and the modem has stored, is old */
+    AttachedMessages(CommandDialogue dialogue, Timers timers, Instant start, Consumer<StationEvent> listener) {
+        this.start = start;
         this.dialogue = dialogue;
         this.timers = timers;
         this.listener = listener;
@@ -117,7 +128,7 @@ final class AttachedMessages {
                         .filter(line -> line.startsWith("+CMGL:"))
                         .map(AnswerFields::of)
                         .filter(AttachedMessages::isReceived)
-                        .forEach(fields -> fetch(fields.number(0))));
+                        .forEach(fields -> fetch(fields.number(0), true)));
     }
 
     /** Stored messages to be sent, 2 and 3, are others' business. */
@@ -127,16 +138,17 @@ final class AttachedMessages {
 
     /** {@code +CMTI: "SM",index}. */
     void stored(String notice) {
-        fetch(AnswerFields.of(notice).number(1));
+        fetch(AnswerFields.of(notice).number(1), false);
     }
 
-    private void fetch(int index) {
+    /** @param isListed whether it was stored before its notice could be seen */
+    private void fetch(int index, boolean isListed) {
         if (ready && index >= 0 && setup.has(SetupStep.MESSAGE_FORMAT)) {
-            read(index, "", 1);
+            read(index, isListed, "", 1);
         }
     }
 
-    private void read(int index, String before, int reading) {
+    private void read(int index, boolean isListed, String before, int reading) {
         ModemCommand command = ModemCommand.listing("AT+CMGR=" + index, "+CMGR:");
         dialogue.send(inCall ? command.within(LIMIT_IN_CALL_MILLIS) : command, answer -> {
             if (!answer.isOk() || answer.lines().isEmpty()) {
@@ -144,9 +156,9 @@ final class AttachedMessages {
             }
             String content = content(answer.lines());
             if (content.equals(before)) {
-                erase(index, answer.lines());
+                erase(index, isListed, answer.lines());
             } else if (reading < MAX_READINGS) {
-                read(index, content, reading + 1);
+                read(index, isListed, content, reading + 1);
             } else {
                 LOG.log(Level.WARNING, "message " + index + " is read differently each time; it is left");
             }
@@ -160,17 +172,17 @@ final class AttachedMessages {
                 + String.join("\n", lines.subList(1, lines.size()));
     }
 
-    private void erase(int index, List<String> lines) {
+    private void erase(int index, boolean isListed, List<String> lines) {
         // whether or not it is erased: one that is read again is not reported again
-        dialogue.send(ModemCommand.of("AT+CMGD=" + index), answer -> report(lines));
+        dialogue.send(ModemCommand.of("AT+CMGD=" + index), answer -> report(lines, isListed));
     }
 
-    private void report(List<String> lines) {
+    private void report(List<String> lines, boolean isListed) {
         if (reported.put(content(lines), true) != null) {
             return;
         }
         if (isPduMode()) {
-            reportPdu(lines.size() > 1 ? lines.get(1) : "");
+            reportPdu(lines.size() > 1 ? lines.get(1) : "", isListed);
         } else {
             AnswerFields header = AnswerFields.of(lines.get(0));
             received(header.quoted(1), String.join("\n", lines.subList(1, lines.size())));
@@ -180,7 +192,7 @@ final class AttachedMessages {
     /** A message that the modem does not store. */
     void arrived(String pdu) {
         if (isPduMode() && reported.put(pdu, true) == null) {
-            reportPdu(pdu);
+            reportPdu(pdu, false);
         }
     }
 
@@ -190,12 +202,17 @@ final class AttachedMessages {
                 && setup.command(SetupStep.MESSAGE_FORMAT).text().endsWith("=0");
     }
 
-    private void reportPdu(String pdu) {
+    private void reportPdu(String pdu, boolean isListed) {
         try {
             OctetString octets = OctetString.ofHex(pdu);
             int serviceCenterOctets = 1 + octets.octet(0);
             byte[] tpdu = Octets.range(octets.toArray(), serviceCenterOctets, octets.length());
             if (TpduCodec.decode(OctetString.of(tpdu), Direction.DOWNLINK) instanceof DeliverTpdu deliver) {
+                Instant sent = deliver.timestamp().toOffsetDateTime().toInstant();
+                if (isListed && sent.isBefore(start)) {
+                    LOG.log(Level.INFO, "a message of " + sent + ", from before the start, is erased and not answered");
+                    return;
+                }
                 reassembler
                         .accept(deliver.originator(), deliver.userData(), timers.nowNanos())
                         .ifPresent(text -> {
@@ -223,7 +240,7 @@ final class AttachedMessages {
         if (waiting.size() == MAX_KEPT) {
             fail(waiting.remove(), RpCause.NETWORK_OUT_OF_ORDER);
         }
-        waiting.add(new Outgoing(id, to, text, 0, timers.nowNanos()));
+        waiting.add(new Outgoing(id, to, text, 0, 0, timers.nowNanos()));
         sendNext();
         return id;
     }
@@ -253,22 +270,29 @@ final class AttachedMessages {
             waiting.remove();
             int parts = isPduMode() ? parts(message).size() : 1;
             if (message.next() + 1 < parts) {
-                waiting.addFirst(new Outgoing(
-                        message.id(), message.to(), message.text(), message.next() + 1, message.sinceNanos()));
+                waiting.addFirst(message.with(message.next() + 1, 0));
             } else {
                 listener.accept(new StationEvent.MessageSent(message.id(), message.to(), parts));
             }
         } else if (answer.ending() == ModemAnswer.Ending.REFUSED) {
             int number = answer.errorNumber().orElse(RpCause.TEMPORARY_FAILURE.code());
-            if (TEMPORARY.contains(number)) {
+            boolean isTriedAgain = TEMPORARY.contains(number) || isUnclear(number) && message.tries() + 1 < MOST_TRIES;
+            waiting.remove();
+            if (isTriedAgain) {
+                // by the next look, after 30 s
+                waiting.addFirst(message.with(message.next(), message.tries() + 1));
                 return;
             }
-            waiting.remove();
             fail(message, number <= 0x7f ? RpCause.ofCode(number) : RpCause.TEMPORARY_FAILURE);
         } else {
             return;
         }
         sendNext();
+    }
+
+    /** A temporary failure, or an error of the modem without a cause of the network. */
+    private static boolean isUnclear(int number) {
+        return number == RpCause.TEMPORARY_FAILURE.code() || number > 0x7f;
     }
 
     private static List<UserData> parts(Outgoing message) {

@@ -2,6 +2,7 @@ package simgsm.modem.client;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.time.Instant;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
@@ -81,6 +82,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
      *
      * @param number the SIM's; modems often do not know it
      * @param answerAfterMillis as {@link simgsm.modem.ModemOptions}
+     * @param start of the program; messages that the modem has stored before are not answered
      * @param output takes what is sent to the modem, in ISO 8859-1
      * @param admission as {@link AnsweringModem.Maker}
      * @param listener as {@link AnsweringModem.Maker}
@@ -88,6 +90,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     public AttachedModem(
             Msisdn number,
             int answerAfterMillis,
+            Instant start,
             Consumer<String> output,
             Function<Optional<Msisdn>, CallDecision> admission,
             Consumer<StationEvent> listener) {
@@ -96,7 +99,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         dialogue = new CommandDialogue(timers, output, new Codes());
         setup = new ModemSetup(dialogue, timers, Integer.MAX_VALUE, this::logged);
         call = new AttachedCall(dialogue, timers, answerAfterMillis, admission, listener);
-        messages = new AttachedMessages(dialogue, timers, listener);
+        messages = new AttachedMessages(dialogue, timers, start, listener);
         service = new StateMachine<>(ModemServiceTable.TABLE, number, this::perform);
         snapshot = current();
     }
@@ -236,7 +239,9 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
 
     private void serve() {
         if (setup.losesEqualKeys()) {
-            LOG.log(Level.WARNING, "the modem drops the second of two equal keys; calls are refused");
+            boolean isOff = setup.text(SetupStep.KEY_INTERVAL).matches("\\+DDET: ?0.*");
+            String why = isOff ? "reports no keys, +DDET is 0" : "drops the second of two equal keys";
+            LOG.log(Level.WARNING, "the modem " + why + "; calls are refused");
         } else if (!setup.hasAll(SetupStep.Need.FOR_CALLS)) {
             LOG.log(Level.WARNING, "the modem does not report keys; calls are refused");
         }

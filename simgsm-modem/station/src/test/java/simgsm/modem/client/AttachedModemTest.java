@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.CallDecision;
@@ -316,6 +318,50 @@ class AttachedModemTest {
         bench.answers.replaceAll((command, answer) -> command.startsWith("AT+CMGS") ? "+CMGS: 7|OK" : answer);
         bench.millis(30_000);
         assertEquals(List.of("sent " + second + " 1"), bench.news());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {41, 500, 512})
+    void aMessageThatIsRefusedWithoutALastingCauseIsTriedThreeTimesWithPauses(int error) {
+        bench.ready().news();
+        for (int octets = 10; octets < 30; octets++) {
+            bench.answers.put("AT+CMGS=" + octets, "+CMS ERROR: " + error);
+        }
+        int first = bench.modem.reply(new Msisdn("5550100"), "3 Done");
+        bench.millis(35_000);
+        assertEquals(List.of(), bench.news());
+        bench.millis(30_000);
+        assertEquals(List.of("failed " + first + " 41"), bench.news());
+        assertEquals(
+                3,
+                bench.sent.stream()
+                        .filter(command -> command.startsWith("AT+CMGS"))
+                        .count());
+    }
+
+    @Test
+    void aMessageThatWaitedInTheModemFromBeforeTheStartIsErasedAndNotReported() {
+        store(1, "62112212000000", "Hi there");
+        store(2, "62111232000000", "** #**20 **");
+        bench.ready();
+        assertEquals(List.of("StationRegistered", "sms 34600111222 Hi there"), bench.news());
+        assertTrue(bench.sent.contains("AT+CMGD=2"));
+    }
+
+    /** @param stamp of the service centre, digits swapped */
+    private void store(int index, String stamp, String text) {
+        DeliverTpdu deliver = new DeliverTpdu(
+                false,
+                false,
+                false,
+                SmsAddress.of(new Msisdn("34600111222")),
+                0,
+                new Timestamp(OctetString.ofHex(stamp)),
+                MessageSplitter.split(text, 1).get(0));
+        String pdu = "00" + TpduCodec.encode(deliver);
+        bench.answers.merge(
+                "AT+CMGL=4", "+CMGL: " + index + ",0,,24|" + pdu + "|OK", (one, two) -> one.replace("|OK", "|") + two);
+        bench.answers.put("AT+CMGR=" + index, "+CMGR: 1,,24|" + pdu + "|OK");
     }
 
     @Test

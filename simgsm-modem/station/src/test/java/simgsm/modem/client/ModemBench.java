@@ -1,6 +1,7 @@
 package simgsm.modem.client;
 
 import java.nio.charset.StandardCharsets;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -15,6 +16,9 @@ import simgsm.station.context.StationEvent;
 /** A client with a modem that answers by a list, at once; what it says unasked and the time are given by hand. */
 final class ModemBench {
     static final Msisdn NUMBER = new Msisdn("5550200");
+    /** Earlier than the messages of the tests. */
+    static final Instant START = Instant.parse("2026-11-22T00:00:00Z");
+
     static final String NO_ANSWER = "(no answer)";
 
     final List<String> sent = new ArrayList<>();
@@ -39,7 +43,7 @@ final class ModemBench {
     }
 
     ModemBench(int answerAfterMillis) {
-        modem = new AttachedModem(NUMBER, answerAfterMillis, this::fromClient, caller -> decision, this::accept);
+        modem = new AttachedModem(NUMBER, answerAfterMillis, START, this::fromClient, caller -> decision, this::accept);
     }
 
     private void fromClient(String octets) {
