@@ -35,6 +35,12 @@ final class ReplyTexts {
         return new Reply(ReplyTone.EXECUTED, text);
     }
 
+    /** The reply with a warning, if that fits. */
+    Reply withLowBattery(Reply reply) {
+        String text = reply.text() + " " + text("reply.battery");
+        return text.length() > Reply.MAX_MESSAGE_CHARACTERS - 2 ? reply : new Reply(reply.tone(), text);
+    }
+
     /** The reply to an order that only asks for the status. */
     Reply report(Order order, RobotStatus status, Pose pose) {
         String where = where(status, pose);

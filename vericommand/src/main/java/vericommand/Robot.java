@@ -39,6 +39,11 @@ public interface Robot {
         return Optional.empty();
     }
 
+    /** Whether its battery is to be charged: each reply says so. */
+    default boolean hasLowBattery() {
+        return false;
+    }
+
     /** The names of the processes that orders can start, by number, 1..9; none if empty. */
     default SortedMap<Integer, String> processes() {
         return Collections.emptySortedMap();

@@ -406,10 +406,11 @@ public final class VeriCommand {
     }
 
     /** @param byTone false for an order that {@code ###} stopped before its goal: it has no tone in a call */
-    private void answer(OrderOrigin origin, Reply reply, boolean byTone) {
+    private void answer(OrderOrigin origin, Reply outcome, boolean byTone) {
         if (origin.isEnded()) {
             return;
         }
+        Reply reply = robot.hasLowBattery() ? texts.withLowBattery(outcome) : outcome;
         display.reply(reply);
         listener.outcome(reply);
         if (origin.isMessage()) {

@@ -35,6 +35,7 @@ final class RobotControl {
     private final OrderLatencyLog stopwatch;
     private final VeriCommand veriCommand;
     private long callNumber;
+    private boolean isBatteryLow;
     private volatile RobotStatus status;
     private volatile VeriCommandSnapshot snapshot;
 
@@ -123,6 +124,10 @@ final class RobotControl {
     private void statusChanged(RobotStatus now) {
         status = now;
         tell(new RobotEvent.StatusChanged(now));
+        if (isBatteryLow != robot.hasLowBattery()) {
+            isBatteryLow = !isBatteryLow;
+            tell(new RobotEvent.BatteryChanged(isBatteryLow));
+        }
         if (now == RobotStatus.NO_MOTORS) {
             robot.unknownType().ifPresent(type -> tell(new RobotEvent.TypeUnknown(type)));
         }

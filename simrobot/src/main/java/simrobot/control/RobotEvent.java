@@ -149,6 +149,14 @@ public sealed interface RobotEvent {
         }
     }
 
+    /** The battery has become low, or has been charged. */
+    record BatteryChanged(boolean isLow) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "battery").with("state", isLow ? "low" : "ok");
+        }
+    }
+
     /** The autonomous process has changed, or was queried. */
     record BehaviourChanged(BehaviourKind kind) implements RobotEvent {
         @Override
@@ -236,6 +244,8 @@ public sealed interface RobotEvent {
                         case "call-idle" -> new CallIdle(Integer.parseInt(field(fields, "seconds")));
                         case "released" -> new CallReleased(Integer.parseInt(field(fields, "cause")));
                         case "status" -> new StatusChanged(RobotStatus.ofText(field(fields, "value")));
+                        case "battery" ->
+                            new BatteryChanged(field(fields, "state").equals("low"));
                         case "client-message" -> new ClientMessage(field(fields, "text"));
                         case "behaviour" -> new BehaviourChanged(BehaviourKind.shown(field(fields, "value")));
                         case "behaviour-failed" ->

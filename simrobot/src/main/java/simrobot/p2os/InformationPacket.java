@@ -3,6 +3,7 @@ package simrobot.p2os;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import simrobot.robot.Bumpers;
 
 /**
  * The server information packet (SIP): id 0x32 of a robot at rest, 0x33 of a moving one. Octets per field; numbers are
@@ -82,6 +83,11 @@ public record InformationPacket(
                 data[12] >> 1 & 0x1F,
                 (data[16] & MOTORS_FLAG) != 0,
                 List.copyOf(echoes)));
+    }
+
+    /** The pressed bumpers as bits, the front ones lowest. */
+    public int bumpers() {
+        return frontBumpers | rearBumpers << Bumpers.COUNT_EACH;
     }
 
     private static int unsigned(byte[] data, int at) {

@@ -6,10 +6,17 @@ import vericommand.Pose;
 
 /**
  * The pose of a robot by its own odometry, relative to the pose that was set last. Odometry counters wrap at 15 bits
- * (position) and a full turn (heading); of two possible differences the smaller is used.
+ * (position) and a full turn (heading); of two possible differences the smaller is used. A step that no robot drives in the
+ * time, as after a reset, does not count.
  */
 final class DeadReckoning {
     private static final int PLACE_BITS = 15;
+
+    /** More than any robot's wheels: packets of up to 0.15 s may come together after a delay. */
+    private static final double MOST_METERS_PER_SECOND = 2;
+
+    private static final double MOST_RADIANS_PER_SECOND = Math.toRadians(500);
+    private static final double LEAST_SECONDS = 0.15;
 
     private double x;
     private double y;
@@ -39,18 +46,28 @@ final class DeadReckoning {
         heading = headingRadians;
     }
 
-    void take(InformationPacket information, RobotKind kind) {
-        if (last == null) {
+    /** @param passedNanos since the packet before */
+    void take(InformationPacket information, RobotKind kind, long passedNanos) {
+        if (last == null || !follow(information, kind, Math.max(LEAST_SECONDS, passedNanos / 1e9))) {
             skew = heading - radians(information.heading(), kind);
-        } else {
-            int headingBits = Integer.numberOfTrailingZeros(kind.unitsPerTurn());
-            double dx = step(information.x() - last.x(), PLACE_BITS) * kind.millimetersPerUnit() / 1000;
-            double dy = step(information.y() - last.y(), PLACE_BITS) * kind.millimetersPerUnit() / 1000;
-            x += dx * Math.cos(skew) - dy * Math.sin(skew);
-            y += dx * Math.sin(skew) + dy * Math.cos(skew);
-            heading += radians(step(information.heading() - last.heading(), headingBits), kind);
         }
         last = information;
+    }
+
+    /** @return false, with nothing changed, if no robot comes so far within the seconds */
+    private boolean follow(InformationPacket information, RobotKind kind, double seconds) {
+        int headingBits = Integer.numberOfTrailingZeros(kind.unitsPerTurn());
+        double dx = step(information.x() - last.x(), PLACE_BITS) * kind.millimetersPerUnit() / 1000;
+        double dy = step(information.y() - last.y(), PLACE_BITS) * kind.millimetersPerUnit() / 1000;
+        double turned = radians(step(information.heading() - last.heading(), headingBits), kind);
+        boolean isPossible = Math.hypot(dx, dy) <= MOST_METERS_PER_SECOND * seconds
+                && Math.abs(turned) <= MOST_RADIANS_PER_SECOND * seconds;
+        if (isPossible) {
+            x += dx * Math.cos(skew) - dy * Math.sin(skew);
+            y += dx * Math.sin(skew) + dy * Math.cos(skew);
+            heading += turned;
+        }
+        return isPossible;
     }
 
     /** Returns the smallest signed difference on a counter of {@code bits} bits. */

@@ -201,10 +201,11 @@ public final class RealPioneer implements SteeredRobot {
 
     private void take(InformationPacket information) {
         long passedNanos = newest == null ? 0 : nanos - measuredNanos;
+        int pressedBefore = newest == null ? -1 : newest.bumpers();
         newest = information;
         measuredNanos = nanos;
         Optional<RobotKind> kind = conversation.kind();
-        kind.ifPresent(units -> measure(information, units));
+        kind.ifPresent(units -> measure(information, units, passedNanos));
         if (!isPowered()) {
             change(StatusEvent.POWER_ON);
         }
@@ -216,7 +217,7 @@ public final class RealPioneer implements SteeredRobot {
         if (travel != null) {
             follow(travel, information);
         } else if (settled || autonomy.isActive()) {
-            followOthers(information);
+            followOthers(information, information.stalled() || (information.bumpers() & ~pressedBefore) != 0);
         }
         autonomy.step(passedNanos);
         if (steering != null) {
@@ -224,8 +225,8 @@ public final class RealPioneer implements SteeredRobot {
         }
     }
 
-    private void measure(InformationPacket information, RobotKind kind) {
-        place.take(information, kind);
+    private void measure(InformationPacket information, RobotKind kind, long passedNanos) {
+        place.take(information, kind, passedNanos);
         trail.pass(place.xMeters(), place.yMeters(), nanos);
         for (InformationPacket.Echo echo : information.echoes()) {
             if (echo.sonar() < sonars.length) {
@@ -293,7 +294,8 @@ public final class RealPioneer implements SteeredRobot {
     }
 
     private void rest(VelocityLoop under, InformationPacket information, boolean atGoal) {
-        boolean blocked = under.begunInCollision() && information.stalled();
+        boolean isTouched = information.stalled() || information.frontBumpers() != 0;
+        boolean blocked = under.begunInCollision() && isTouched;
         MotionOutcome.Ending well = atGoal ? MotionOutcome.Ending.DONE : MotionOutcome.Ending.BRAKED;
         finish(
                 blocked ? StatusEvent.TURN_ENDED_BLOCKED : StatusEvent.MOTION_ENDED,
@@ -362,15 +364,20 @@ public final class RealPioneer implements SteeredRobot {
         return newest == null ? 0 : (newest.leftWheel() + newest.rightWheel()) * factor / 2;
     }
 
+    @Override
+    public boolean hasLowBattery() {
+        return newest != null && newest.batteryDecivolts() < Battery.LOW_VOLTS * 10;
+    }
+
     Bumpers bumpers() {
         return newest == null ? new Bumpers(0, 0) : new Bumpers(newest.frontBumpers(), newest.rearBumpers());
     }
 
     /** Follows motion that no instruction caused: by a process, by hand or joystick. */
-    private void followOthers(InformationPacket information) {
+    private void followOthers(InformationPacket information, boolean touches) {
         boolean moves = information.isMoving();
         if (status() == RobotStatus.MOVING) {
-            if (information.stalled()) {
+            if (touches) {
                 steering = null;
                 stop();
                 change(StatusEvent.TOUCHED);
@@ -520,13 +527,7 @@ public final class RealPioneer implements SteeredRobot {
                         .mapToDouble(millimeters -> millimeters / 1000.0)
                         .toArray(),
                 new double[0],
-                new Condition(
-                        volts,
-                        known && volts < Battery.LOW_VOLTS,
-                        known && newest.stalled(),
-                        bumpers(),
-                        pose(),
-                        new Pose(0, 0, 0)),
+                new Condition(volts, hasLowBattery(), known && newest.stalled(), bumpers(), pose(), new Pose(0, 0, 0)),
                 trail.points(),
                 autonomy.kind(),
                 autonomy.path(),

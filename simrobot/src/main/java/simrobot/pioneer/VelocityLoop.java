@@ -2,6 +2,7 @@ package simrobot.pioneer;
 
 import java.util.function.Consumer;
 import simrobot.p2os.InformationPacket;
+import simrobot.robot.Bumpers;
 import simrobot.robot.Trapezoid;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
@@ -102,6 +103,9 @@ final class VelocityLoop {
     private long nearestNanos;
     private int reversals;
     private boolean hasMoved;
+    /** Bumpers that are no touch: all in a turn out of a collision, else those pressed from the start, but not ahead. */
+    private int ignoredBumpers;
+
     private boolean braking;
     private long brakingNanos;
 
@@ -120,6 +124,7 @@ final class VelocityLoop {
         double unit = forward ? kind.millimetersPerUnit() / 1000 : 2 * Math.PI / kind.unitsPerTurn();
         near = Math.max(measures.near, unit * 0.75);
         creep = measures.creep;
+        ignoredBumpers = forward ? -1 << Bumpers.COUNT_EACH : -1;
         this.ended = ended;
         this.begunInCollision = begunInCollision;
         this.place = place;
@@ -268,7 +273,9 @@ final class VelocityLoop {
         boolean moves = information.isMoving();
         hasMoved |= moves;
         boolean answersUs = seconds(startNanos, nanos) > IN_FLIGHT_SECONDS;
-        if (information.stalled() && answersUs && (moves || !begunInCollision)) {
+        ignoredBumpers &= begunInCollision ? -1 : information.bumpers();
+        boolean touches = information.stalled() || (information.bumpers() & ~ignoredBumpers) != 0;
+        if (touches && answersUs && (moves || !begunInCollision)) {
             return Progress.TOUCHED;
         }
         if (braking) {

@@ -374,6 +374,11 @@ public final class SimulatedRobot implements SteeredRobot {
         return Bumpers.pressed(this, floor, touch);
     }
 
+    @Override
+    public boolean hasLowBattery() {
+        return battery.isLow();
+    }
+
     public Battery battery() {
         return battery;
     }
@@ -382,7 +387,7 @@ public final class SimulatedRobot implements SteeredRobot {
     public Condition condition() {
         return new Condition(
                 battery.volts(),
-                battery.isLow(),
+                hasLowBattery(),
                 status() == RobotStatus.COLLISION,
                 bumpers(),
                 PoseRounding.pose(odometry.xMeters(), odometry.yMeters(), odometry.headingRadians()),

@@ -223,4 +223,21 @@ class RobotControlTest {
         assertFalse(bench.control.snapshot().underWay());
         assertEquals(1, bench.control.snapshot().replies().size());
     }
+
+    @Test
+    void aLowBatteryIsToldOnceAndInEachReply() {
+        bench.robot.battery().setVolts(10.9);
+        bench.control.message("5550101", "** #**20 **");
+        bench.seconds(5);
+        List<String> low = bench.lines("battery", "outcome");
+        assertEquals("battery robot=robot state=low", low.get(0));
+        assertTrue(low.get(1).endsWith("heading 0.0. Battery low.\""), low.toString());
+        assertEquals(2, low.size());
+        bench.robot.battery().setVolts(12);
+        bench.control.message("5550101", "** #**20 **");
+        bench.seconds(5);
+        List<String> charged = bench.lines("battery", "outcome");
+        assertEquals("battery robot=robot state=ok", charged.get(0));
+        assertTrue(charged.get(1).endsWith("heading 0.0.\""), charged.toString());
+    }
 }

@@ -34,6 +34,10 @@ final class FakePioneer implements PioneerLine {
     double y;
     double heading;
     boolean motors;
+    /** Pressed bumpers, five bits each. */
+    int front;
+
+    int rear;
     /** It sends nothing, but hears. */
     boolean silent;
 
@@ -175,6 +179,8 @@ final class FakePioneer implements PioneerLine {
         put(sip, 7, Math.round((speed - half) / kind.wheelSpeedFactor()));
         put(sip, 9, Math.round((speed + half) / kind.wheelSpeedFactor()));
         sip[11] = 127;
+        sip[12] = (byte) (rear << 1);
+        sip[13] = (byte) (front << 1);
         sip[16] = (byte) (motors ? 1 : 0);
         return sip;
     }

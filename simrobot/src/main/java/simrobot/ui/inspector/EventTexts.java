@@ -33,6 +33,10 @@ public final class EventTexts {
             return texts.of("log.outcome", String.valueOf(answer.tone()), answer.text());
         } else if (event instanceof RobotEvent.ReplySent reply) {
             return texts.of("log.reply", reply.to(), reply.text());
+        } else if (event instanceof RobotEvent.ReplyFailed reply) {
+            return texts.of("log.reply.failed", reply.to(), reply.text());
+        } else if (event instanceof RobotEvent.BatteryChanged battery) {
+            return texts.of(battery.isLow() ? "log.battery.low" : "log.battery.ok");
         } else if (event instanceof RobotEvent.MessageReceived message) {
             return texts.of("log.message", message.from(), message.text());
         } else if (event instanceof RobotEvent.UssdAnswered ussd) {
