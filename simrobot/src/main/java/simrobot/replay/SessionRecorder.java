@@ -19,8 +19,8 @@ import simrobot.simulation.Simulation;
 
 /**
  * Records a session in a file while it happens. The simulation's thread collects states and events; a thread of its own
- * deflates and writes them, at least every 400 ms, so that a kill loses at most the last half second. A disk that takes
- * nothing delays the simulation by at most 2 s; then the recording ends.
+ * deflates and writes them, at least every 400 ms, so that a kill loses at most the last half second. The simulation never
+ * waits for the disk: when 512 records wait, the recording ends.
  */
 public final class SessionRecorder implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(SessionRecorder.class.getName());
@@ -29,7 +29,6 @@ public final class SessionRecorder implements AutoCloseable {
     /** Records that wait for the disk, of about 64 KB each. */
     private static final int QUEUE_RECORDS = 512;
 
-    private static final long FULL_QUEUE_SECONDS = 2;
     private static final long CLOSE_SECONDS = 10;
     private static final Supplier<byte[]> END = () -> new byte[0];
 
@@ -97,13 +96,8 @@ public final class SessionRecorder implements AutoCloseable {
     }
 
     private void queue(Supplier<byte[]> record) {
-        try {
-            if (failure == null && !queue.offer(record, FULL_QUEUE_SECONDS, TimeUnit.SECONDS)) {
-                fail(new IOException("the disk takes no more data"));
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            fail(new IOException("interrupted"));
+        if (failure == null && !queue.offer(record)) {
+            fail(new IOException("the disk takes no more data"));
         }
     }
 
@@ -111,7 +105,7 @@ public final class SessionRecorder implements AutoCloseable {
         try (file) {
             while (true) {
                 Supplier<byte[]> record = queue.poll(FLUSH_MILLIS, TimeUnit.MILLISECONDS);
-                if (record == END) {
+                if (record == END || record == null && failure != null) {
                     return;
                 } else if (record != null) {
                     file.write(record.get());
@@ -150,7 +144,7 @@ public final class SessionRecorder implements AutoCloseable {
         }
     }
 
-    /** Writes the rest; on the simulation's thread, or when that has ended. Safe to call twice. */
+    /** Writes the rest, unless the recording has failed; on the simulation's thread, or when that has ended. Safe to call twice. */
     @Override
     public void close() {
         synchronized (this) {
@@ -163,6 +157,9 @@ public final class SessionRecorder implements AutoCloseable {
             closed = true;
         }
         queue(END);
+        if (failure != null) {
+            return;
+        }
         try {
             writer.join(TimeUnit.SECONDS.toMillis(CLOSE_SECONDS));
         } catch (InterruptedException e) {

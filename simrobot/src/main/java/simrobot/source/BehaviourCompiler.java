@@ -25,6 +25,8 @@ import simrobot.behaviour.Behaviour;
 
 /** Compiles a source file, and what it uses of its folder, to classes in memory. */
 final class BehaviourCompiler {
+    private static final int MOST_ERRORS = 10;
+
     private final JavaCompiler compiler;
 
     /** @param compiler the JDK's; null on a Java without one */
@@ -36,7 +38,7 @@ final class BehaviourCompiler {
      * Compiles one file.
      *
      * @return the classes by their names
-     * @throws SourceException with the first error that the compiler finds
+     * @throws SourceException with the errors that the compiler finds, at most 10, and the line of the first
      */
     Map<String, byte[]> compile(Path file) throws SourceException {
         if (compiler == null) {
@@ -69,20 +71,29 @@ final class BehaviourCompiler {
     }
 
     private static SourceException fault(DiagnosticCollector<JavaFileObject> found, Path file) {
-        Diagnostic<? extends JavaFileObject> first = found.getDiagnostics().stream()
+        List<Diagnostic<? extends JavaFileObject>> errors = found.getDiagnostics().stream()
                 .filter(each -> each.getKind() == Diagnostic.Kind.ERROR)
-                .findFirst()
-                .orElse(null);
-        if (first == null) {
+                .limit(MOST_ERRORS)
+                .toList();
+        if (errors.isEmpty()) {
             return new SourceException(0, "cannot be compiled");
         }
-        String text =
-                first.getMessage(Locale.ENGLISH).lines().map(String::strip).collect(Collectors.joining("; "));
-        JavaFileObject source = first.getSource();
         String name = file.getFileName().toString();
+        String further = errors.stream()
+                .skip(1)
+                .map(each -> " | line " + each.getLineNumber() + ": " + text(each, name))
+                .collect(Collectors.joining());
+        return new SourceException(
+                (int) Math.max(0, errors.get(0).getLineNumber()), text(errors.get(0), name) + further);
+    }
+
+    /** @param name of the file that is compiled; of an error in another one that comes first */
+    private static String text(Diagnostic<? extends JavaFileObject> error, String name) {
+        String text =
+                error.getMessage(Locale.ENGLISH).lines().map(String::strip).collect(Collectors.joining("; "));
+        JavaFileObject source = error.getSource();
         String where = source == null ? name : lastPart(source.toUri());
-        String other = where.equals(name) ? "" : where + ": ";
-        return new SourceException((int) Math.max(0, first.getLineNumber()), other + text);
+        return where.equals(name) ? text : where + ": " + text;
     }
 
     /** The name of a file, also of one in a jar. */

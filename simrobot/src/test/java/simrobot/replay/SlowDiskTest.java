@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import simgsm.console.Event;
 import simrobot.process.BehaviourKind;
 import simrobot.simulation.Simulation;
 import simrobot.world.World;
@@ -25,6 +26,12 @@ class SlowDiskTest {
         private final CountDownLatch released = new CountDownLatch(1);
         private final AtomicInteger writesOfSimulation = new AtomicInteger();
         private final AtomicLong octets = new AtomicLong();
+        private final CountDownLatch closed = new CountDownLatch(1);
+
+        @Override
+        public void close() {
+            closed.countDown();
+        }
 
         @Override
         public void write(int octet) {
@@ -59,6 +66,24 @@ class SlowDiskTest {
         assertEquals(0, disk.writesOfSimulation.get());
         assertTrue(disk.octets.get() > 1_000_000, disk.octets + " octets");
         assertEquals(Optional.empty(), recorder.failure());
+    }
+
+    @Test
+    void aRecordingThatADiskWithoutRoomEndsIsClosedWhenTheDiskWorksAgain() throws InterruptedException {
+        Simulation simulation = new Simulation(World.bare(), 1);
+        simulation.addRobot("r").autonomy().begin(BehaviourKind.WANDER);
+        BlockedDisk disk = new BlockedDisk();
+        SessionRecorder recorder = new SessionRecorder("session", disk, simulation, act -> {});
+        for (int i = 0; i < 2_000 && recorder.failure().isEmpty(); i++) {
+            recorder.event(Event.of("sms").with("text", "x".repeat(70_000)));
+            simulation.run(10);
+        }
+        assertEquals(
+                "the disk takes no more data", recorder.failure().orElseThrow().getMessage());
+        recorder.close();
+        assertEquals(1, disk.closed.getCount());
+        disk.released.countDown();
+        disk.closed.await();
     }
 
     @Test

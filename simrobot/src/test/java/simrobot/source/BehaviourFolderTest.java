@@ -142,6 +142,16 @@ class BehaviourFolderTest {
     }
 
     @Test
+    void allErrorsOfAFileAreToldAtOnce() throws IOException {
+        write("Misspelt", "        return new Steerin(senses.sonar(3),\n x);");
+        open();
+        String fault = told.get(0);
+        assertTrue(fault.startsWith("failed Misspelt 4 cannot find symbol; symbol:   class Steerin"), fault);
+        assertTrue(fault.contains(" | line 4: cannot find symbol; symbol:   method sonar(int)"), fault);
+        assertTrue(fault.contains(" | line 5: cannot find symbol; symbol:   variable x"), fault);
+    }
+
+    @Test
     void aFileMayUseAnotherAndIsCompiledAnewWithIt() throws IOException {
         Files.writeString(folder.resolve("Speeds.java"), "class Speeds { static final double AHEAD = 0.5; }");
         write("Ahead", "        return new Steering(Speeds.AHEAD, 0);");
