@@ -204,6 +204,9 @@ class LayeringTest {
         return packageName.equals(program) || packageName.startsWith(program + ".");
     }
 
+    /** Packages that read or write pictures by ImageIO. */
+    private static final Set<String> PICTURES = Set.of("simrobot.bitmap", "simrobot.camera");
+
     @Test
     void swingAndAwtAreOnlyInWindowPackagesAndMains() {
         noClasses()
@@ -215,15 +218,14 @@ class LayeringTest {
                 .dependOnClassesThat(DescribedPredicate.describe(
                         "belong to Swing or AWT", (JavaClass used) -> belongsToSwingOrAwt(used)))
                 .check(MainCode.CLASSES.that(DescribedPredicate.describe(
-                        "are not the camera's",
-                        (JavaClass type) -> !type.getPackageName().equals("simrobot.camera"))));
+                        "read or write pictures", (JavaClass type) -> !PICTURES.contains(type.getPackageName()))));
     }
 
     @Test
-    void theCameraUsesOnlyImagesOfAwt() {
+    void picturesUseOnlyImagesOfAwt() {
         noClasses()
                 .that()
-                .resideInAPackage("simrobot.camera")
+                .resideInAnyPackage(PICTURES.toArray(String[]::new))
                 .should()
                 .dependOnClassesThat(DescribedPredicate.describe(
                         "belong to Swing or AWT, images aside",
