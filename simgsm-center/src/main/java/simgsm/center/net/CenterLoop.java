@@ -24,6 +24,9 @@ public final class CenterLoop implements AutoCloseable {
 
     private static final long LATEST_LOOK_NANOS = 1_000_000_000;
 
+    /** One place in ten is for addresses from which an application has bound before. */
+    private static final int RESERVED_SHARE = 10;
+
     private final SelectorLoop loop = new SelectorLoop("centre");
     private final long startNanos = System.nanoTime();
     private final PortLimits limits;
@@ -80,10 +83,12 @@ public final class CenterLoop implements AutoCloseable {
      * @return the port
      */
     public int openSmpp(InetAddress address, int port, SmppServer smpp) throws IOException {
+        int most = limits.applications();
+        ConnectionLimits places = new ConnectionLimits(most, limits.applicationsPerAddress(), most / RESERVED_SHARE);
         return loop.listen(
                         new InetSocketAddress(address, port),
-                        new ConnectionLimits(limits.applications(), limits.applicationsPerAddress()),
-                        endpoint -> new SmppConnection(endpoint, this, smpp))
+                        places,
+                        endpoint -> new SmppConnection(endpoint, this, smpp, places))
                 .port();
     }
 

@@ -7,6 +7,7 @@ import simgsm.center.smpp.EsmeSession;
 import simgsm.center.smpp.SmppPort;
 import simgsm.center.smpp.SmppServer;
 import simgsm.net.Connection;
+import simgsm.net.ConnectionLimits;
 
 /**
  * One application's connection to the exchange. The PDUs of one iteration leave in one write; while a peer does not take
@@ -26,12 +27,14 @@ final class SmppConnection extends Connection implements SmppPort {
 
     private final CenterLoop center;
     private final SmppServer smpp;
+    private final ConnectionLimits places;
     private ByteBuffer unsent = ByteBuffer.allocate(INITIAL_CAPACITY);
     private EsmeSession session;
     private boolean isEnding;
 
-    SmppConnection(Endpoint endpoint, CenterLoop center, SmppServer smpp) {
+    SmppConnection(Endpoint endpoint, CenterLoop center, SmppServer smpp, ConnectionLimits places) {
         super(endpoint);
+        this.places = places;
         this.center = center;
         this.smpp = smpp;
     }
@@ -90,6 +93,11 @@ final class SmppConnection extends Connection implements SmppPort {
     @Override
     protected boolean hasOutput() {
         return unsent.position() > 0;
+    }
+
+    @Override
+    public void bound() {
+        places.proven(address().getAddress());
     }
 
     @Override

@@ -188,7 +188,10 @@ public final class EsmeSession {
 
     private void perform(SmppSessionAction action) {
         switch (action) {
-            case ADD_TO_ROUTES -> server.bound(this, range);
+            case ADD_TO_ROUTES -> {
+                port.bound();
+                server.bound(this, range);
+            }
             case REMOVE_FROM_ROUTES -> removeFromRoutes();
             case CLOSE_CONNECTION -> port.closeWhenSent();
         }

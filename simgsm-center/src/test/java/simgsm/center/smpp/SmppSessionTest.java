@@ -70,7 +70,9 @@ class SmppSessionTest extends SmppStage {
         TestCenter.Application application = network.open(false);
         assertEquals(SmppStatus.INVALID_SYSTEM_ID, bind(application, "nobody", "secret"));
         assertEquals(SmppStatus.INVALID_PASSWORD, bind(application, "robot", "guess"));
+        assertFalse(application.hasBound);
         assertEquals(SmppStatus.OK, bind(application, "robot", "secret"));
+        assertTrue(application.hasBound, "its address is known from now on");
     }
 
     @Test

@@ -108,6 +108,7 @@ final class TestCenter {
         byte[] lastOctets;
         private final EsmeSession session;
         boolean isEnding;
+        boolean hasBound;
         String closed = "";
 
         private Application(boolean isLocal, String address) {
@@ -155,6 +156,11 @@ final class TestCenter {
             } catch (SmppViolation violation) {
                 throw new AssertionError(violation);
             }
+        }
+
+        @Override
+        public void bound() {
+            hasBound = true;
         }
 
         @Override

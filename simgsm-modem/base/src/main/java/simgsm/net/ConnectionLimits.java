@@ -2,25 +2,45 @@ package simgsm.net;
 
 import java.net.InetAddress;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 
 /** How many connections a port may have, in all and from each remote address. */
 public final class ConnectionLimits {
+    private static final int MOST_KNOWN = 10_000;
+
     private final int most;
     private final int mostPerAddress;
+    private final int reserved;
+    private final Set<InetAddress> known = new HashSet<>();
     private final Map<InetAddress, Integer> remote = new HashMap<>();
     private int open;
 
     /** @param most in all; @param mostPerAddress from each address other than the loopback ones */
     public ConnectionLimits(int most, int mostPerAddress) {
+        this(most, mostPerAddress, 0);
+    }
+
+    /** @param reserved of {@code most}, for the loopback addresses and those that have proven themselves */
+    public ConnectionLimits(int most, int mostPerAddress, int reserved) {
         this.most = most;
         this.mostPerAddress = mostPerAddress;
+        this.reserved = reserved;
+    }
+
+    /** A peer at this address has proven itself: its next connections may take the reserved places. */
+    public void proven(InetAddress address) {
+        if (known.size() < MOST_KNOWN) {
+            known.add(address);
+        }
     }
 
     /** Counts one more connection, if the limits allow it. */
     boolean admit(InetAddress address) {
         boolean isRemote = !address.isLoopbackAddress();
-        if (open == most || isRemote && remote.getOrDefault(address, 0) == mostPerAddress) {
+        int places = isRemote && !known.contains(address) ? most - reserved : most;
+        if (open >= places || isRemote && remote.getOrDefault(address, 0) == mostPerAddress) {
             return false;
         }
         open++;

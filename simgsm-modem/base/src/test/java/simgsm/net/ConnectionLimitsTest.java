@@ -30,6 +30,24 @@ class ConnectionLimitsTest {
     }
 
     @Test
+    void theReservedPlacesAreForThisMachineAndForAddressesThatHaveProvenThemselves() {
+        ConnectionLimits limits = new ConnectionLimits(10, 10, 3);
+        limits.proven(remote(2));
+        for (int i = 0; i < 7; i++) {
+            assertTrue(limits.admit(remote(1)));
+        }
+        assertFalse(limits.admit(remote(1)));
+        assertFalse(limits.admit(remote(3)));
+        assertTrue(limits.admit(remote(2)));
+        assertTrue(limits.admit(InetAddress.getLoopbackAddress()));
+        assertTrue(limits.admit(remote(2)));
+        assertFalse(limits.admit(remote(2)), "all places are taken");
+        limits.release(remote(1));
+        assertFalse(limits.admit(remote(1)), "the reserve is full first");
+        assertTrue(limits.admit(remote(2)));
+    }
+
+    @Test
     void thisMachineHasOnlyTheTotalLimit() {
         ConnectionLimits limits = new ConnectionLimits(2_000, 1);
         for (int i = 0; i < 2_000; i++) {
