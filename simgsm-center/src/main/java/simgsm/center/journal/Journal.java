@@ -129,7 +129,8 @@ public final class Journal {
             failed(entries, e);
             return isSaved() && entries.stream().noneMatch(StoreEntry.Accepted.class::isInstance);
         }
-        if (isFailing) {
+        // what has written nothing does not tell whether there is room
+        if (isFailing && !all.isEmpty()) {
             LOG.log(Level.WARNING, "the disk takes the journal again");
             isFailing = false;
             reserve.isFilled();

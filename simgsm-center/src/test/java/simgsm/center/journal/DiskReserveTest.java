@@ -80,6 +80,16 @@ class DiskReserveTest {
     }
 
     @Test
+    void aFullDiskIsNotSaidToTakeTheJournalAgainBecauseNothingIsWritten() throws IOException {
+        Journal journal = opened();
+        filled(journal);
+
+        assertTrue(journal.commit(List.of()));
+
+        assertTrue(journal.isFailing());
+    }
+
+    @Test
     void theUnusedRoomIsNoDamage() throws IOException {
         Journal journal = opened();
         filled(journal);

@@ -74,8 +74,8 @@ class MutantsTest {
                 new Mutant(
                         "a group is not synchronised",
                         "journal/JournalSegment.java",
-                        "octets.toByteArray()), size);\n        file.sync();",
-                        "octets.toByteArray()), size);"),
+                        "        if (isSynchronised) {\n            file.sync();\n        }",
+                        ""),
                 new Mutant(
                         "a new segment's name is not synchronised",
                         "journal/Journal.java",
