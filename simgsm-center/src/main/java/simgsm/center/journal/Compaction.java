@@ -33,7 +33,7 @@ final class Compaction {
         this.disk = disk;
         this.number = number;
         this.rest = image;
-        this.snapshot = JournalSegment.begin(disk.create(FileNames.unfinished()), 0);
+        this.snapshot = JournalSegment.begin(disk.create(FileNames.unfinished()), 0, Long.MAX_VALUE);
     }
 
     /** Writes or reads the next entries. @return whether the snapshot has replaced the older files */
@@ -59,7 +59,7 @@ final class Compaction {
         while (rest.hasNext() && next.size() < STEP_ENTRIES) {
             next.add(rest.next());
         }
-        snapshot.appendUnsynchronised(next);
+        snapshot.append(next, false);
     }
 
     private void finish() throws IOException {

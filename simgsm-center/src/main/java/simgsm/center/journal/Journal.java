@@ -140,7 +140,7 @@ public final class Journal {
 
     private void append(List<StoreEntry> entries) throws IOException {
         isSuspect = true;
-        segment.append(entries);
+        segment.append(entries, true);
         isSuspect = false;
         owed.clear();
         entries.forEach(state::apply);
@@ -177,10 +177,7 @@ public final class Journal {
     }
 
     private void beginReserve() throws IOException {
-        if (isSuspect) {
-            segment.repair();
-            isSuspect = false;
-        }
+        repair();
         if (segment != null) {
             closeSegment();
         }
@@ -192,10 +189,7 @@ public final class Journal {
 
     /** Cuts the file to its durable part after a failure, and opens the next segment if necessary. */
     private void prepare() throws IOException {
-        if (isSuspect) {
-            segment.repair();
-            isSuspect = false;
-        }
+        repair();
         if (isReserve && !reserve.isFilled()) {
             throw new IOException("no room for new messages");
         }
@@ -207,9 +201,16 @@ public final class Journal {
         }
     }
 
+    private void repair() throws IOException {
+        if (isSuspect) {
+            segment.repair();
+            isSuspect = false;
+        }
+    }
+
     private void openSegment() throws IOException {
         DiskFile file = disk.create(FileNames.segment(lastNumber + 1));
-        JournalSegment begun = JournalSegment.begin(file, lastRecords);
+        JournalSegment begun = JournalSegment.begin(file, lastRecords, Long.MAX_VALUE);
         try {
             disk.sync();
         } catch (IOException e) {

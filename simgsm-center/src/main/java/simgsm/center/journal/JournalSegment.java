@@ -19,11 +19,6 @@ final class JournalSegment {
     }
 
     /** Begins a new file with its mark; if that fails, the file is closed. @param file an empty file */
-    static JournalSegment begin(DiskFile file, long previousRecords) throws IOException {
-        return begin(file, previousRecords, Long.MAX_VALUE);
-    }
-
-    /** @param capacity octets that it may hold */
     static JournalSegment begin(DiskFile file, long previousRecords, long capacity) throws IOException {
         JournalSegment begun = new JournalSegment(file, capacity);
         try {
@@ -44,32 +39,21 @@ final class JournalSegment {
         return records;
     }
 
-    /** Appends entries with one write and one synchronisation. */
-    void append(List<StoreEntry> entries) throws IOException {
-        append(entries, true);
-    }
-
-    /** Appends entries that become durable with the next mark. */
-    void appendUnsynchronised(List<StoreEntry> entries) throws IOException {
-        append(entries, false);
-    }
-
-    private void append(List<StoreEntry> entries, boolean isSynchronised) throws IOException {
-        ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        long sequence = records;
-        for (StoreEntry entry : entries) {
-            RecordFormat.write(octets, ++sequence, EntryCodec.encode(entry));
-        }
-        write(octets, sequence, isSynchronised);
+    /** Appends entries with one write. @param isSynchronised whether they are durable then, and not with a later append */
+    void append(List<StoreEntry> entries, boolean isSynchronised) throws IOException {
+        write(entries.stream().map(EntryCodec::encode).toList(), isSynchronised);
     }
 
     void append(FileMark mark) throws IOException {
-        ByteArrayOutputStream octets = new ByteArrayOutputStream();
-        RecordFormat.write(octets, records + 1, mark.encode());
-        write(octets, records + 1, true);
+        write(List.of(mark.encode()), true);
     }
 
-    private void write(ByteArrayOutputStream octets, long lastSequence, boolean isSynchronised) throws IOException {
+    private void write(List<byte[]> contents, boolean isSynchronised) throws IOException {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        long sequence = records;
+        for (byte[] record : contents) {
+            RecordFormat.write(octets, ++sequence, record);
+        }
         if (size + octets.size() > capacity) {
             throw new IOException("the room held back is full");
         }
@@ -78,7 +62,7 @@ final class JournalSegment {
             file.sync();
         }
         size += octets.size();
-        records = lastSequence;
+        records = sequence;
     }
 
     /** Removes the octets that a failed append may have left. */

@@ -14,6 +14,7 @@ import javax.swing.Icon;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
+import javax.swing.JToolTip;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
@@ -28,6 +29,9 @@ import simgsm.ui.Theme;
 final class RowsPanel<T> extends JPanel {
     /** The first columns keep their width in a narrow window. */
     private static final int FIRM_COLUMNS = 2;
+
+    /** A component with this property shows a text that begins with {@code <html>} as it is, and loads no picture. */
+    private static final String HTML_DISABLE = "html.disable";
 
     private final RowsModel<T> model;
     private final JTable table;
@@ -117,6 +121,13 @@ final class RowsPanel<T> extends JPanel {
         }
 
         @Override
+        public JToolTip createToolTip() {
+            JToolTip tip = super.createToolTip();
+            tip.putClientProperty(HTML_DISABLE, true);
+            return tip;
+        }
+
+        @Override
         protected void paintComponent(Graphics graphics) {
             super.paintComponent(graphics);
             if (getRowCount() == 0) {
@@ -132,6 +143,10 @@ final class RowsPanel<T> extends JPanel {
     }
 
     private static final class CellRenderer extends DefaultTableCellRenderer {
+        CellRenderer() {
+            putClientProperty(HTML_DISABLE, true);
+        }
+
         @Override
         public Component getTableCellRendererComponent(
                 JTable table, Object value, boolean selected, boolean focused, int row, int column) {
