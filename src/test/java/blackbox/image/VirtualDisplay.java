@@ -23,7 +23,7 @@ final class VirtualDisplay implements AutoCloseable {
 
     /** The display of this process, else one of Xvfb, which chooses a free number; empty without both. */
     static Optional<VirtualDisplay> open() throws IOException {
-        if (!IS_X11 || System.getenv("DISPLAY") != null) {
+        if (!IS_X11 || !System.getenv().getOrDefault("DISPLAY", "").isBlank()) {
             return Optional.of(new VirtualDisplay(Optional.empty(), Optional.empty()));
         }
         if (Tool.find("Xvfb").isEmpty()) {

@@ -95,7 +95,9 @@ public final class QuickDemo {
     /** Whether there may be a display, found without loading the desktop's libraries. */
     private static boolean mayHaveDisplay() {
         String system = System.getProperty("os.name");
-        return system.startsWith("Windows") || system.startsWith("Mac") || System.getenv("DISPLAY") != null;
+        return system.startsWith("Windows")
+                || system.startsWith("Mac")
+                || !System.getenv().getOrDefault("DISPLAY", "").isBlank();
     }
 
     private static boolean isPlainCommand() {

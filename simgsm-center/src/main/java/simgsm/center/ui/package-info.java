@@ -1,5 +1,5 @@
 /**
- * The centre's window, "SMSyCT". It knows the centre only through {@link simgsm.center.ui.Operator} and its snapshots.
+ * The centre's window, "SMSyCT". It knows the centre only through {@link simgsm.center.ui.CenterActions} and its snapshots.
  *
  * <p>Read first: {@link simgsm.center.ui.MonitorPanel}, which is the whole window without its frame; then
  * {@code LadderPanel}, the message ladder.

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.abis.CcmCodec;
@@ -20,6 +21,7 @@ import simgsm.air.Examples.Example;
 import simgsm.octets.OctetString;
 
 /** What Wireshark makes of our frames when it has not been told anything. Skipped where tshark is not installed. */
+@Tag("peer")
 class WiresharkTest {
     private static final Direction UP = Direction.UPLINK;
     private static final Direction DOWN = Direction.DOWNLINK;

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,6 +28,7 @@ import simgsm.air.Tshark;
 import simgsm.octets.OctetString;
 
 /** What a foreign reader finds in our short messages and broadcast pages. */
+@Tag("peer")
 class WiresharkReadsTextTest {
     @TempDir
     Path folder;

@@ -1,6 +1,7 @@
 package simgsm.console;
 
 import java.util.List;
+import java.util.Locale;
 
 /**
  * One command line of a console.
@@ -41,6 +42,22 @@ public record ConsoleCommand(String name, String rest) {
                     name + ": expected " + usage + ", found " + (rest.isEmpty() ? "nothing after it" : rest));
         }
         return words;
+    }
+
+    /**
+     * One of its words as a number within bounds, both included.
+     *
+     * @throws CommandException for any other word; the text names the command, the bounds and the word
+     */
+    public double number(String word, double least, double most) throws CommandException {
+        if (word.matches("-?[0-9]{1,9}(\\.[0-9]{1,9})?")) {
+            double number = Double.parseDouble(word);
+            if (number >= least && number <= most) {
+                return number;
+            }
+        }
+        throw new CommandException(
+                String.format(Locale.ROOT, "%s: expected a number of %.0f to %.0f, found %s", name, least, most, word));
     }
 
     /** Whether it begins with {@code @NAME}, the robot that the rest is for. */

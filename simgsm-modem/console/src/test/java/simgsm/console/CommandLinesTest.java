@@ -14,6 +14,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class CommandLinesTest {
     private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
@@ -34,6 +36,20 @@ class CommandLinesTest {
 
     private List<String> errors() {
         return printed.toString(StandardCharsets.UTF_8).lines().skip(1).toList();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"abc", "", "1e3", "NaN", "0x1p3", "101", "-1", "99999999999", "1.5f", "٣"})
+    void aWordThatIsNoNumberWithinBoundsIsRefusedWithTheBoundsAndTheWord(String word) {
+        CommandException refused = assertThrows(
+                CommandException.class, () -> ConsoleCommand.parse("volume x").number(word, 0, 100));
+        assertEquals("volume: expected a number of 0 to 100, found " + word, refused.getMessage());
+    }
+
+    @Test
+    void numbersWithinBoundsAreRead() throws Exception {
+        assertEquals(100, ConsoleCommand.parse("volume x").number("100", 0, 100));
+        assertEquals(-0.5, ConsoleCommand.parse("place x").number("-0.5", -1, 1));
     }
 
     @Test

@@ -30,7 +30,7 @@ final class DecodeTool {
                             "likelihood|classic",
                             "the modem's own receiver, or eight Goertzel filters as in textbooks")
                     .value("block", "102|205", "samples in a block of the classic receiver (102)")
-                    .value("limit", "X", "log odds above which tones are a key, -100 to 100 (3.5); not with classic")
+                    .value("limit", "X", "log odds above which tones are a key, 0 to 100 (3.5); not with classic")
                     .arguments(Integer.MAX_VALUE),
             DecodeTool::run);
 
@@ -43,7 +43,7 @@ final class DecodeTool {
         }
         DecodedFile.Kind kind = new DecodedFile.Kind(
                 arguments.has("explain"),
-                arguments.number("limit", DtmfReceiver.LIMIT, -100, 100),
+                arguments.number("limit", DtmfReceiver.LIMIT, 0, 100),
                 arguments.choice("receiver", "likelihood", "classic").equals("classic"),
                 Integer.parseInt(arguments.choice("block", "102", "205")));
         if (names.size() == 1) {

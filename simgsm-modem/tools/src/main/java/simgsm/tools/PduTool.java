@@ -54,7 +54,7 @@ final class PduTool {
     /**
      * One user part a line, {@code udhi,dcs,udl,ud-hex}, all numbers decimal.
      *
-     * @param of the message, 0 to 255; used with several parts only
+     * @param reference of the message, 0 to 255; used with several parts only
      * @throws IllegalArgumentException for a text of more than 255 parts
      */
     static String encode(String text, int reference) {

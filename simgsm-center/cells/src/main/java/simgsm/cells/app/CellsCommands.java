@@ -1,7 +1,6 @@
 package simgsm.cells.app;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import simgsm.cells.net.CellsLoop;
@@ -81,7 +80,7 @@ public final class CellsCommands implements Console.Commands {
     private void walk(ConsoleCommand command) throws CommandException {
         List<String> words = command.words(4, "walk NUMBER X Y METRES_PER_SECOND");
         TownPlace place = place(command, words);
-        double speed = number(command, words.get(3), 0, FASTEST_METRES_PER_SECOND);
+        double speed = command.number(words.get(3), 0, FASTEST_METRES_PER_SECOND);
         boolean isThere = cells.ask(network -> network.walk(words.get(0), List.of(place), speed));
         if (!isThere) {
             throw new CommandException(
@@ -91,20 +90,8 @@ public final class CellsCommands implements Console.Commands {
 
     private static TownPlace place(ConsoleCommand command, List<String> words) throws CommandException {
         return new TownPlace(
-                number(command, words.get(1), -FARTHEST_METRES, FARTHEST_METRES),
-                number(command, words.get(2), -FARTHEST_METRES, FARTHEST_METRES));
-    }
-
-    private static double number(ConsoleCommand command, String word, double least, double most)
-            throws CommandException {
-        if (word.matches("-?[0-9]{1,9}(\\.[0-9]{1,9})?")) {
-            double number = Double.parseDouble(word);
-            if (number >= least && number <= most) {
-                return number;
-            }
-        }
-        throw new CommandException(String.format(
-                Locale.ROOT, "%s: expected a number of %.0f to %.0f, found %s", command.name(), least, most, word));
+                command.number(words.get(1), -FARTHEST_METRES, FARTHEST_METRES),
+                command.number(words.get(2), -FARTHEST_METRES, FARTHEST_METRES));
     }
 
     private void tower(ConsoleCommand command) throws CommandException {
