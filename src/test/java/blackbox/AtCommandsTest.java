@@ -51,7 +51,7 @@ class AtCommandsTest {
                 AT+CPIN="1234"      -> +CME ERROR: 3
                 AT+CLCK=?           -> +CLCK: ("SC")|OK
                 AT+CLCK="SC",2      -> +CLCK: 0|OK
-                AT+CNUM             -> +CNUM: "","+5550300",145|OK
+                AT+CNUM             -> +CNUM: "","5550300",129|OK
                 AT+MODE=2           -> ERROR
                 AT+CPROT=?          -> ERROR
                 AT+WIND=?           -> ERROR
@@ -161,7 +161,7 @@ class AtCommandsTest {
                 AT+CRSM=176,28589,0,0,4  -> +CRSM: 144,0,"00000002"|OK
                 AT+CRSM=176,28486,0,0,17 -> +CRSM: 144,0,"0053696D47534DFFFFFFFFFFFFFFFFFFFF"|OK
                 AT+CRSM=176,28599,0,0,15 -> +CRSM: 144,0,"11F2FFFFFFFFFFFFFFFFFFFFFFFFFF"|OK
-                AT+CRSM=178,28480,1,4,14 -> +CRSM: 144,0,"0591550503F0FFFFFFFFFFFFFFFF"|OK
+                AT+CRSM=178,28480,1,4,14 -> +CRSM: 144,0,"0581550503F0FFFFFFFFFFFFFFFF"|OK
                 AT+CRSM=176,28423,0,0,9  -> +CRSM: 144,0,"080910100050553000"|OK
                 AT+CRSM=176,1,0,0,4      -> +CRSM: 148,4|OK
                 AT+CRSM=176,28589,0,0,99 -> +CRSM: 103,0|OK
@@ -194,7 +194,7 @@ class AtCommandsTest {
                 AT+CPBS="LD"                       -> OK
                 AT+CPBR=1                          -> +CPBR: 1,"5550200",129,""|OK
                 AT+CPBS="ON"                       -> OK
-                AT+CPBR=1                          -> +CPBR: 1,"+5550300",145,""|OK
+                AT+CPBR=1                          -> +CPBR: 1,"5550300",129,""|OK
                 """);
     }
 
@@ -298,12 +298,12 @@ class AtCommandsTest {
         caller.dial("5550300");
         suite.seconds(3.5);
         assertEquals(
-                "RING|+CLIP: \"+5550100\",145,,,,0|RING|+CLIP: \"+5550100\",145,,,,0",
+                "RING|+CLIP: \"5550100\",129,,,,0|RING|+CLIP: \"5550100\",129,,,,0",
                 VirtualModem.lines(modem.heard()));
         assertEquals("+CPAS: 3|OK", modem.say("AT+CPAS"));
-        assertEquals("+CLCC: 1,1,4,0,0,\"+5550100\",145|OK", modem.say("AT+CLCC"));
+        assertEquals("+CLCC: 1,1,4,0,0,\"5550100\",129|OK", modem.say("AT+CLCC"));
         assertEquals("OK", modem.say("ATA"));
-        assertEquals("+CLCC: 1,1,0,0,0,\"+5550100\",145|OK", modem.say("AT+CLCC"));
+        assertEquals("+CLCC: 1,1,0,0,0,\"5550100\",129|OK", modem.say("AT+CLCC"));
         caller.hangUp();
         assertEquals("NO CARRIER", VirtualModem.lines(modem.heard()));
         assertEquals("NO CARRIER", modem.say("ATA"));
@@ -325,7 +325,7 @@ class AtCommandsTest {
         suite.seconds(2);
         assertEquals("+CRING: VOICE", VirtualModem.lines(modem.heard()));
         suite.seconds(2);
-        assertEquals("+CLCC: 1,1,0,0,0,\"+5550100\",145|OK", modem.say("AT+CLCC"));
+        assertEquals("+CLCC: 1,1,0,0,0,\"5550100\",129|OK", modem.say("AT+CLCC"));
     }
 
     @Test
@@ -363,8 +363,8 @@ class AtCommandsTest {
         second.dial("5550300");
         suite.seconds(0.2);
         assertEquals(List.of(), second.releaseCauses);
-        assertEquals("+CCWA: \"+5550101\",145,1", VirtualModem.lines(modem.heard()));
-        assertEquals("+CLCC: 1,1,0,0,0,\"+5550100\",145|+CLCC: 2,1,5,0,0,\"+5550101\",145|OK", modem.say("AT+CLCC"));
+        assertEquals("+CCWA: \"5550101\",129,1", VirtualModem.lines(modem.heard()));
+        assertEquals("+CLCC: 1,1,0,0,0,\"5550100\",129|+CLCC: 2,1,5,0,0,\"5550101\",129|OK", modem.say("AT+CLCC"));
         assertEquals("OK", modem.say("AT+CHLD=0"));
         suite.seconds(0.2);
         assertEquals(List.of(17), second.releaseCauses);
@@ -373,7 +373,7 @@ class AtCommandsTest {
         assertEquals("OK", modem.say("AT+CHLD=1"));
         suite.seconds(0.5);
         assertEquals(List.of(16), first.releaseCauses);
-        assertEquals("+CLCC: 1,1,0,0,0,\"+5550101\",145|OK", modem.say("AT+CLCC"));
+        assertEquals("+CLCC: 1,1,0,0,0,\"5550101\",129|OK", modem.say("AT+CLCC"));
         assertEquals("ERROR", modem.say("AT+CHLD=2"));
         assertEquals("+CHLD: (0,1)|OK", modem.say("AT+CHLD=?"));
     }
@@ -400,10 +400,10 @@ class AtCommandsTest {
         String read = other.say("AT+CMGR=1");
         assertTrue(
                 read.matches(
-                        "\\+CMGR: \"REC UNREAD\",\"\\+5550300\",,\"26/11/21,12:00:[0-9]{2}\\+00\"\\|Hello \\{world}\\|OK"),
+                        "\\+CMGR: \"REC UNREAD\",\"5550300\",,\"26/11/21,12:00:[0-9]{2}\\+00\"\\|Hello \\{world}\\|OK"),
                 read);
         assertTrue(other.say("AT+CSDH=1;+CMGR=1").contains("\"REC READ\""));
-        assertTrue(other.say("AT+CMGL=\"ALL\"").startsWith("+CMGL: 1,\"REC READ\",\"+5550300\",,"));
+        assertTrue(other.say("AT+CMGL=\"ALL\"").startsWith("+CMGL: 1,\"REC READ\",\"5550300\",,"));
         assertEquals("OK", other.say("AT+CMGL"));
         assertEquals("OK", other.say("AT+CMGD=1"));
         assertEquals("+CMS ERROR: 321", other.say("AT+CMGR=1"));
@@ -415,7 +415,7 @@ class AtCommandsTest {
         VirtualModem other = suite.modem(OTHER).connect();
         probe("""
                 AT+CMGF?    -> +CMGF: 0|OK
-                AT+CSCA?    -> +CSCA: "+5550000",145|OK
+                AT+CSCA?    -> +CSCA: "5550000",129|OK
                 AT+CMGS=3   -> +CMS ERROR: 304
                 AT+CMGS=999 -> +CMS ERROR: 304
                 AT+CMGR=0   -> +CMS ERROR: 321
@@ -426,7 +426,7 @@ class AtCommandsTest {
         suite.seconds(0.5);
         String list = other.say("AT+CMGL=4");
         assertTrue(
-                list.matches("\\+CMGL: 1,0,,22\\|05915505000004079155050300F0?.*E8329BFD06\\|OK")
+                list.matches("\\+CMGL: 1,0,,22\\|05815505000004078155050300F0?.*E8329BFD06\\|OK")
                         || list.contains("E8329BFD06|OK"),
                 list);
         assertEquals("+CMS ERROR: 304", modem.say("AT+CMGS=18", "00110007915555"));
@@ -498,7 +498,7 @@ class AtCommandsTest {
         modem.say("AT+CMGF=1");
         modem.say("AT+CMGS=\"" + OTHER + "\"", "now");
         suite.seconds(0.5);
-        assertTrue(VirtualModem.lines(other.heard()).matches("\\+CMT: \"\\+5550300\",,\"[^\"]+\"\\|now"));
+        assertTrue(VirtualModem.lines(other.heard()).matches("\\+CMT: \"5550300\",,\"[^\"]+\"\\|now"));
         assertEquals("OK", other.say("AT+CMGL=\"ALL\""));
         assertEquals("OK", other.say("AT+CNMA"));
         assertEquals("+CMS ERROR: 340", other.say("AT+CNMA"));

@@ -42,8 +42,8 @@ public class SecondCallTest {
                 second.expect("retrieved", "number", Scenario.PHONE);
                 expect(port, "\r\nOK\r\n");
                 send(port, "AT+CLCC\r");
-                String list = "\r\n+CLCC: 1,1,0,0,0,\"+" + Scenario.PHONE + "\",145\r\n\r\n+CLCC: 2,1,1,0,0,\"+" + THIRD
-                        + "\",145\r\n\r\nOK\r\n";
+                String list = "\r\n+CLCC: 1,1,0,0,0,\"" + Scenario.PHONE + "\",129\r\n\r\n+CLCC: 2,1,1,0,0,\"" + THIRD
+                        + "\",129\r\n\r\nOK\r\n";
                 expect(port, list);
                 phone.say("press 5");
                 second.expect("tone", "key", "5");
@@ -85,7 +85,7 @@ public class SecondCallTest {
             RunningProgram second = scenario.phone(SECOND);
             RunningProgram third = scenario.phone(THIRD);
             second.say("ussd **62*" + THIRD + "#")
-                    .expect("service", "code", "62", "state", "active", "to", "+" + THIRD);
+                    .expect("service", "code", "62", "state", "active", "to", THIRD);
             second.say("power off").expect("unregistered");
             phone.say("dial " + SECOND);
             third.expect("ringing", "from", Scenario.PHONE);

@@ -200,12 +200,12 @@ class AtClientsTest {
             List<String> blocks = blocks("python-gsmmodem-new");
             run(blocks.get(0));
             String printed = run(blocks.get(1));
-            assertTrue(printed.contains("network SimGSM signal 25 own number +5550100"), printed);
+            assertTrue(printed.contains("network SimGSM signal 25 own number 5550100"), printed);
             assertTrue(printed.contains("delivered True"), printed);
-            assertTrue(printed.contains("reply +5550200 3 Done: #**20."), printed);
+            assertTrue(printed.contains("reply 5550200 3 Done: #**20."), printed);
             assertTrue(printed.contains("ussd 5550100"), printed);
             assertTrue(printed.contains("call to the robot: its reply 3 heard"), printed);
-            assertTrue(printed.contains("call from +5550101 answered, keys heard in both directions"), printed);
+            assertTrue(printed.contains("call from 5550101 answered, keys heard in both directions"), printed);
         } finally {
             end();
         }
@@ -222,9 +222,9 @@ class AtClientsTest {
             for (String line : List.of(
                     "modem.generic.state +: registered",
                     "modem.3gpp.operator-name +: SimGSM",
-                    "modem.generic.own-numbers.value\\[1] +: \\+5550100",
+                    "modem.generic.own-numbers.value\\[1] +: 5550100",
                     "modem.generic.signal-quality.value +: (8[0-9]|9[0-9]|100)",
-                    "sms.content.number +: \\+5550200",
+                    "sms.content.number +: 5550200",
                     "sms.content.text +: 3 Done: #\\*\\*20\\..*",
                     "successfully send dtmf",
                     "successfully hung up the call")) {

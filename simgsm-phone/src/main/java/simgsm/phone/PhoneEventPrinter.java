@@ -81,7 +81,7 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
     }
 
     private static String digits(Optional<Msisdn> number) {
-        return number.map(Msisdn::digits).orElse("");
+        return number.map(Msisdn::toString).orElse("");
     }
 
     private void print(StationEvent.OfSubmittedMessage event) {

@@ -102,7 +102,7 @@ record PhoneSettings(
         if (!text.matches("\\+?[1-9][0-9]{0,9}")) {
             throw new IllegalArgumentException("expected 1 to 10 digits and no leading zero, found " + text);
         }
-        return Msisdn.parse(text);
+        return Msisdn.parse(text).plain();
     }
 
     private static KeyMode keyMode(Arguments arguments) throws UsageException {

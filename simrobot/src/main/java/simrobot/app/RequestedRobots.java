@@ -70,7 +70,7 @@ public final class RequestedRobots {
 
     /** @throws IllegalArgumentException also if the number gives no IMSI in an open network */
     private static Msisdn number(String text) {
-        Msisdn number = Msisdn.parse(text);
+        Msisdn number = Msisdn.parse(text).plain();
         Imsi.ofOpenNumber(number);
         return number;
     }

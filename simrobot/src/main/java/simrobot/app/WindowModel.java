@@ -245,7 +245,7 @@ public final class WindowModel implements OperatorActions {
         Msisdn called;
         RobotName wanted;
         try {
-            called = Msisdn.parse(number);
+            called = Msisdn.parse(number).plain();
         } catch (IllegalArgumentException noNumber) {
             return Optional.of(refusals.noNumber(number));
         }

@@ -188,7 +188,7 @@ public final class ShortMessageCenter {
             Consumer<Optional<RpCause>> answer) {
         List<ShortMessage> accepted = new ArrayList<>(units.size());
         for (SubmitTpdu unit : units) {
-            Msisdn to = unit.destination().number().orElseThrow();
+            Msisdn to = unit.destination().number().orElseThrow().plain();
             Optional<RpCause> refusal = refusal(to, units.size());
             if (refusal.isPresent()) {
                 answer.accept(refusal);

@@ -29,6 +29,7 @@ final class TransferUnits {
         SubmitTpdu submit = decode(octets);
         Msisdn to = submit.destination()
                 .number()
+                .map(Msisdn::plain)
                 .orElseThrow(() -> new ProtocolViolation(
                         Cause.UNASSIGNED_NUMBER, "\"" + submit.destination() + "\" is not a telephone number"));
         Instant expiry = submit.validity().map(period -> period.expiry(now)).orElse(now.plus(defaultValidity));

@@ -16,7 +16,7 @@ import simgsm.ss.SsCode;
 /** A subscriber's call forwarding (TS 23.082, 1.2) and call waiting (TS 23.083, 1), as the subscriber has set them. */
 public final class CallServices {
     /** Service code, number, whether it is active. */
-    private static final Pattern PART = Pattern.compile("([0-9]+)=(?:([0-9]+),)?(true|false)");
+    private static final Pattern PART = Pattern.compile("([0-9]+)=(?:(\\+?[0-9]+),)?(true|false)");
 
     private final Map<SsCode, Msisdn> forwardedTo = new EnumMap<>(SsCode.class);
     private final Set<SsCode> active = EnumSet.noneOf(SsCode.class);
@@ -50,7 +50,7 @@ public final class CallServices {
 
     /** Where calls go on this condition; empty if they are not forwarded. */
     public Optional<Msisdn> forwarding(SsCode condition) {
-        return active.contains(condition) ? Optional.of(forwardedTo.get(condition)) : Optional.empty();
+        return active.contains(condition) ? Optional.of(forwardedTo.get(condition).plain()) : Optional.empty();
     }
 
     public void setCallWaiting(boolean isActive) {
@@ -65,7 +65,7 @@ public final class CallServices {
     /** How a forwarding stands. */
     public ServiceStatus status(SsCode condition) {
         Optional<String> number =
-                Optional.ofNullable(forwardedTo.get(condition)).map(known -> "+" + known);
+                Optional.ofNullable(forwardedTo.get(condition)).map(Msisdn::toString);
         int flags = ServiceStatus.PROVISIONED
                 | (number.isPresent() ? ServiceStatus.REGISTERED : 0)
                 | (active.contains(condition) ? ServiceStatus.ACTIVE : 0);
@@ -101,7 +101,7 @@ public final class CallServices {
             if (form.group(2) == null) {
                 setCallWaiting(isActive);
             } else {
-                register(service.get(), new Msisdn(form.group(2)));
+                register(service.get(), Msisdn.parse(form.group(2)));
                 setForwarding(service.get(), isActive);
             }
         }

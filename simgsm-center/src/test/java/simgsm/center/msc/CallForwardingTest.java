@@ -17,10 +17,10 @@ class CallForwardingTest extends ThreePhones {
 
     @Test
     void aForwardingIsRegisteredAskedForAndErased() {
-        assertEquals(List.of("21 active +5550102"), bob.code("**21*5550102#"));
-        assertEquals(List.of("21 active +5550102"), bob.code("*#21#"));
-        assertEquals(List.of("21 registered +5550102"), bob.code("#21#"));
-        assertEquals(List.of("21 active +5550102"), bob.code("*21#"));
+        assertEquals(List.of("21 active 5550102"), bob.code("**21*5550102#"));
+        assertEquals(List.of("21 active 5550102"), bob.code("*#21#"));
+        assertEquals(List.of("21 registered 5550102"), bob.code("#21#"));
+        assertEquals(List.of("21 active 5550102"), bob.code("*21#"));
         assertEquals(List.of("21 inactive"), bob.code("##21#"));
         assertEquals(List.of("21 inactive"), bob.code("*#21#"));
     }
@@ -32,12 +32,12 @@ class CallForwardingTest extends ThreePhones {
         assertEquals(List.of(), bob.code("**21*5550102#"));
         disk = Optional.of(true);
         settle();
-        assertEquals(List.of("21 active +5550102"), bob.news());
+        assertEquals(List.of("21 active 5550102"), bob.news());
 
         disk = Optional.of(false);
         assertEquals(List.of("refused 34"), bob.code("##002#"));
         assertEquals(List.of("refused 34"), bob.code("#43#"));
-        assertEquals(List.of("21 active +5550102"), bob.code("*#21#"));
+        assertEquals(List.of("21 active 5550102"), bob.code("*#21#"));
         assertEquals(List.of("43 active"), bob.code("*#43#"));
         disk = Optional.of(true);
         assertEquals(List.of("21 inactive"), bob.code("##21#"));
@@ -54,7 +54,7 @@ class CallForwardingTest extends ThreePhones {
         bob.station.powerOn();
         settle();
         assertEquals(List.of(), bob.news());
-        assertEquals(List.of("21 active +5550102"), bob.code("*#21#"));
+        assertEquals(List.of("21 active 5550102"), bob.code("*#21#"));
     }
 
     @ParameterizedTest
@@ -161,8 +161,8 @@ class CallForwardingTest extends ThreePhones {
     @Test
     void allConditionsAreErasedAtOnce() {
         bob.code("**004*5550102#");
-        assertEquals(List.of("67 active +5550102"), bob.code("*#67#"));
-        assertEquals(List.of("62 active +5550102"), bob.code("*#62#"));
+        assertEquals(List.of("67 active 5550102"), bob.code("*#67#"));
+        assertEquals(List.of("62 active 5550102"), bob.code("*#62#"));
         bob.code("##002#");
         assertEquals(List.of("61 inactive"), bob.code("*#61#"));
     }

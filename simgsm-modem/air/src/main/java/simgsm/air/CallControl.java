@@ -72,7 +72,12 @@ public sealed interface CallControl extends Layer3Message {
         }
     }
 
-    record Connect(TransactionIdentifier transaction) implements CallControl {}
+    /** @param connected to the caller: the number that answers (TS 24.081, 3) */
+    record Connect(TransactionIdentifier transaction, Optional<Msisdn> connected) implements CallControl {
+        public Connect(TransactionIdentifier transaction) {
+            this(transaction, Optional.empty());
+        }
+    }
 
     record ConnectAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
@@ -95,16 +100,37 @@ public sealed interface CallControl extends Layer3Message {
 
     record StopDtmfAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
-    /** @param inBand whether a tone is to be heard until the call is released (progress indicator 8) */
-    record Disconnect(TransactionIdentifier transaction, Cause cause, boolean inBand) implements CallControl {
+    /**
+     * Asks to clear the call.
+     *
+     * @param location of the cause: the network passes on what the other user gave as that user's
+     * @param inBand whether a tone is to be heard until the call is released (progress indicator 8)
+     */
+    record Disconnect(TransactionIdentifier transaction, Cause cause, CauseLocation location, boolean inBand)
+            implements CallControl {
+        /** The mobile's. */
         public Disconnect(TransactionIdentifier transaction, Cause cause) {
-            this(transaction, cause, false);
+            this(transaction, cause, CauseLocation.USER, false);
         }
     }
 
-    record Release(TransactionIdentifier transaction, Optional<Cause> cause) implements CallControl {}
+    /** @param location of the cause, as in {@link Disconnect} */
+    record Release(TransactionIdentifier transaction, Optional<Cause> cause, Optional<CauseLocation> location)
+            implements CallControl {
+        /** The mobile's. */
+        public Release(TransactionIdentifier transaction, Optional<Cause> cause) {
+            this(transaction, cause, cause.map(given -> CauseLocation.USER));
+        }
+    }
 
-    record ReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause) implements CallControl {}
+    /** @param location of the cause, as in {@link Disconnect} */
+    record ReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause, Optional<CauseLocation> location)
+            implements CallControl {
+        /** The mobile's. */
+        public ReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause) {
+            this(transaction, cause, cause.map(given -> CauseLocation.USER));
+        }
+    }
 
     /** The active call is to be held (TS 24.083, 2). */
     record Hold(TransactionIdentifier transaction) implements CallControl {}

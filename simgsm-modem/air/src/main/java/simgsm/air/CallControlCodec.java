@@ -13,6 +13,7 @@ final class CallControlCodec {
     private static final int BACKUP_BEARER = 0x3b;
     private static final int KEYPAD_FACILITY = 0x2c;
     private static final int SIGNAL = 0x34;
+    private static final int CONNECTED_NUMBER = 0x4c;
     private static final int CALLING_NUMBER = 0x5c;
     private static final int CALLED_NUMBER = 0x5e;
 
@@ -31,10 +32,11 @@ final class CallControlCodec {
     private CallControlCodec() {}
 
     static void write(OctetWriter out, CallControl message, Direction direction) {
+        CauseLocation sender = CauseLocation.of(direction);
         if (message instanceof CallControl.Setup setup) {
             writeSetup(out, setup, direction);
         } else if (message instanceof CallControl.CallConfirmed confirmed) {
-            writeOptionalCause(out, confirmed.cause());
+            writeOptionalCause(out, confirmed.cause(), Optional.of(sender));
         } else if (message instanceof CallControl.Progress) {
             out.string(IN_BAND_TONES);
         } else if (message instanceof CallControl.StartDtmf start) {
@@ -42,24 +44,27 @@ final class CallControlCodec {
         } else if (message instanceof CallControl.StartDtmfAcknowledge acknowledge) {
             out.octet(KEYPAD_FACILITY).octet(acknowledge.key());
         } else if (message instanceof CallControl.StartDtmfReject reject) {
-            CauseElement.write(out, reject.cause());
+            CauseElement.write(out, reject.cause(), sender);
         } else if (message instanceof CallControl.HoldReject reject) {
-            CauseElement.write(out, reject.cause());
+            CauseElement.write(out, reject.cause(), sender);
         } else if (message instanceof CallControl.RetrieveReject reject) {
-            CauseElement.write(out, reject.cause());
+            CauseElement.write(out, reject.cause(), sender);
         } else if (message instanceof CallControl.Facility facility) {
             out.octet(facility.facility().length()).string(facility.facility());
         } else if (message instanceof CallControl.Alerting alerting) {
             writeInBand(out, alerting.inBand());
+        } else if (message instanceof CallControl.Connect connect) {
+            connect.connected()
+                    .ifPresent(number -> NumberElements.writeShown(out.octet(CONNECTED_NUMBER), number));
         } else if (message instanceof CallControl.Disconnect disconnect) {
-            CauseElement.write(out, disconnect.cause());
+            CauseElement.write(out, disconnect.cause(), disconnect.location());
             writeInBand(out, disconnect.inBand());
         } else if (message instanceof CallControl.Release release) {
-            writeOptionalCause(out, release.cause());
+            writeOptionalCause(out, release.cause(), release.location());
         } else if (message instanceof CallControl.ReleaseComplete complete) {
-            writeOptionalCause(out, complete.cause());
+            writeOptionalCause(out, complete.cause(), complete.location());
         } else if (message instanceof CallControl.Status status) {
-            CauseElement.write(out, status.cause());
+            CauseElement.write(out, status.cause(), sender);
             out.octet(GSM_CALL_STATE | status.callState());
         }
     }
@@ -67,7 +72,7 @@ final class CallControlCodec {
     private static void writeSetup(OctetWriter out, CallControl.Setup setup, Direction direction) {
         out.string(direction == Direction.UPLINK ? SPEECH_FROM_MOBILE : SPEECH_FROM_NETWORK);
         setup.signal().ifPresent(signal -> out.octet(SIGNAL).octet(signal.code()));
-        setup.calling().ifPresent(number -> NumberElements.writeCalling(out.octet(CALLING_NUMBER), number));
+        setup.calling().ifPresent(number -> NumberElements.writeShown(out.octet(CALLING_NUMBER), number));
         setup.called().ifPresent(number -> NumberElements.writeCalled(out.octet(CALLED_NUMBER), number));
     }
 
@@ -77,38 +82,44 @@ final class CallControlCodec {
         }
     }
 
-    private static void writeOptionalCause(OctetWriter out, Optional<Cause> cause) {
-        cause.ifPresent(value -> CauseElement.write(out.octet(CAUSE), value));
+    private static void writeOptionalCause(OctetWriter out, Optional<Cause> cause, Optional<CauseLocation> location) {
+        cause.ifPresent(value -> CauseElement.write(out.octet(CAUSE), value, location.orElseThrow()));
     }
 
     static CallControl read(Layer3Type type, TransactionIdentifier ti, MessageReader in, Direction direction)
             throws ProtocolViolation {
         CallControl message = switch (type) {
             case SETUP -> readSetup(ti, in, direction);
-            case CALL_CONFIRMED -> new CallControl.CallConfirmed(ti, readOptionalCause(in));
+            case CALL_CONFIRMED -> new CallControl.CallConfirmed(ti, readOptionalCause(in).map(CauseElement::cause));
             case CALL_PROCEEDING -> new CallControl.CallProceeding(ti);
             case PROGRESS -> readProgress(ti, in);
             case ALERTING -> new CallControl.Alerting(ti, readInBand(in));
-            case CONNECT -> new CallControl.Connect(ti);
+            case CONNECT -> readConnect(ti, in, direction);
             case CONNECT_ACKNOWLEDGE -> new CallControl.ConnectAcknowledge(ti);
             case START_DTMF -> new CallControl.StartDtmf(ti, readKey(in));
             case START_DTMF_ACKNOWLEDGE -> new CallControl.StartDtmfAcknowledge(ti, readKey(in));
-            case START_DTMF_REJECT -> new CallControl.StartDtmfReject(ti, CauseElement.read(in));
+            case START_DTMF_REJECT -> new CallControl.StartDtmfReject(ti, CauseElement.read(in).cause());
             case STOP_DTMF -> new CallControl.StopDtmf(ti);
             case STOP_DTMF_ACKNOWLEDGE -> new CallControl.StopDtmfAcknowledge(ti);
             case HOLD -> new CallControl.Hold(ti);
             case HOLD_ACKNOWLEDGE -> new CallControl.HoldAcknowledge(ti);
-            case HOLD_REJECT -> new CallControl.HoldReject(ti, CauseElement.read(in));
+            case HOLD_REJECT -> new CallControl.HoldReject(ti, CauseElement.read(in).cause());
             case RETRIEVE -> new CallControl.Retrieve(ti);
             case RETRIEVE_ACKNOWLEDGE -> new CallControl.RetrieveAcknowledge(ti);
-            case RETRIEVE_REJECT -> new CallControl.RetrieveReject(ti, CauseElement.read(in));
+            case RETRIEVE_REJECT -> new CallControl.RetrieveReject(ti, CauseElement.read(in).cause());
             case DISCONNECT -> readDisconnect(ti, in);
-            case RELEASE -> new CallControl.Release(ti, readOptionalCause(in));
-            case RELEASE_COMPLETE -> new CallControl.ReleaseComplete(ti, readOptionalCause(in));
+            case RELEASE -> {
+                Optional<CauseElement> cause = readOptionalCause(in);
+                yield new CallControl.Release(ti, cause.map(CauseElement::cause), cause.map(CauseElement::location));
+            }
+            case RELEASE_COMPLETE -> {
+                Optional<CauseElement> cause = readOptionalCause(in);
+                yield new CallControl.ReleaseComplete(ti, cause.map(CauseElement::cause), cause.map(CauseElement::location));
+            }
             case FACILITY ->
                 new CallControl.Facility(ti, in.lengthAndValue("facility").rest());
             case STATUS_ENQUIRY -> new CallControl.StatusEnquiry(ti);
-            default -> new CallControl.Status(ti, CauseElement.read(in), in.octet("call state") & 0x3f);
+            default -> new CallControl.Status(ti, CauseElement.read(in).cause(), in.octet("call state") & 0x3f);
         };
         optional(in).skipAll();
         return message;
@@ -148,21 +159,31 @@ final class CallControlCodec {
     /** Clears the call even if its cause cannot be read; cause 96 then stands for it (TS 24.008, 8.5.2). */
     private static CallControl.Disconnect readDisconnect(TransactionIdentifier transaction, MessageReader in) {
         try {
-            return new CallControl.Disconnect(transaction, CauseElement.read(in), readInBand(in));
+            CauseElement cause = CauseElement.read(in);
+            return new CallControl.Disconnect(
+                    transaction, cause.cause(), cause.location(), readInBand(in));
         } catch (ProtocolViolation broken) {
             in.skipRest();
             return new CallControl.Disconnect(transaction, Cause.INVALID_MANDATORY_INFORMATION);
         }
     }
 
+    private static CallControl.Connect readConnect(
+            TransactionIdentifier transaction, MessageReader in, Direction direction) throws ProtocolViolation {
+        Optional<Msisdn> connected = direction == Direction.DOWNLINK
+                ? optional(in).first(CONNECTED_NUMBER).flatMap(NumberElements::readOptional)
+                : Optional.empty();
+        return new CallControl.Connect(transaction, connected);
+    }
+
     /** Clears the call whatever the elements say (TS 24.008, 8.5.3 and 8.5.4). */
-    private static Optional<Cause> readOptionalCause(MessageReader in) {
+    private static Optional<CauseElement> readOptionalCause(MessageReader in) {
         try {
             return new OptionalElements(in, FixedElements.CALL_CONTROL, CAUSE)
                     .first(CAUSE)
                     .flatMap(CauseElement::readOptional);
         } catch (ProtocolViolation broken) {
-            return Optional.of(Cause.INVALID_MANDATORY_INFORMATION);
+            return Optional.of(new CauseElement(Cause.INVALID_MANDATORY_INFORMATION, CauseLocation.USER));
         } finally {
             in.skipRest();
         }

@@ -5,5 +5,9 @@ public enum Direction {
     /** From the mobile to the network. */
     UPLINK,
     /** From the network to the mobile. */
-    DOWNLINK
+    DOWNLINK;
+
+    public Direction opposite() {
+        return this == UPLINK ? DOWNLINK : UPLINK;
+    }
 }

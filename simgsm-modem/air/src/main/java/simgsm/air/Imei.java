@@ -3,9 +3,10 @@ package simgsm.air;
 import java.util.random.RandomGenerator;
 
 /**
- * International mobile equipment identity: type allocation code (8), serial number (6), Luhn digit (TS 23.003, 6.2).
+ * International mobile equipment identity: type allocation code (8), serial number (6), Luhn digit (TS 23.003, 6.2). The Luhn
+ * digit is for people; a message has 0 in its place (TS 22.016, 2).
  *
- * @param digits 15 decimal digits of which the last is the Luhn digit, or 0, which many phones send instead
+ * @param digits 15 decimal digits of which the last is the Luhn digit; a 0 in its place is replaced
  */
 public record Imei(String digits) implements MobileIdentity {
     /** Type allocation code of the suite's terminals, from the range reserved for tests. */
@@ -18,10 +19,21 @@ public record Imei(String digits) implements MobileIdentity {
             throw new IllegalArgumentException("IMEI \"" + digits + "\" is not 15 digits");
         }
         char last = digits.charAt(14);
-        if (last != '0' && last != luhnDigit(digits.substring(0, 14))) {
-            throw new IllegalArgumentException(
-                    "IMEI \"" + digits + "\" has a wrong check digit, expected " + luhnDigit(digits.substring(0, 14)));
+        char luhn = luhnDigit(digits.substring(0, 14));
+        if (last != '0' && last != luhn) {
+            throw new IllegalArgumentException("IMEI \"" + digits + "\" has a wrong check digit, expected " + luhn);
         }
+        digits = digits.substring(0, 14) + luhn;
+    }
+
+    /** The identity with these digits; the 15th, which the receiver of a message ignores, may be any. */
+    static Imei received(String digits) {
+        return new Imei(digits.length() == 15 ? digits.substring(0, 14) + '0' : digits);
+    }
+
+    /** As a message has it. */
+    String transmitted() {
+        return digits.substring(0, 14) + '0';
     }
 
     /** A new identity of the suite's type with a random serial number. */

@@ -36,7 +36,7 @@ public final class Layer3Codec {
         } else if (message instanceof ShortMessageControl shortMessage) {
             ShortMessageCodec.write(out, shortMessage, direction);
         } else if (message instanceof SupplementaryService service) {
-            SupplementaryServiceCodec.write(out, service);
+            SupplementaryServiceCodec.write(out, service, direction);
         } else {
             RadioResourceCodec.write(out, (RadioResource) message);
         }
@@ -137,7 +137,7 @@ public final class Layer3Codec {
         return switch (header.discriminator()) {
             case Layer3Header.CALL_CONTROL ->
                 CallControlCodec.read(type, header.transaction().orElseThrow(), in, header.direction());
-            case Layer3Header.MOBILITY_MANAGEMENT -> MobilityManagementCodec.read(type, in);
+            case Layer3Header.MOBILITY_MANAGEMENT -> MobilityManagementCodec.read(type, in, header.direction());
             case Layer3Header.RADIO_RESOURCE -> RadioResourceCodec.read(type, in);
             case Layer3Header.SUPPLEMENTARY_SERVICES ->
                 SupplementaryServiceCodec.read(type, header.transaction().orElseThrow(), in);

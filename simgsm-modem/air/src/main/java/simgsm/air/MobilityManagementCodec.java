@@ -97,33 +97,33 @@ final class MobilityManagementCodec {
         out.octet(identifier).octet(value.length()).string(value);
     }
 
-    static MobilityManagement read(Layer3Type type, MessageReader in) throws ProtocolViolation {
+    static MobilityManagement read(Layer3Type type, MessageReader in, Direction direction) throws ProtocolViolation {
         MobilityManagement message = switch (type) {
             case LOCATION_UPDATING_REQUEST -> readLocationUpdatingRequest(in);
             case LOCATION_UPDATING_ACCEPT -> readLocationUpdatingAccept(in);
-            case LOCATION_UPDATING_REJECT -> new LocationUpdatingReject(readCause(in));
+            case LOCATION_UPDATING_REJECT -> new LocationUpdatingReject(readCause(in, direction));
             case IDENTITY_REQUEST -> new IdentityRequest(identityType(in.octet("identity type") & 0x07));
             case IDENTITY_RESPONSE -> new IdentityResponse(IdentityElements.readIdentity(in));
             case AUTHENTICATION_REQUEST -> readAuthenticationRequest(in);
             case AUTHENTICATION_RESPONSE -> readAuthenticationResponse(in);
             case AUTHENTICATION_REJECT -> new AuthenticationReject();
             case AUTHENTICATION_FAILURE ->
-                new AuthenticationFailure(readCause(in), element(in, AUTS, AuthenticationFailure.AUTS_LENGTH));
+                new AuthenticationFailure(readCause(in, direction), element(in, AUTS, AuthenticationFailure.AUTS_LENGTH));
             case TMSI_REALLOCATION_COMPLETE -> new TmsiReallocationComplete();
             case CM_SERVICE_REQUEST -> readCmServiceRequest(in);
             case CM_SERVICE_ACCEPT -> new CmServiceAccept();
             case CM_SERVICE_ABORT -> new CmServiceAbort();
-            case CM_SERVICE_REJECT -> new CmServiceReject(readCause(in));
+            case CM_SERVICE_REJECT -> new CmServiceReject(readCause(in, direction));
             case IMSI_DETACH_INDICATION -> readImsiDetach(in);
             case MM_INFORMATION -> readInformation(in);
-            default -> new MmStatus(readCause(in));
+            default -> new MmStatus(readCause(in, direction));
         };
         optional(in).skipAll();
         return message;
     }
 
-    private static RejectCause readCause(MessageReader in) throws ProtocolViolation {
-        return RejectCause.ofCode(in.octet("reject cause"));
+    private static RejectCause readCause(MessageReader in, Direction direction) throws ProtocolViolation {
+        return RejectCause.ofCode(in.octet("reject cause"), direction);
     }
 
     private static AuthenticationRequest readAuthenticationRequest(MessageReader in) throws ProtocolViolation {

@@ -1,17 +1,28 @@
 package simgsm.air;
 
 /**
- * A telephone number: 1 to 15 digits (ITU-T E.164), without a plus sign.
+ * A telephone number: 1 to 15 digits (ITU-T E.164) and its type (TS 24.008, 10.5.4.7).
  *
  * @param digits decimal digits only
+ * @param international type 1, international, which is written with a plus sign; otherwise type 0, unknown: as it is dialled
  */
-public record Msisdn(String digits) {
+public record Msisdn(String digits, boolean international) {
     public static final int MAX_DIGITS = 15;
 
     public Msisdn {
         if (digits.isEmpty() || digits.length() > MAX_DIGITS || !isDigits(digits)) {
             throw new IllegalArgumentException("\"" + digits + "\" is not a telephone number of 1 to 15 digits");
         }
+    }
+
+    /** A number of unknown type. */
+    public Msisdn(String digits) {
+        this(digits, false);
+    }
+
+    /** The number by which the registers know a subscriber: the network has no country code, so +555 is 555. */
+    public Msisdn plain() {
+        return international ? new Msisdn(digits) : this;
     }
 
     /** No regular expression, because some 10 000 numbers are made a second under load. */
@@ -24,13 +35,14 @@ public record Msisdn(String digits) {
         return true;
     }
 
-    /** Reads a number with or without a leading plus sign; IllegalArgumentException for anything else. */
+    /** Reads a number, of international type with a leading plus sign; IllegalArgumentException for anything else. */
     public static Msisdn parse(String text) {
-        return new Msisdn(text.startsWith("+") ? text.substring(1) : text);
+        boolean international = text.startsWith("+");
+        return new Msisdn(international ? text.substring(1) : text, international);
     }
 
     @Override
     public String toString() {
-        return digits;
+        return international ? "+" + digits : digits;
     }
 }

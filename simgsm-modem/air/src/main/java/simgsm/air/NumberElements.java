@@ -5,12 +5,16 @@ import simgsm.octets.OctetWriter;
 
 /** Telephone numbers as they stand in messages (TS 24.008, 10.5.4.7 and 10.5.4.9; TS 24.011, 8.2.5.1). */
 final class NumberElements {
-    /** No extension octet, international number, ISDN numbering plan (E.164). */
-    private static final int INTERNATIONAL = 0x91;
-    /** The same, followed by an octet with presentation and screening. */
-    private static final int INTERNATIONAL_EXTENDED = 0x11;
-    /** Presentation allowed; user provided, verified and passed. */
-    private static final int PRESENTATION = 0x81;
+    /** ISDN numbering plan (E.164), type of number unknown. */
+    private static final int UNKNOWN = 0x01;
+    /** The same plan, type of number international. */
+    private static final int INTERNATIONAL = 0x11;
+
+    private static final int TYPE_MASK = 0x70;
+    private static final int INTERNATIONAL_TYPE = 0x10;
+
+    /** Presentation allowed; network provided (10.5.4.9, screening indicator). */
+    private static final int SHOWN_BY_NETWORK = 0x83;
 
     private static final int NO_EXTENSION = 0x80;
 
@@ -19,17 +23,21 @@ final class NumberElements {
     /** Writes a called number, or an SMSC's address, as length and value. */
     static void writeCalled(OctetWriter out, Msisdn number) {
         int start = out.openLength();
-        out.octet(INTERNATIONAL);
+        out.octet(NO_EXTENSION | type(number));
         SemiOctets.write(out, number.digits(), 0);
         out.closeLength(start);
     }
 
-    /** Writes a calling number as length and value. */
-    static void writeCalling(OctetWriter out, Msisdn number) {
+    /** Writes a calling or connected number as length and value. */
+    static void writeShown(OctetWriter out, Msisdn number) {
         int start = out.openLength();
-        out.octet(INTERNATIONAL_EXTENDED).octet(PRESENTATION);
+        out.octet(type(number)).octet(SHOWN_BY_NETWORK);
         SemiOctets.write(out, number.digits(), 0);
         out.closeLength(start);
+    }
+
+    private static int type(Msisdn number) {
+        return number.international() ? INTERNATIONAL : UNKNOWN;
     }
 
     static Msisdn read(MessageReader value) throws ProtocolViolation {
@@ -38,7 +46,7 @@ final class NumberElements {
             value.octet("number's presentation");
         }
         try {
-            return new Msisdn(SemiOctets.read(value));
+            return new Msisdn(SemiOctets.read(value), (typeAndPlan & TYPE_MASK) == INTERNATIONAL_TYPE);
         } catch (IllegalArgumentException wrong) {
             throw ProtocolViolation.invalid(wrong.getMessage());
         }

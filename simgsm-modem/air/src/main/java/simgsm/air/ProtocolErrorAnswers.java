@@ -31,7 +31,7 @@ public final class ProtocolErrorAnswers {
         return switch (header.discriminator()) {
             case Layer3Header.CALL_CONTROL -> List.of(callControl(header, type, cause, callState));
             case Layer3Header.MOBILITY_MANAGEMENT ->
-                List.of(mobilityManagement(type, RejectCause.ofCode(cause.code())));
+                List.of(mobilityManagement(type, RejectCause.ofCode(cause.code(), header.direction())));
             case Layer3Header.RADIO_RESOURCE -> List.of(new RadioResource.RrStatus(cause.code()));
             case Layer3Header.SUPPLEMENTARY_SERVICES ->
                 List.of(new SupplementaryService.SsReleaseComplete(
@@ -53,7 +53,8 @@ public final class ProtocolErrorAnswers {
             Layer3Header header, Optional<Layer3Type> type, Cause cause, int callState) {
         TransactionIdentifier transaction = header.transaction().orElseThrow().answered();
         if (type.equals(Optional.of(Layer3Type.SETUP))) {
-            return new CallControl.ReleaseComplete(transaction, Optional.of(cause));
+            return new CallControl.ReleaseComplete(
+                    transaction, Optional.of(cause), Optional.of(CauseLocation.of(header.direction().opposite())));
         }
         return new CallControl.Status(transaction, cause, callState);
     }

@@ -15,14 +15,14 @@ final class SupplementaryServiceCodec {
 
     private SupplementaryServiceCodec() {}
 
-    static void write(OctetWriter out, SupplementaryService message) {
+    static void write(OctetWriter out, SupplementaryService message, Direction direction) {
         if (message instanceof SsRegister register) {
             writeFacility(out.octet(FACILITY), register.facility());
             register.version().ifPresent(version -> out.octet(VERSION).octet(1).octet(version));
         } else if (message instanceof SsFacility facility) {
             writeFacility(out, facility.facility());
         } else if (message instanceof SsReleaseComplete complete) {
-            complete.cause().ifPresent(cause -> CauseElement.write(out.octet(CAUSE), cause));
+            complete.cause().ifPresent(cause -> CauseElement.write(out.octet(CAUSE), cause, CauseLocation.of(direction)));
             complete.facility().ifPresent(facility -> writeFacility(out.octet(FACILITY), facility));
         }
     }
@@ -67,7 +67,7 @@ final class SupplementaryServiceCodec {
         Optional<OctetString> facility = Optional.empty();
         for (int identifier = elements.next(); identifier >= 0; identifier = elements.next()) {
             if (identifier == CAUSE) {
-                cause = CauseElement.readOptional(elements.value());
+                cause = CauseElement.readOptional(elements.value()).map(CauseElement::cause);
             } else if (identifier == FACILITY) {
                 facility = Optional.of(elements.value().rest());
             }

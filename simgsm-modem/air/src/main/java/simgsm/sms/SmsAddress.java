@@ -38,9 +38,8 @@ public record SmsAddress(int type, int plan, String value) {
         }
     }
 
-    /** The address of an international number. */
     public static SmsAddress of(Msisdn number) {
-        return new SmsAddress(INTERNATIONAL, ISDN, number.digits());
+        return new SmsAddress(number.international() ? INTERNATIONAL : UNKNOWN, ISDN, number.digits());
     }
 
     /** The name of a sender, such as a service. */
@@ -54,7 +53,7 @@ public record SmsAddress(int type, int plan, String value) {
         for (int i = 0; isNumber && i < value.length(); i++) {
             isNumber = value.charAt(i) >= '0' && value.charAt(i) <= '9';
         }
-        return isNumber ? Optional.of(new Msisdn(value)) : Optional.empty();
+        return isNumber ? Optional.of(new Msisdn(value, type == INTERNATIONAL)) : Optional.empty();
     }
 
     private static boolean areDigits(String value) {
@@ -95,8 +94,9 @@ public record SmsAddress(int type, int plan, String value) {
         return GsmAlphabet.encode(text).length > MAX_SEPTETS ? "" : text;
     }
 
+    /** An international number with its plus sign. */
     @Override
     public String toString() {
-        return value;
+        return type == INTERNATIONAL ? "+" + value : value;
     }
 }

@@ -33,7 +33,8 @@ class CodesTest {
     @ParameterizedTest
     @EnumSource
     void rejectCausesComeBack(RejectCause cause) {
-        assertSame(cause, RejectCause.ofCode(cause.code()));
+        assertSame(cause, RejectCause.ofCode(cause.code(), Direction.UPLINK));
+        assertSame(cause, RejectCause.ofCode(cause.code(), Direction.DOWNLINK));
     }
 
     @ParameterizedTest

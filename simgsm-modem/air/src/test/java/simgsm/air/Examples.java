@@ -74,14 +74,14 @@ public final class Examples {
     public static final Imsi IMSI = new Imsi("262420000000017");
     static final Imei IMEI = new Imei("490154203237518");
     static final Tmsi TMSI = new Tmsi(0xf41234ab);
-    public static final Msisdn SERVICE_CENTER = new Msisdn("491700000000");
+    public static final Msisdn SERVICE_CENTER = Msisdn.parse("+491700000000");
 
     static final List<Example> MOBILITY_MANAGEMENT = List.of(
             up(
                     new LocationUpdatingRequest(LocationUpdatingType.IMSI_ATTACH, 7, AREA, IMSI),
                     "05087262f224000133082926240000000071"),
             down(new IdentityRequest(MobileIdentity.Type.IMEI), "051802"),
-            up(new IdentityResponse(IMEI), "0519084a09512430325781"),
+            up(new IdentityResponse(IMEI), "0519084a09512430325701"),
             down(
                     new AuthenticationRequest(
                             0,
@@ -118,45 +118,59 @@ public final class Examples {
 
     static final List<Example> CALL_CONTROL = List.of(
             up(
-                    new Setup(ours(0), Optional.empty(), Optional.of(new Msisdn("491700000002"))),
+                    new Setup(ours(0), Optional.empty(), Optional.of(Msisdn.parse("+491700000002"))),
                     "030504066004020005815e0791947100000020"),
             down(
-                    new Setup(ours(0), Optional.of(new Msisdn("491700000001")), Optional.empty()),
-                    "03050401a05c081181947100000010"),
+                    new Setup(ours(0), Optional.of(Msisdn.parse("+491700000001")), Optional.empty()),
+                    "03050401a05c081183947100000010"),
             down(
                     new Setup(
-                            ours(1), Optional.of(new Msisdn("491700000001")), Optional.of(new Msisdn("491700000002"))),
-                    "13050401a05c0811819471000000105e0791947100000020"),
+                            ours(1), Optional.of(Msisdn.parse("+491700000001")), Optional.of(Msisdn.parse("+491700000002"))),
+                    "13050401a05c0811839471000000105e0791947100000020"),
+            up(
+                    new Setup(ours(0), Optional.empty(), Optional.of(new Msisdn("5550200"))),
+                    "030504066004020005815e0581550502f0"),
+            down(
+                    new Setup(ours(0), Optional.of(new Msisdn("5550100")), Optional.empty()),
+                    "03050401a05c060183550501f0"),
+            down(new Connect(theirs(0), Optional.of(new Msisdn("5550100"))), "83074c060183550501f0"),
             up(new CallConfirmed(theirs(0)), "8308"),
             down(new CallProceeding(theirs(0)), "8302"),
             down(new Progress(theirs(0)), "830302e288"),
             down(new Alerting(theirs(0)), "8301"),
             down(new Alerting(theirs(0), true), "83011e02e288"),
-            down(new Disconnect(theirs(0), Cause.USER_BUSY, true), "832502e0911e02e288"),
+            down(new Disconnect(theirs(0), Cause.USER_BUSY, CauseLocation.USER, false), "832502e091"),
+            down(new Disconnect(theirs(0), Cause.USER_BUSY, CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true), "832502e2911e02e288"),
             new Example(new Alerting(theirs(0)), UP, 1, "8341"),
             up(new Connect(theirs(0)), "8307"),
             down(new ConnectAcknowledge(ours(0)), "030f"),
             up(new StartDtmf(ours(0), '5'), "03352c35"),
             down(new StartDtmfAcknowledge(theirs(0), '5'), "83362c35"),
-            down(new StartDtmfReject(theirs(0), Cause.SERVICE_NOT_AVAILABLE), "833702e0bf"),
+            down(new StartDtmfReject(theirs(0), Cause.SERVICE_NOT_AVAILABLE), "833702e2bf"),
             up(new StopDtmf(ours(0)), "0331"),
             up(new Hold(theirs(0)), "8318"),
             down(new HoldAcknowledge(ours(0)), "0319"),
-            down(new HoldReject(ours(0), Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE), "031a02e0e5"),
+            down(new HoldReject(ours(0), Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE), "031a02e2e5"),
             up(new Retrieve(theirs(0)), "831c"),
             down(new RetrieveAcknowledge(ours(0)), "031d"),
             down(
                     new CallControl.Facility(ours(0), OctetString.ofHex("a10e02010102011030068101428f0101")),
                     "033a10a10e02010102011030068101428f0101"),
-            down(new RetrieveReject(ours(0), Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE), "031e02e0e5"),
+            down(new RetrieveReject(ours(0), Cause.MESSAGE_NOT_COMPATIBLE_WITH_CALL_STATE), "031e02e2e5"),
             down(new StopDtmfAcknowledge(theirs(0)), "8332"),
             up(new Disconnect(ours(0), Cause.NORMAL_CALL_CLEARING), "032502e090"),
-            down(new Release(theirs(0), Optional.of(Cause.NORMAL_CALL_CLEARING)), "832d0802e090"),
+            down(
+                    new Release(
+                            theirs(0),
+                            Optional.of(Cause.NORMAL_CALL_CLEARING),
+                            Optional.of(CauseLocation.TRANSIT_NETWORK)),
+                    "832d0802e390"),
+            down(new ReleaseComplete(theirs(0), Optional.of(Cause.USER_BUSY)), "832a0802e091"),
             down(new Release(theirs(0), Optional.empty()), "832d"),
             up(new ReleaseComplete(ours(0), Optional.of(Cause.NORMAL_CALL_CLEARING)), "032a0802e090"),
             new Example(new ReleaseComplete(ours(0), Optional.empty()), UP, 1, "036a"),
             up(new StatusEnquiry(ours(0)), "0334"),
-            down(new Status(theirs(0), Cause.RESPONSE_TO_STATUS_ENQUIRY, 10), "833d02e09eca"));
+            down(new Status(theirs(0), Cause.RESPONSE_TO_STATUS_ENQUIRY, 10), "833d02e29eca"));
 
     private static final ChannelDescription TRAFFIC =
             new ChannelDescription(ChannelNumber.of(ChannelNumber.Kind.TCH_F, 2), 2, 100);
@@ -223,7 +237,7 @@ public final class Examples {
             new Example(
                     new SsFacility(ours(0), OctetString.ofHex("a306020101020124")), UP, 1, "0b7a08a306020101020124"),
             down(new SsReleaseComplete(theirs(0), OctetString.ofHex("a306020101020115")), "8b2a1c08a306020101020115"),
-            down(new SsReleaseComplete(theirs(0), Cause.INVALID_TRANSACTION_IDENTIFIER), "8b2a0802e0d1"),
+            down(new SsReleaseComplete(theirs(0), Cause.INVALID_TRANSACTION_IDENTIFIER), "8b2a0802e2d1"),
             up(new SsReleaseComplete(ours(0)), "0b2a"));
 
     private Examples() {}

@@ -39,8 +39,8 @@ class IdentitiesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"490154203237518", "490154203237510"})
-    void anImeiEndsWithItsCheckDigitOrZero(String digits) {
-        assertEquals(digits, new Imei(digits).toString());
+    void anImeiEndsWithItsCheckDigitAlsoIfZeroStoodInItsPlace(String digits) {
+        assertEquals("490154203237518", new Imei(digits).toString());
     }
 
     @ParameterizedTest
@@ -64,8 +64,10 @@ class IdentitiesTest {
     }
 
     @Test
-    void aPlusSignIsDropped() {
-        assertEquals(new Msisdn("34976"), Msisdn.parse("+34976"));
+    void aPlusSignIsTheTypeInternational() {
+        assertEquals(new Msisdn("34976", true), Msisdn.parse("+34976"));
+        assertEquals("+34976", Msisdn.parse("+34976").toString());
+        assertEquals(new Msisdn("34976"), Msisdn.parse("+34976").plain());
     }
 
     @Test

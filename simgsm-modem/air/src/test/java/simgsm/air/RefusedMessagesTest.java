@@ -69,7 +69,6 @@ class RefusedMessagesTest {
         "UPLINK, 0524 73 03331981 05f41234abcd, 96",
         "UPLINK, 0524 71 03331981 05f412, 96",
         "UPLINK, 0519 08fa09512430325781, 96",
-        "UPLINK, 0519 084a09512430325761, 96",
         "UPLINK, 0514a542, 96",
         "DOWNLINK, 0512 00 23, 96",
         "DOWNLINK, 051800, 96",
@@ -127,7 +126,8 @@ class RefusedMessagesTest {
     void aRefusedSetupIsReleased() {
         assertEquals(
                 List.of(new CallControl.ReleaseComplete(
-                        Examples.theirs(2), Optional.of(Cause.INVALID_MANDATORY_INFORMATION))),
+                        Examples.theirs(2), Optional.of(Cause.INVALID_MANDATORY_INFORMATION),
+                        Optional.of(CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER))),
                 ProtocolErrorAnswers.to(refused("2305", Direction.UPLINK), 0));
     }
 

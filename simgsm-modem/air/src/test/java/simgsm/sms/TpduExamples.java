@@ -11,8 +11,8 @@ import simgsm.octets.OctetString;
 final class TpduExamples {
     record Example(Tpdu tpdu, Direction direction, String hex) {}
 
-    static final SmsAddress ALICE = SmsAddress.of(new Msisdn("491700000001"));
-    static final SmsAddress BOB = SmsAddress.of(new Msisdn("491700000002"));
+    static final SmsAddress ALICE = SmsAddress.of(Msisdn.parse("+491700000001"));
+    static final SmsAddress BOB = SmsAddress.of(Msisdn.parse("+491700000002"));
     static final Timestamp NOON = Timestamp.of(OffsetDateTime.parse("2026-11-21T12:00:00+01:00"));
 
     static final List<Example> ALL = List.of(

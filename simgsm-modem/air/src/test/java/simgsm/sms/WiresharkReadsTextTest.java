@@ -89,7 +89,7 @@ class WiresharkReadsTextTest {
     }
 
     private static byte[] cpData(Tpdu tpdu, Direction direction) {
-        RelayMessage relay = new RelayMessage.RpData(1, new Msisdn("491700000000"), TpduCodec.encode(tpdu));
+        RelayMessage relay = new RelayMessage.RpData(1, Msisdn.parse("+491700000000"), TpduCodec.encode(tpdu));
         ShortMessageControl message = new ShortMessageControl.CpData(new TransactionIdentifier(0, false), relay);
         OctetString layer3 = OctetString.of(Layer3Codec.encode(message, direction, 0));
         return frame(

@@ -47,8 +47,8 @@ class MessageTextTest {
         assertEquals(
                 List.of(
                         new Field("transaction", "1, opened by the sender"),
-                        new Field("calling", "491700000001"),
-                        new Field("called", "491700000002"),
+                        new Field("calling", "+491700000001"),
+                        new Field("called", "+491700000002"),
                         new Field("bearer capability", "speech")),
                 text.fields());
     }
@@ -100,7 +100,7 @@ class MessageTextTest {
                         .fields()
                         .toString());
         assertEquals(
-                "[transaction: 0, opened by the receiver, cause: 16 normal call clearing]",
+                "[transaction: 0, opened by the receiver, cause: 16 normal call clearing, location: user]",
                 MessageText.ofLayer3(OctetString.ofHex("832d0802e090"), Direction.DOWNLINK)
                         .fields()
                         .toString());

@@ -6,9 +6,12 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
+import simgsm.air.Direction;
 import simgsm.air.LocationArea;
 import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingReject;
@@ -119,6 +122,67 @@ class LocationUpdatingTest {
         scene.expectNothing();
         scene.pass(1);
         scene.expectFirst(LocationUpdatingRequest.class);
+    }
+
+    private void beginOverTowers(int t3212) {
+        scene.linkDown();
+        scene.linkUp();
+        camp(LocationArea.TEST, t3212);
+        scene.identify();
+    }
+
+    private void reject(int cause) {
+        scene.expectFirst(LocationUpdatingRequest.class);
+        scene.down(new LocationUpdatingReject(RejectCause.ofCode(cause, Direction.DOWNLINK)));
+        scene.releaseChannel();
+    }
+
+    /** TS 24.008, 4.4.4.7 and 4.4.4.9; osmo-hlr's wrong key is cause 3, its cause 96 and a full VLR's 22 are others. */
+    @ParameterizedTest
+    @ValueSource(ints = {17, 22, 96, 111})
+    void overTowersARefusalIsFollowedByFourAttemptsAtT3211AndThenByT3212(int cause) {
+        beginOverTowers(2);
+        reject(cause);
+        for (int attempt = 2; attempt <= 4; attempt++) {
+            scene.pass(15 * Scene.SECOND - 1);
+            scene.expectNothing();
+            scene.pass(1);
+            reject(cause);
+        }
+        scene.pass(2 * SIX_MINUTES - 1);
+        scene.expectNothing();
+        scene.pass(1);
+        accept(LocationArea.TEST);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 6})
+    void overTowersARefusedSimIsInvalidUntilTheStationIsSwitchedOff(int cause) {
+        beginOverTowers(1);
+        reject(cause);
+        camp(SECOND_AREA, 1);
+        scene.linkDown();
+        scene.linkUp();
+        camp(LocationArea.TEST, 1);
+        scene.identify();
+        scene.pass(3_600 * Scene.SECOND);
+        scene.expectNothing();
+        assertEquals(List.of("unregistered", "unregistered " + cause), scene.reported.lines());
+
+        scene.station.powerOff();
+        scene.station.powerOn();
+        accept(LocationArea.TEST);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {11, 12, 13, 15})
+    void overTowersAnAreaThatIsNotAllowedIsLeftAloneAndAnotherOneTried(int cause) {
+        beginOverTowers(1);
+        reject(cause);
+        scene.pass(3_600 * Scene.SECOND);
+        scene.expectNothing();
+        camp(SECOND_AREA, 1);
+        accept(SECOND_AREA);
     }
 
     private void expectPeriodicUpdateAfter(long nanos) {

@@ -19,6 +19,7 @@ import simgsm.air.CallControl.Release;
 import simgsm.air.CallControl.ReleaseComplete;
 import simgsm.air.CallControl.Setup;
 import simgsm.air.Cause;
+import simgsm.air.CauseLocation;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
 import simgsm.station.call.MobileCallState;
@@ -86,7 +87,7 @@ class NetworkTonesTest {
     @Test
     void aBusyToneIsHeardUntilTheUserHasHeardEnough() {
         Scene scene = proceeding();
-        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, true));
+        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true));
         assertEquals(MobileCallState.DISCONNECT_INDICATION, stateOf(scene));
         scene.expectNothing();
         play(scene);
@@ -104,7 +105,7 @@ class NetworkTonesTest {
     @Test
     void theNetworkMayEndItsTone() {
         Scene scene = proceeding();
-        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, true));
+        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true));
         scene.down(new Release(TO_OWN, Optional.of(Cause.USER_BUSY)));
         scene.expect(new ReleaseComplete(OWN, Optional.empty()));
         assertEquals(MobileCallState.NULL, stateOf(scene));
@@ -114,7 +115,7 @@ class NetworkTonesTest {
     @Test
     void aToneThatNeverComesIsNotWaitedFor() {
         Scene scene = proceeding();
-        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, true));
+        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true));
         scene.pass(11 * Scene.SECOND);
         scene.expect(new Release(OWN, Optional.empty()));
         assertEquals(List.of("released 17", "network tones", "own tones"), scene.reported.lines());
@@ -123,7 +124,7 @@ class NetworkTonesTest {
     @Test
     void whoDialsAgainHearsNoMoreOfTheLastCall() {
         Scene scene = proceeding();
-        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, true));
+        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true));
         assertTrue(scene.station.dial(new Msisdn("5550300")));
         scene.expect(new Release(OWN, Optional.empty()));
         scene.down(new ReleaseComplete(TO_OWN, Optional.empty()));
@@ -133,7 +134,7 @@ class NetworkTonesTest {
     @Test
     void powerOffEndsTheTone() {
         Scene scene = proceeding();
-        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, true));
+        scene.down(new Disconnect(TO_OWN, Cause.USER_BUSY, CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true));
         scene.station.powerOff();
         assertEquals(
                 List.of("released 17", "network tones", "own tones"),

@@ -43,7 +43,7 @@ final class CallHistory {
     /** @param seconds of conversation so far, in the current call */
     void accept(StationEvent.OfCall event, int seconds) {
         if (event instanceof StationEvent.Calling calling) {
-            begin(Kind.DIALLED, calling.number().digits(), wallClock.instant());
+            begin(Kind.DIALLED, calling.number().toString(), wallClock.instant());
         } else if (event instanceof StationEvent.Ringing ringing) {
             begin(Kind.MISSED, digits(ringing.from()), waiting.isPresent() ? waitingAt : wallClock.instant());
             waiting = Optional.empty();
@@ -90,6 +90,6 @@ final class CallHistory {
     }
 
     private static String digits(Optional<Msisdn> from) {
-        return from.map(Msisdn::digits).orElse("");
+        return from.map(Msisdn::toString).orElse("");
     }
 }

@@ -302,7 +302,7 @@ public final class Handset {
     private Optional<Refusal> submit(Msisdn to, String text) {
         submitting = true;
         try {
-            store.mailbox().submitted(station.sendMessage(to, text), to.digits(), text);
+            store.mailbox().submitted(station.sendMessage(to, text), to.toString(), text);
             return Optional.empty();
         } catch (IllegalArgumentException tooLong) {
             return Optional.of(Refusal.TEXT_TOO_LONG);

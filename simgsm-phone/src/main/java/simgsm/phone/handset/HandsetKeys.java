@@ -166,7 +166,7 @@ public final class HandsetKeys {
 
     private void send(KeyIntent.SendText text) {
         if (handset.sendMessage(text.to(), text.text()).isPresent()) {
-            screens.note(Note.Kind.REFUSED, text.to().digits());
+            screens.note(Note.Kind.REFUSED, text.to().toString());
         } else {
             screens.submitted(text);
         }

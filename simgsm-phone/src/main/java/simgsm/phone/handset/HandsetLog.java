@@ -89,7 +89,7 @@ public final class HandsetLog {
 
     private void acceptCall(StationEvent.OfCall event) {
         if (event instanceof StationEvent.Calling calling) {
-            add("log.calling", names.apply(calling.number().digits()));
+            add("log.calling", names.apply(calling.number().toString()));
         } else if (event instanceof StationEvent.CalledPartyAlerted) {
             add("lcd.call.alerting");
         } else if (event instanceof StationEvent.Ringing ringing) {
@@ -116,7 +116,7 @@ public final class HandsetLog {
     }
 
     private Object party(Optional<Msisdn> number) {
-        return number.<Object>map(it -> names.apply(it.digits())).orElse(Words.of("lcd.unknown"));
+        return number.<Object>map(it -> names.apply(it.toString())).orElse(Words.of("lcd.unknown"));
     }
 
     private void acceptHandset(HandsetEvent event) {
@@ -134,13 +134,13 @@ public final class HandsetLog {
 
     private void acceptSubmitted(StationEvent.OfSubmittedMessage event) {
         if (event instanceof StationEvent.MessageSent sent) {
-            add("log.message.sent", names.apply(sent.to().digits()));
+            add("log.message.sent", names.apply(sent.to().toString()));
         } else if (event instanceof StationEvent.MessageFailed failed) {
-            add("log.message.failed", names.apply(failed.to().digits()), failed.cause());
+            add("log.message.failed", names.apply(failed.to().toString()), failed.cause());
         } else if (event instanceof StationEvent.MessageDelivered delivered) {
-            add("log.message.delivered", names.apply(delivered.to().digits()));
+            add("log.message.delivered", names.apply(delivered.to().toString()));
         } else if (event instanceof StationEvent.MessageUndelivered lost) {
-            add("log.message.undelivered", names.apply(lost.to().digits()));
+            add("log.message.undelivered", names.apply(lost.to().toString()));
         }
     }
 

@@ -30,13 +30,13 @@ final class PhoneCall {
 
     void accept(StationEvent.OfCall event) {
         if (event instanceof StationEvent.Calling calling) {
-            begin(CallPhase.CALLING, calling.number().digits(), false);
+            begin(CallPhase.CALLING, calling.number().toString(), false);
         } else if (event instanceof StationEvent.Ringing ringing) {
             begin(CallPhase.RINGING, digits(ringing.from()), true);
         } else if (event instanceof StationEvent.CalledPartyAlerted) {
             call = call.in(CallPhase.ALERTING, call.number());
         } else if (event instanceof StationEvent.Connected connected) {
-            connected(connected.peer().map(Msisdn::digits).orElse(call.number()));
+            connected(connected.peer().map(Msisdn::toString).orElse(call.number()));
         } else if (event instanceof StationEvent.CallWaits waiting) {
             call = call.withWaiting(Optional.of(digits(waiting.from())));
         } else if (event instanceof StationEvent.WaitingCallEnded) {
@@ -83,7 +83,7 @@ final class PhoneCall {
     }
 
     private static String digits(Optional<Msisdn> number) {
-        return number.map(Msisdn::digits).orElse("");
+        return number.map(Msisdn::toString).orElse("");
     }
 
     /** The cause of the last release is no longer shown. */

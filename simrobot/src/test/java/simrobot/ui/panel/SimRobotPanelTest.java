@@ -274,7 +274,7 @@ class SimRobotPanelTest {
                 true,
                 true,
                 false,
-                Optional.of(RejectCause.ofCode(cause)),
+                Optional.of(RejectCause.ofCode(cause, simgsm.air.Direction.DOWNLINK)),
                 cardRefused,
                 "",
                 MobileCallState.NULL,

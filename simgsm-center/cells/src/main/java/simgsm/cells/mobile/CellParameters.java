@@ -9,7 +9,7 @@ import simgsm.rr.SystemInformation;
  *
  * @param area location area code
  * @param accessMinimumDbm RXLEV_ACCESS_MIN
- * @param largestPowerDbm MS_TXPWR_MAX_CCH
+ * @param missingPowerDecibels by which the handset's output is below MS_TXPWR_MAX_CCH
  * @param hysteresisDecibels CELL_RESELECT_HYSTERESIS
  * @param offsetDecibels CELL_RESELECT_OFFSET
  * @param temporaryOffsetDecibels TEMPORARY_OFFSET; may be infinite
@@ -18,19 +18,13 @@ import simgsm.rr.SystemInformation;
 public record CellParameters(
         int area,
         int accessMinimumDbm,
-        int largestPowerDbm,
+        int missingPowerDecibels,
         int hysteresisDecibels,
         int offsetDecibels,
         double temporaryOffsetDecibels,
         int penaltySeconds) {
     /** RXLEV 0 (TS 45.008, 8.1.4). */
     private static final int RXLEV_0_DBM = -110;
-    /** Output of a handset of power class 4, GSM 900 (TS 45.005, 4.1.1). */
-    private static final int HANDSET_DBM = 33;
-    /** Power control level 0 of GSM 900; each level is 2 dB less (TS 45.005, 4.1.1). */
-    private static final int LEVEL_0_DBM = 43;
-
-    private static final int LEVEL_DECIBELS = 2;
 
     /** Those that the controller has sent to the tower; what it does not say is the town's. */
     public static CellParameters of(BaseStation tower) {
@@ -46,7 +40,7 @@ public record CellParameters(
         return new CellParameters(
                 tower.area(),
                 RXLEV_0_DBM + selection.accessMin(),
-                LEVEL_0_DBM - LEVEL_DECIBELS * selection.powerLevel(),
+                MobilePower.missingDecibels(tower.tower().arfcn(), selection.powerLevel()),
                 selection.hysteresisDecibels(),
                 reselection.offsetDecibels(),
                 reselection.temporaryOffsetDecibels(),
@@ -58,7 +52,7 @@ public record CellParameters(
         return new CellParameters(
                 area,
                 RXLEV_0_DBM + town.accessMinimumRxlev(),
-                HANDSET_DBM,
+                0,
                 town.hysteresisDecibels(),
                 town.offsetDecibels(),
                 town.temporaryOffsetDecibels(),
@@ -67,7 +61,7 @@ public record CellParameters(
 
     /** C1 (TS 45.008, 6.4). @param levelDbm average received level */
     public double c1(double levelDbm) {
-        return levelDbm - accessMinimumDbm - Math.max(0, largestPowerDbm - HANDSET_DBM);
+        return levelDbm - accessMinimumDbm - missingPowerDecibels;
     }
 
     /** C2 (TS 45.008, 6.4). @param knownSeconds since the cell came among the six strongest; infinite for the serving cell */

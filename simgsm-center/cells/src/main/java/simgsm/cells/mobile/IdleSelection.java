@@ -18,7 +18,7 @@ public final class IdleSelection {
     private static final double SECOND_NANOS = 1e9;
     /** Another cell must be better, or the serving one too weak, for 5 s. */
     private static final long DECISION_NANOS = 5_000_000_000L;
-    /** For 15 s after a change of cell a further one needs 5 dB more. */
+    /** For 15 s after a change of cell a further one needs 5 dB. */
     private static final long SETTLING_NANOS = 15_000_000_000L;
 
     private static final double SETTLING_DECIBELS = 5;
@@ -154,11 +154,11 @@ public final class IdleSelection {
         }
     }
 
-    /** Decibels by which another cell must exceed the serving one. */
+    /** Decibels by which another cell must exceed the serving one; two exceptions, each with its own (TS 45.008, 6.6.2). */
     private double margin(long nowNanos, CellParameters from, CellParameters to) {
         double hysteresis = from.area() == to.area() ? 0 : from.hysteresisDecibels();
         boolean isSettling = changedNanos != NEVER && nowNanos - changedNanos < SETTLING_NANOS;
-        return hysteresis + (isSettling ? SETTLING_DECIBELS : 0);
+        return Math.max(hysteresis, isSettling ? SETTLING_DECIBELS : 0);
     }
 
     private void leaveIfWeak(long nowNanos, CellParameters[] cells) {

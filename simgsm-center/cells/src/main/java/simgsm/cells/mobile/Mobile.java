@@ -321,7 +321,6 @@ public final class Mobile {
             machine.fire(MobileRadioEvent.CHANNEL_LOST);
             return;
         }
-        link.begin(tower);
         change.begin();
         take(assigned.get());
         passed(PassingStep.Kind.IMMEDIATE_ASSIGNMENT, cell(), "", granted.timingAdvance());
@@ -331,7 +330,7 @@ public final class Mobile {
     /** Moves to a channel. */
     void take(TowerChannel newChannel) {
         channel = newChannel;
-        link.moved();
+        link.moved(newChannel.tower());
         if (newChannel.isTraffic()) {
             speech.restart();
         }

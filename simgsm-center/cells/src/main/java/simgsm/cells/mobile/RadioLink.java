@@ -16,7 +16,6 @@ final class RadioLink {
     private static final double UNUSABLE = 0.9;
 
     private static final int STANDARD_TIMEOUT = 32;
-    private static final int POWER_LEVEL = 5;
 
     private final Mobile mobile;
     private final MobileNetwork network;
@@ -59,15 +58,11 @@ final class RadioLink {
         return reports;
     }
 
-    /** The mobile comes onto its first channel. */
-    void begin(BaseStation tower) {
+    /** The mobile is on another channel: its blocks are counted from the start (TS 45.008, 5.2). */
+    void moved(BaseStation tower) {
         int timeout = tower.cell().map(cell -> cell.radioLinkTimeout()).orElse(STANDARD_TIMEOUT);
         downlink = new RadioLinkCounter(timeout);
         uplink = new RadioLinkCounter(timeout);
-    }
-
-    /** The mobile is on another channel. */
-    void moved() {
         reports = 0;
         recent.clear();
         measure();
@@ -122,7 +117,8 @@ final class RadioLink {
         int level = RadioScale.rxlev(reception.levelsDbm()[tower]);
         Optional<MeasurementResults> report =
                 isReceived ? Optional.of(reception.report(tower, neighbours)) : Optional.empty();
-        int sent = channel.measured(level, quality, POWER_LEVEL, mobile.timingAdvance(tower), report);
+        int power = MobilePower.used(network.towers().get(tower).tower().arfcn(), channel.orderedPowerLevel());
+        int sent = channel.measured(level, quality, power, mobile.timingAdvance(tower), report);
         if (sent >= 0) {
             reports++;
             network.happened(new MobileEvent.Reported(

@@ -41,6 +41,9 @@ public final class TowerChannel {
     private static final int NY1 = 10;
     private static final int NUMBERS = 256;
     private static final int RTP_GSM = 3;
+    /** In the MS power octet (TS 48.058, 9.3.13). */
+    private static final int POWER_LEVEL_MASK = 0x1f;
+
     /** Packets of the controller that are passed on: twice the rate of a call; more are dropped. */
     private static final int SPEECH_PER_SECOND = 100;
     /** What arrives at once after a stall of 4 s. */
@@ -57,6 +60,7 @@ public final class TowerChannel {
     private boolean isEstablished;
     private boolean hasShortMessages;
     private boolean isReporting = true;
+    private int orderedPowerLevel;
     private int measurement;
     private int connection;
     /** Null while there is no speech connection. */
@@ -70,7 +74,17 @@ public final class TowerChannel {
         this.timers = timers;
         number = activated.channel();
         activation = activated.octet(RslElement.ACTIVATION_TYPE) & 0x07;
+        orderedPowerLevel = powerLevel(activated).orElse(0);
         handoverReference = activated.find(RslElement.HANDOVER_REFERENCE).map(value -> value.octet(0));
+    }
+
+    private static Optional<Integer> powerLevel(RslPdu message) {
+        return message.find(RslElement.MS_POWER).map(value -> value.octet(0) & POWER_LEVEL_MASK);
+    }
+
+    /** The power control level that the mobile is to use; 0, the largest output, if the controller orders none. */
+    public int orderedPowerLevel() {
+        return orderedPowerLevel;
     }
 
     public ChannelNumber number() {
@@ -124,7 +138,8 @@ public final class TowerChannel {
                 close();
             }
             case MODE_MODIFY_REQUEST -> tower.send(RslPdu.of(RslType.MODE_MODIFY_ACKNOWLEDGE, number));
-            case MS_POWER_CONTROL, BS_POWER_CONTROL, MEASUREMENT_PREPROCESSING_DEFAULTS -> {}
+            case MS_POWER_CONTROL -> orderedPowerLevel = powerLevel(message).orElse(orderedPowerLevel);
+            case BS_POWER_CONTROL, MEASUREMENT_PREPROCESSING_DEFAULTS -> {}
             case CREATE_CONNECTION -> createConnection(message);
             case MODIFY_CONNECTION -> modifyConnection(message);
             case DELETE_CONNECTION -> {

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The choice of a cell in idle mode, with a clock moved by hand in steps of 480 ms. */
 class IdleSelectionTest {
-    private static final CellParameters PLAIN = new CellParameters(1, -105, 33, 4, 0, 0, 20);
-    private static final CellParameters OTHER_AREA = new CellParameters(2, -105, 33, 4, 0, 0, 20);
+    private static final CellParameters PLAIN = new CellParameters(1, -105, 0, 4, 0, 0, 20);
+    private static final CellParameters OTHER_AREA = new CellParameters(2, -105, 0, 4, 0, 0, 20);
     /** Averages settle after this. */
     private static final int AVERAGED = 8;
 
@@ -92,6 +94,31 @@ class IdleSelectionTest {
         assertTrue(changesAfterMillis(PLAIN, -70, OTHER_AREA, -65.9) > 0);
     }
 
+    /** The two exceptions of TS 45.008, 6.6.2, are not added: 5 dB, not 4 + 5. */
+    @Test
+    void withinFifteenSecondsOfAChangeAnotherAreaNeedsTheLargerOfTheTwoMargins() {
+        measure(PLAIN, -70, PLAIN, -80);
+        settle(PLAIN, -70, PLAIN, -80);
+        assertTrue(changesAfterMillis(PLAIN, -80, PLAIN, -60) > 0);
+        settle(OTHER_AREA, -64, PLAIN, -60);
+        long changed = now;
+        assertTrue(changesAfterMillis(OTHER_AREA, -54, PLAIN, -60) > 0);
+        assertTrue(now - changed < 10_000_000_000L);
+    }
+
+    /** TS 45.005, 4.1.1: class 4 of GSM 900 has 33 dBm, class 1 of DCS 1800 30 dBm. */
+    @ParameterizedTest
+    @CsvSource({"100, 5, 0", "100, 3, 4", "100, 0, 6", "100, 19, 0", "600, 0, 0", "600, 5, 0", "600, 29, 6", "600, 31, 2"})
+    void theHandsetLacksWhatTheLevelOfItsBandAsksAboveItsOutput(int arfcn, int level, int decibels) {
+        assertEquals(decibels, MobilePower.missingDecibels(arfcn, level));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"100, 2, 5", "100, 14, 14", "600, 0, 0", "600, 14, 14", "600, 30, 0"})
+    void anOrderedLevelIsUsedWithinThePowerClass(int arfcn, int ordered, int used) {
+        assertEquals(used, MobilePower.used(arfcn, ordered));
+    }
+
     @Test
     void withinFifteenSecondsOfAChangeTheWayBackNeedsFiveDecibelsMore() {
         measure(PLAIN, -70, PLAIN, -80);
@@ -123,21 +150,21 @@ class IdleSelectionTest {
 
     @Test
     void theTemporaryOffsetCountsUntilThePenaltyTimeIsOver() {
-        CellParameters fast = new CellParameters(1, -105, 33, 4, 20, 60, 40);
+        CellParameters fast = new CellParameters(1, -105, 0, 4, 20, 60, 40);
         assertEquals(105 - 70 + 20 - 60, fast.c2(-70, 39.9), 1e-9);
         assertEquals(105 - 70 + 20, fast.c2(-70, 40), 1e-9);
-        CellParameters avoided = new CellParameters(1, -105, 33, 4, 20, 0, -1);
+        CellParameters avoided = new CellParameters(1, -105, 0, 4, 20, 0, -1);
         assertEquals(105 - 70 - 20, avoided.c2(-70, 1_000), 1e-9);
     }
 
     @Test
     void aCellThatAsksForMorePowerThanAHandsetHasIsWorseByTheDifference() {
-        assertEquals(105 - 70 - 6, new CellParameters(1, -105, 39, 4, 0, 0, 20).c1(-70), 1e-9);
+        assertEquals(105 - 70 - 6, new CellParameters(1, -105, 6, 4, 0, 0, 20).c1(-70), 1e-9);
     }
 
     @Test
     void aCellWithAPenaltyIsReachedOnlyAfterIt() {
-        CellParameters penalised = new CellParameters(1, -105, 33, 4, 0, 60, 20);
+        CellParameters penalised = new CellParameters(1, -105, 0, 4, 0, 60, 20);
         measure(PLAIN, -80, penalised, -60);
         assertEquals(0, selection.serving());
         long millis = changesAfterMillis(PLAIN, -80, penalised, -60);

@@ -22,6 +22,7 @@ import simgsm.air.RadioResource.CellDescription;
 import simgsm.air.RadioResource.ChannelModeModify;
 import simgsm.air.RadioResource.HandoverCommand;
 import simgsm.cells.mobile.MobileRadioState;
+import simgsm.octets.OctetString;
 
 /** Channels that end, are taken or do not fit while a mobile changes to them or from them. */
 class ChannelChangeTest {
@@ -116,6 +117,30 @@ class ChannelChangeTest {
         assign(1);
         scene.pass(100 * MILLI);
         scene.connectSpeechAfterAssignment();
+    }
+
+    /** TS 45.008, 4.2: the mobile confirms the level in use, which is the ordered one within its power class. */
+    @ParameterizedTest
+    @CsvSource({"14, 14", "5, 5", "3, 5", "0, 5"})
+    void theReportsNameThePowerLevelThatIsOrdered(int ordered, int used) throws ProtocolViolation {
+        scene.west.down(RslPdu.of(RslType.MS_POWER_CONTROL, TownScene.SDCCH).with(RslElement.MS_POWER, ordered));
+        scene.west.up.clear();
+        scene.pass(480 * MILLI);
+
+        OctetString l1 = scene.west.expect(RslType.MEASUREMENT_RESULT).value(RslElement.L1_INFORMATION);
+        assertEquals(used, l1.octet(0) >> 3);
+    }
+
+    /** TS 45.008, 5.2. */
+    @Test
+    void lostBlocksOfTheOldChannelDoNotCountOnTheNewOne() throws ProtocolViolation {
+        scene.network.place("5550100", new simgsm.cells.town.TownPlace(60_000, 0));
+        scene.pass(10 * 480 * MILLI);
+        scene.network.place("5550100", new simgsm.cells.town.TownPlace(500, 0));
+        assign(1);
+        scene.pass(100 * MILLI);
+
+        assertEquals(TownScene.LINK_TIMEOUT, terminal.mobile.radioLinkCount());
     }
 
     @ParameterizedTest

@@ -1,10 +1,13 @@
 package simgsm.center.msc.call;
 
+import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import simgsm.abis.IpaFrame;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
+import simgsm.air.CauseLocation;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.link.Link;
@@ -25,6 +28,11 @@ public final class CallLeg implements PagedTransaction {
             CallControl.Connect.class, NetworkCallEvent.CONNECT_RECEIVED,
             CallControl.ConnectAcknowledge.class, NetworkCallEvent.CONNECT_ACKNOWLEDGE_RECEIVED);
 
+    private static final Set<NetworkCallEvent> CLEARED_BY_USER = EnumSet.of(
+            NetworkCallEvent.DISCONNECT_RECEIVED,
+            NetworkCallEvent.RELEASE_RECEIVED,
+            NetworkCallEvent.RELEASE_COMPLETE_RECEIVED);
+
     private final NetworkCall call;
     private final LinkCalls legs;
     private final Link link;
@@ -37,10 +45,12 @@ public final class CallLeg implements PagedTransaction {
     private boolean isReleaseRepeated;
     private boolean isHeld;
     private boolean isSpeechRefused;
+    private boolean isClearedByUser;
     /** Why the leg is cleared, for the other leg. */
     private Cause cause = Cause.NORMAL_CALL_CLEARING;
     /** The cause in the clearing message to the mobile; empty if the mobile clears. */
     private Optional<Cause> sentCause = Optional.empty();
+    private CauseLocation location = CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER;
     /** Whether the message of this state announces a tone of the network's. */
     private boolean announcesTone;
     /** Null until the mobile signals its first key. */
@@ -100,15 +110,16 @@ public final class CallLeg implements PagedTransaction {
         machine.fire(NetworkCallEvent.ANSWER);
     }
 
-    /** Clears this leg for a cause on the other leg. */
-    void clear(Cause why) {
+    /** Clears this leg for a cause on the other leg. @param byUser whether the other mobile gave it */
+    void clear(Cause why, boolean byUser) {
+        location = byUser ? CauseLocation.USER : CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER;
         fire(NetworkCallEvent.CLEAR, why, Optional.of(why));
     }
 
     /** Clears both legs, because this one's mobile gets no traffic channel. */
     void refuseSpeech(Cause why) {
         isSpeechRefused = true;
-        clear(why);
+        clear(why, false);
         call.cleared(this, why);
     }
 
@@ -231,6 +242,11 @@ public final class CallLeg implements PagedTransaction {
         return event != null && machine.fire(event);
     }
 
+    /** Whether the mobile itself has cleared the leg. */
+    boolean isClearedByUser() {
+        return isClearedByUser;
+    }
+
     private static Cause orNormal(Optional<Cause> cause) {
         return cause.orElse(Cause.NORMAL_CALL_CLEARING);
     }
@@ -259,6 +275,7 @@ public final class CallLeg implements PagedTransaction {
         if (machine.accepts(event) && !state().isClearing()) {
             cause = why;
             sentCause = sent;
+            isClearedByUser = CLEARED_BY_USER.contains(event);
         }
         return machine.fire(event);
     }
@@ -315,12 +332,14 @@ public final class CallLeg implements PagedTransaction {
                 link.send(new CallControl.Setup(transaction, waitingSignal(), calling, Optional.empty()));
             case SEND_CALL_PROCEEDING -> link.send(new CallControl.CallProceeding(transaction));
             case SEND_ALERTING -> link.send(new CallControl.Alerting(transaction, announcesTone));
-            case SEND_CONNECT -> link.send(new CallControl.Connect(transaction));
+            case SEND_CONNECT -> link.send(new CallControl.Connect(transaction, Optional.of(call.connected())));
             case SEND_CONNECT_ACKNOWLEDGE -> link.send(new CallControl.ConnectAcknowledge(transaction));
             case SEND_DISCONNECT ->
-                link.send(new CallControl.Disconnect(transaction, sentCause.orElse(cause), announcesTone));
-            case SEND_RELEASE -> link.send(new CallControl.Release(transaction, sentCause));
-            case SEND_RELEASE_COMPLETE -> link.send(new CallControl.ReleaseComplete(transaction, sentCause));
+                link.send(new CallControl.Disconnect(
+                        transaction, sentCause.orElse(cause), location, announcesTone));
+            case SEND_RELEASE -> link.send(new CallControl.Release(transaction, sentCause, sentCause.map(sent -> location)));
+            case SEND_RELEASE_COMPLETE -> link.send(new CallControl.ReleaseComplete(
+                        transaction, sentCause, sentCause.map(sent -> location)));
             case START_T308 -> restartGuard();
             case PLAY_TONE -> {
                 if (announcesTone) {

@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
+import simgsm.air.CauseLocation;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.link.Link;
@@ -128,13 +129,14 @@ public final class CallSwitch implements LinkUser {
     }
 
     private static void refuse(Link link, TransactionIdentifier transaction, Cause cause) {
-        link.send(new CallControl.ReleaseComplete(transaction.answered(), Optional.of(cause)));
+        link.send(new CallControl.ReleaseComplete(
+                transaction.answered(), Optional.of(cause), Optional.of(CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER)));
     }
 
     private void open(Link link, CallControl.Setup setup) {
         if (link.radio().takeService()) {
             NetworkCall call =
-                    new NetworkCall(this, on(link), setup.transaction().answered(), setup.called());
+                    new NetworkCall(this, on(link), setup.transaction().answered(), setup.called().map(Msisdn::plain));
             call.originating().receive(setup);
         } else {
             refuse(link, setup.transaction(), Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);

@@ -85,6 +85,11 @@ public final class NetworkCall {
         return originating;
     }
 
+    /** The subscriber who answers, maybe after forwarding. */
+    Msisdn connected() {
+        return terminating.link().subscriber().number();
+    }
+
     /** Null until the called mobile is paged. */
     CallLeg terminating() {
         return terminating;
@@ -125,7 +130,7 @@ public final class NetworkCall {
 
     /** Ends a call that cannot be connected. */
     void refuse(Cause cause) {
-        end(originating, cause);
+        end(originating, cause, false);
     }
 
     private CallLeg other(CallLeg leg) {
@@ -165,7 +170,7 @@ public final class NetworkCall {
     private void notAnswered() {
         CallLeg left = terminating;
         if (exchange.divert(this, SsCode.FORWARDING_ON_NO_REPLY)) {
-            left.clear(Cause.NORMAL_CALL_CLEARING);
+            left.clear(Cause.NORMAL_CALL_CLEARING, false);
         }
     }
 
@@ -185,11 +190,11 @@ public final class NetworkCall {
         boolean isCalled = leg == terminating;
         boolean isForwarded = isCalled && !isAnswered && exchange.divert(this, cause);
         if (!isForwarded && (isCalled || leg == originating)) {
-            end(other(leg), cause);
+            end(other(leg), cause, leg.isClearedByUser());
         }
     }
 
-    private void end(CallLeg rest, Cause why) {
+    private void end(CallLeg rest, Cause why, boolean byUser) {
         if (state != CallProgress.RELEASED) {
             cause = Optional.of(why);
             stopNoReply();
@@ -199,7 +204,7 @@ public final class NetworkCall {
             }
             enter(CallProgress.RELEASED);
             if (rest != null) {
-                rest.clear(why);
+                rest.clear(why, byUser);
             }
         }
     }

@@ -122,7 +122,7 @@ final class ServiceProcedures {
                     return Optional.of(SsError.DATA_MISSING);
                 }
                 Msisdn to = Msisdn.parse(number.get());
-                if (to.equals(subscriber.number())) {
+                if (to.plain().equals(subscriber.number())) {
                     return Optional.of(SsError.UNEXPECTED_DATA_VALUE);
                 }
                 service.members().forEach(condition -> services.register(condition, to));

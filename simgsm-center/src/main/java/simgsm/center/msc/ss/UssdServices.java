@@ -67,7 +67,7 @@ final class UssdServices {
     private void reportRobot(UssdSession session, String number) {
         Msisdn asked;
         try {
-            asked = Msisdn.parse(number);
+            asked = Msisdn.parse(number).plain();
         } catch (IllegalArgumentException noNumber) {
             session.end(text("robot.no-number"));
             return;

@@ -301,7 +301,7 @@ final class AttachedMessages {
 
     private SmsAddress address(Msisdn to) {
         return Optional.ofNullable(senders.get(to.digits()))
-                .orElseGet(() -> new SmsAddress(SmsAddress.UNKNOWN, 1, to.digits()));
+                .orElseGet(() -> SmsAddress.of(to));
     }
 
     /** The service centre is the SIM's; it is not counted (TS 27.005, 3.5.1 and 4.3). */
@@ -322,9 +322,8 @@ final class AttachedMessages {
 
     private ModemCommand text(Outgoing message) {
         SmsAddress address = address(message.to());
-        String plus = address.type() == SmsAddress.INTERNATIONAL ? "+" : "";
         return ModemCommand.prompting(
-                "AT+CMGS=\"" + plus + address.value() + "\"",
+                "AT+CMGS=\"" + address + "\"",
                 message.text().replaceAll("[\\u001a\\u001b]", " "),
                 "+CMGS:");
     }

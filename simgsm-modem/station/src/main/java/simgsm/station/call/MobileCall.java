@@ -292,6 +292,11 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         fire(event);
     }
 
+    /** The network names the number that answers: another one than was dialled after forwarding. */
+    void connectedTo(Msisdn number) {
+        peer = peer.filter(dialled -> dialled.plain().equals(number.plain())).or(() -> Optional.of(number));
+    }
+
     void sendStatus(Cause cause) {
         send(new CallControl.Status(transaction, cause, state().code()));
     }

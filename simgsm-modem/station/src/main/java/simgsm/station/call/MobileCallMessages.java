@@ -122,6 +122,9 @@ public final class MobileCallMessages {
         if (keys.arrived(message)) {
             return;
         }
+        if (message instanceof CallControl.Connect connect) {
+            connect.connected().ifPresent(call::connectedTo);
+        }
         MobileCallEvent event = EVENTS.get(message.getClass());
         if (event == null) {
             call.sendStatus(Cause.MESSAGE_TYPE_NON_EXISTENT);

@@ -6,8 +6,8 @@ import java.util.concurrent.TimeUnit;
 public enum StationTimer {
     /** LOCATION UPDATING REQUEST is answered (TS 24.008, table 11.1). */
     T3210(20_000),
-    /** Pause before the next location updating (TS 24.008, table 11.1: 15 s); ours begins at 1 s and doubles. */
-    T3211(1_000),
+    /** Pause before the next location updating (TS 24.008, table 11.1); over the link to our own centre it begins at 1 s and doubles. */
+    T3211(15_000),
     /** Periodic location updating (TS 24.008, table 11.1); the cell names the time, in steps of 6 minutes. */
     T3212(360_000),
     /** The network releases the connection after IMSI DETACH INDICATION (TS 24.008, table 11.1). */

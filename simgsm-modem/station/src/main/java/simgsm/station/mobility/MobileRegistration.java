@@ -25,18 +25,39 @@ public final class MobileRegistration {
     /** Ciphering key sequence number that means "no key" (TS 24.008, 10.5.1.2). */
     private static final int NO_KEY = 7;
 
-    /** The longest pause after a failure, as a multiple of T3211: reached after the fifth. */
-    private static final int MAX_PAUSE = 16;
+    /**
+     * Pause after the first failure on a link to our own centre, without towers; it doubles up to 16 s. Cause 3 means there that
+     * the number is in use, which may pass, so it is not final.
+     */
+    private static final long QUICK_NANOS = 1_000_000_000L;
 
-    /** Causes after which no further attempt is made (TS 24.008, 4.4.4.7). Not cause 3: here it also means that the number is in use, which may pass. */
+    private static final int MOST_DOUBLINGS = 4;
+    /** Over towers: attempts with T3211 between them; then T3212 (TS 24.008, 4.4.4.9). */
+    private static final int ATTEMPTS = 4;
+
+    /** Causes after which no further attempt is made in this area (TS 24.008, 4.4.4.7). */
     private static final Set<RejectCause> FINAL =
             EnumSet.of(RejectCause.IMSI_UNKNOWN_IN_HLR, RejectCause.ILLEGAL_ME, RejectCause.PLMN_NOT_ALLOWED);
+
+    private static final Set<RejectCause> FINAL_OVER_TOWERS = EnumSet.of(
+            RejectCause.IMSI_UNKNOWN_IN_HLR,
+            RejectCause.ILLEGAL_MS,
+            RejectCause.ILLEGAL_ME,
+            RejectCause.PLMN_NOT_ALLOWED,
+            RejectCause.LOCATION_AREA_NOT_ALLOWED,
+            RejectCause.ROAMING_NOT_ALLOWED,
+            RejectCause.NO_SUITABLE_CELLS);
+
+    /** Over towers: the SIM is invalid until the mobile is switched off. */
+    private static final Set<RejectCause> INVALID_SIM =
+            EnumSet.of(RejectCause.IMSI_UNKNOWN_IN_HLR, RejectCause.ILLEGAL_MS, RejectCause.ILLEGAL_ME);
 
     private final StationContext context;
     private final StateMachine<MobileRegistrationState, MobileRegistrationEvent, MobileRegistrationAction> machine;
     private boolean cellFound;
     private int keySequence = NO_KEY;
-    private int pause = 1;
+    private int failures;
+    private boolean isSimInvalid;
     private Optional<Tmsi> tmsi = Optional.empty();
     private LocationArea area = LocationArea.TEST;
     /** Of the cell on which the mobile is camped; empty until a cell has sent it. */
@@ -132,8 +153,8 @@ public final class MobileRegistration {
     public void cellFound() {
         if (!cellFound) {
             cellFound = true;
-            pause = 1;
-            fire(MobileRegistrationEvent.CELL_FOUND);
+            failures = 0;
+            searchCell();
         }
     }
 
@@ -144,10 +165,14 @@ public final class MobileRegistration {
      * @param periodicUpdatingSteps T3212, of 6 minutes; 0 for none
      */
     public void camped(LocationArea newArea, int periodicUpdatingSteps) {
+        boolean isNewArea = cellArea.isPresent() && !cellArea.get().equals(newArea);
         cellArea = Optional.of(newArea);
         periodic.told(periodicUpdatingSteps, isRegistered());
+        if (state() == MobileRegistrationState.LIMITED_SERVICE && isNewArea && !isSimInvalid) {
+            fire(MobileRegistrationEvent.NEW_AREA);
+        }
         if (state() == MobileRegistrationState.ATTEMPTING_TO_UPDATE && rejectCause.isEmpty()) {
-            pause = 1;
+            failures = 0;
             fire(MobileRegistrationEvent.CELL_FOUND);
         }
     }
@@ -183,11 +208,14 @@ public final class MobileRegistration {
     public void linkLost() {
         cellFound = false;
         cellArea = Optional.empty();
-        clearRefusal();
+        if (!isSimInvalid) {
+            clearRefusal();
+        }
         fire(MobileRegistrationEvent.LINK_LOST);
     }
 
     public void powerOff() {
+        isSimInvalid = false;
         clearRefusal();
         fire(MobileRegistrationEvent.POWER_OFF);
     }
@@ -197,7 +225,7 @@ public final class MobileRegistration {
             area = accept.area();
             offeredIdentity = accept.newIdentity();
             clearRefusal();
-            pause = 1;
+            failures = 0;
         }
         fire(MobileRegistrationEvent.LOCATION_UPDATING_ACCEPTED);
     }
@@ -205,9 +233,10 @@ public final class MobileRegistration {
     void rejected(RejectCause cause) {
         if (state() == MobileRegistrationState.LOCATION_UPDATING_INITIATED) {
             rejectCause = Optional.of(cause);
+            isSimInvalid = isOverTowers() && INVALID_SIM.contains(cause);
         }
         fire(
-                FINAL.contains(cause)
+                (isOverTowers() ? FINAL_OVER_TOWERS : FINAL).contains(cause)
                         ? MobileRegistrationEvent.LOCATION_UPDATING_FORBIDDEN
                         : MobileRegistrationEvent.LOCATION_UPDATING_REJECTED);
     }
@@ -216,6 +245,7 @@ public final class MobileRegistration {
     void authenticationRejected() {
         rejectCause = Optional.of(RejectCause.ILLEGAL_MS);
         cardRefused = true;
+        isSimInvalid = isOverTowers();
         fire(MobileRegistrationEvent.AUTHENTICATION_REJECTED);
     }
 
@@ -236,7 +266,7 @@ public final class MobileRegistration {
 
     private void searchCell() {
         context.radio().release();
-        if (cellFound) {
+        if (cellFound && !isSimInvalid) {
             fire(MobileRegistrationEvent.CELL_FOUND);
         }
     }
@@ -276,8 +306,17 @@ public final class MobileRegistration {
     }
 
     private void pause() {
-        start(StationTimer.T3211, pause * StationTimer.T3211.nanos(), MobileRegistrationEvent.T3211_EXPIRED);
-        pause = Math.min(2 * pause, MAX_PAUSE);
+        long nanos = QUICK_NANOS << Math.min(failures, MOST_DOUBLINGS);
+        failures++;
+        if (isOverTowers()) {
+            nanos = failures < ATTEMPTS ? StationTimer.T3211.nanos() : periodic.nanos();
+        }
+        start(StationTimer.T3211, nanos, MobileRegistrationEvent.T3211_EXPIRED);
+    }
+
+    /** Whether a cell has sent its identity; our own centre sends none on its direct links. */
+    private boolean isOverTowers() {
+        return cellArea.isPresent();
     }
 
     private void reportRegistered() {

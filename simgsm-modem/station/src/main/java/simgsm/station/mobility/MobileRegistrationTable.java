@@ -58,7 +58,8 @@ public final class MobileRegistrationTable {
                 .on(updating, T3210_EXPIRED, again, RELEASE_CHANNEL, REPORT_UNREGISTERED, PAUSE)
                 .on(updating, CHANNEL_RELEASED, again, STOP_TIMERS, REPORT_UNREGISTERED, PAUSE)
                 .on(again, T3211_EXPIRED, updating, SEND_LOCATION_UPDATING_REQUEST)
-                .on(again, CELL_FOUND, updating, STOP_TIMERS, SEND_LOCATION_UPDATING_REQUEST);
+                .on(again, CELL_FOUND, updating, STOP_TIMERS, SEND_LOCATION_UPDATING_REQUEST)
+                .on(LIMITED_SERVICE, NEW_AREA, updating, SEND_LOCATION_UPDATING_REQUEST);
     }
 
     private static void registered() {

@@ -37,6 +37,11 @@ final class PeriodicUpdating {
         }
     }
 
+    /** T3212 of the cell; one step if it names none. */
+    long nanos() {
+        return Math.max(periodNanos, StationTimer.T3212.nanos());
+    }
+
     private void start(long nanos) {
         timers.start(StationTimer.T3212, nanos, () -> isDue = true);
     }

@@ -82,6 +82,6 @@ final class DeliveryReports {
     }
 
     private static boolean isFor(Msisdn to, StatusReportTpdu report) {
-        return report.recipient().number().map(to::equals).orElse(false);
+        return report.recipient().value().equals(to.digits());
     }
 }

@@ -141,7 +141,7 @@ final class MessageReceiver {
 
     private void take(Tpdu tpdu) {
         if (tpdu instanceof DeliverTpdu deliver) {
-            String from = deliver.originator().value();
+            String from = deliver.originator().toString();
             reassembler
                     .accept(
                             deliver.originator(),

@@ -134,7 +134,7 @@ final class CallCodes {
         List<String> calls = new ArrayList<>();
         state().ifPresent(state -> calls.add("1," + (isIncoming ? 1 : 0) + "," + state + ",0,0" + address(number)));
         held.ifPresent(call -> calls.add("2," + (call.isIncoming ? 1 : 0) + ",1,0,0" + address(call.number)));
-        waiting.ifPresent(call -> calls.add("2,1,5,0,0" + address(international(call.from()))));
+        waiting.ifPresent(call -> calls.add("2,1,5,0,0" + address(shown(call.from()))));
         return calls;
     }
 
@@ -163,20 +163,21 @@ final class CallCodes {
         return number.isEmpty() ? "" : ",\"" + number + "\"," + AddressType.of(number);
     }
 
-    static String international(Optional<Msisdn> number) {
-        return number.map(digits -> "+" + digits).orElse("");
+    private static String shown(Optional<Msisdn> number) {
+        return number.map(Msisdn::toString).orElse("");
     }
 
     // ---- events -------------------------------------------------------------------------------------------------
 
     void accept(StationEvent.OfCall event) {
         if (event instanceof StationEvent.Calling calling) {
-            begin(false, calling.number().digits());
+            begin(false, calling.number().toString());
             modem.books().dialled(number);
         } else if (event instanceof StationEvent.Ringing ringing) {
-            begin(true, international(ringing.from()));
+            begin(true, shown(ringing.from()));
             rings();
-        } else if (event instanceof StationEvent.Connected) {
+        } else if (event instanceof StationEvent.Connected connected) {
+            number = shown(connected.peer());
             connected();
         } else if (event instanceof StationEvent.Released released) {
             released(released.cause());
@@ -206,7 +207,7 @@ final class CallCodes {
         isConnected = false;
         modem.keys().callEnded();
         waiting.ifPresent(call -> {
-            number = international(call.from());
+            number = shown(call.from());
             isIncoming = true;
         });
         waiting = Optional.empty();
@@ -338,7 +339,7 @@ final class CallCodes {
     }
 
     private void reportWaiting(StationEvent.CallWaits call) {
-        String caller = international(call.from());
+        String caller = shown(call.from());
         reportTo(
                 client -> client.settings().showsWaiting,
                 "+CCWA: \"" + caller + "\"," + AddressType.of(caller) + "," + VOICE);

@@ -1,6 +1,7 @@
 package simgsm.modem.at.command;
 
 import simgsm.air.Msisdn;
+import simgsm.modem.at.AddressType;
 import simgsm.modem.at.AtCommandTable;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
@@ -60,8 +61,8 @@ final class MessageSettingCommands {
                 .read((client, request) -> request.answer(
                         AtRequest.quoted(client.settings()
                                 .characterSet
-                                .encode("+" + client.modem().messages().serviceCenter())),
-                        145))
+                                .encode(client.modem().messages().serviceCenter().toString())),
+                        AddressType.of(client.modem().messages().serviceCenter().toString())))
                 .set(MessageSettingCommands::serviceCenter);
         table.add("+CSMP", "fo,vp,pid,dcs", "text mode: first octet, validity, protocol, coding (17,167,0,0)")
                 .read((client, request) -> {

@@ -1,5 +1,6 @@
 package simgsm.modem.at.command;
 
+import simgsm.modem.at.AddressType;
 import simgsm.modem.at.AtCommandTable;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
@@ -20,11 +21,10 @@ final class SimCommands {
                 .execute((client, request) ->
                         request.line(client.modem().terminal().identity().imsi().digits()));
         table.add("+CNUM", "", "own number")
-                .execute((client, request) -> request.answer(
-                        "\"\"",
-                        AtRequest.quoted(
-                                "+" + client.modem().terminal().identity().number()),
-                        145));
+                .execute((client, request) -> {
+                    String number = client.modem().terminal().identity().number().toString();
+                    request.answer("\"\"", AtRequest.quoted(number), AddressType.of(number));
+                });
         table.add("+CCID", "", "number of the SIM")
                 .execute((client, request) -> request.line(
                         client.modem().profile().cardNumber(files(client).iccid())));

@@ -7,6 +7,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RelayMessage;
 import simgsm.air.SemiOctets;
+import simgsm.modem.at.AddressType;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.CmsError;
 import simgsm.octets.OctetString;
@@ -21,7 +22,6 @@ import simgsm.sms.TpduCodec;
  * @param serviceCenter as written, or the modem's own
  */
 public record PduText(Msisdn serviceCenter, OctetString tpdu) {
-    private static final int INTERNATIONAL = 0x91;
     private static final int TYPE_MASK = 0x03;
     private static final int SUBMIT = 0x01;
     private static final int COMMAND = 0x02;
@@ -47,8 +47,8 @@ public record PduText(Msisdn serviceCenter, OctetString tpdu) {
             MessageReader address = in.lengthAndValue("service centre");
             Msisdn center = ownServiceCenter;
             if (address.hasMore()) {
-                address.octet("type of address");
-                center = new Msisdn(SemiOctets.read(address));
+                boolean isInternational = address.octet("type of address") == AddressType.INTERNATIONAL;
+                center = new Msisdn(SemiOctets.read(address), isInternational);
             }
             OctetString tpdu = in.rest();
             if (tpdu.length() != length || !RelayMessage.isTpduLength(length)) {
@@ -87,8 +87,8 @@ public record PduText(Msisdn serviceCenter, OctetString tpdu) {
             }
             in.string(COMMAND_ADDRESS - 1, "command");
             int digits = in.octet("address length");
-            in.octet("type of address");
-            return new Msisdn(SemiOctets.readCounted(in, digits));
+            boolean isInternational = in.octet("type of address") == AddressType.INTERNATIONAL;
+            return new Msisdn(SemiOctets.readCounted(in, digits), isInternational);
         } catch (ProtocolViolation | IllegalArgumentException broken) {
             throw AtException.ofMessage(CmsError.INVALID_PDU_PARAMETER);
         }
@@ -101,7 +101,7 @@ public record PduText(Msisdn serviceCenter, OctetString tpdu) {
 
     /** In capitals, with the service centre. */
     public String digits() {
-        OctetWriter address = new OctetWriter().octet(INTERNATIONAL);
+        OctetWriter address = new OctetWriter().octet(AddressType.of(serviceCenter.toString()));
         SemiOctets.write(address, serviceCenter.digits(), 0);
         OctetString center = address.toOctetString();
         OctetWriter all =

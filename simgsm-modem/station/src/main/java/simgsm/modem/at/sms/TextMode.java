@@ -3,6 +3,7 @@ package simgsm.modem.at.sms;
 import java.util.List;
 import java.util.Locale;
 import simgsm.air.Msisdn;
+import simgsm.modem.at.AddressType;
 import simgsm.modem.at.state.ClientSettings;
 import simgsm.modem.at.state.ModemClock;
 import simgsm.modem.at.state.SimMemory;
@@ -90,7 +91,8 @@ public final class TextMode {
     }
 
     private String center() {
-        return "," + quoted(settings.characterSet.encode("+" + serviceCenter)) + ",145,";
+        return "," + quoted(settings.characterSet.encode(serviceCenter.toString())) + ","
+                + AddressType.of(serviceCenter.toString()) + ",";
     }
 
     private static String validity(ValidityPeriod validity) {
@@ -101,8 +103,7 @@ public final class TextMode {
     }
 
     private String address(SmsAddress address) {
-        String plus = address.type() == SmsAddress.INTERNATIONAL ? "+" : "";
-        return quoted(settings.characterSet.encode(plus + address.value()));
+        return quoted(settings.characterSet.encode(address.toString()));
     }
 
     /** Type of address with its extension bit, such as 145. */

@@ -24,7 +24,7 @@ public final class PhoneBooks {
     /** @param written the SIM's */
     public PhoneBooks(Msisdn own, SimPhoneBook written) {
         this.written = written;
-        this.own = new Entry("+" + own, "");
+        this.own = new Entry(own.toString(), "");
         for (String log : List.of("LD", "RC", "MC")) {
             logs.put(log, new ArrayDeque<>());
         }

@@ -41,7 +41,7 @@ public final class SimFiles {
 
     private static final int FILLER = 0xff;
     private static final int SPN_LETTERS = 16;
-    private static final int INTERNATIONAL = 0x91;
+    private static final int UNKNOWN = 0x81;
 
     private final Map<Integer, File> files = new TreeMap<>();
     private final String iccid;
@@ -99,7 +99,7 @@ public final class SimFiles {
     private static byte[] number(String number, int fromEnd) {
         byte[] record = filled(fromEnd);
         record[0] = (byte) ((number.length() + 1) / 2 + 1);
-        record[1] = (byte) INTERNATIONAL;
+        record[1] = (byte) UNKNOWN;
         System.arraycopy(digits(number, 10), 0, record, 2, 10);
         return record;
     }

@@ -1,0 +1,23 @@
+package simgsm.air;
+
+/** Who gives a cause (TS 24.008, 10.5.4.11); the ordinal is the code. */
+public enum CauseLocation {
+    USER,
+    PRIVATE_NETWORK_OF_LOCAL_USER,
+    PUBLIC_NETWORK_OF_LOCAL_USER,
+    TRANSIT_NETWORK,
+    PUBLIC_NETWORK_OF_REMOTE_USER,
+    PRIVATE_NETWORK_OF_REMOTE_USER,
+    /** Not used by the standard; code 10, network beyond interworking point, is read as this, too. */
+    OTHER_NETWORK,
+    INTERNATIONAL_NETWORK;
+
+    /** The party that sends in this direction. */
+    static CauseLocation of(Direction sent) {
+        return sent == Direction.UPLINK ? USER : PUBLIC_NETWORK_OF_LOCAL_USER;
+    }
+
+    static CauseLocation ofCode(int code) {
+        return code < values().length ? values()[code] : OTHER_NETWORK;
+    }
+}
