@@ -298,8 +298,7 @@ class AtCommandsTest {
         caller.dial("5550300");
         suite.seconds(3.5);
         assertEquals(
-                "RING|+CLIP: \"5550100\",129,,,,0|RING|+CLIP: \"5550100\",129,,,,0",
-                VirtualModem.lines(modem.heard()));
+                "RING|+CLIP: \"5550100\",129,,,,0|RING|+CLIP: \"5550100\",129,,,,0", VirtualModem.lines(modem.heard()));
         assertEquals("+CPAS: 3|OK", modem.say("AT+CPAS"));
         assertEquals("+CLCC: 1,1,4,0,0,\"5550100\",129|OK", modem.say("AT+CLCC"));
         assertEquals("OK", modem.say("ATA"));

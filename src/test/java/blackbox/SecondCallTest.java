@@ -84,8 +84,7 @@ public class SecondCallTest {
             RunningProgram phone = scenario.phone(Scenario.PHONE);
             RunningProgram second = scenario.phone(SECOND);
             RunningProgram third = scenario.phone(THIRD);
-            second.say("ussd **62*" + THIRD + "#")
-                    .expect("service", "code", "62", "state", "active", "to", THIRD);
+            second.say("ussd **62*" + THIRD + "#").expect("service", "code", "62", "state", "active", "to", THIRD);
             second.say("power off").expect("unregistered");
             phone.say("dial " + SECOND);
             third.expect("ringing", "from", Scenario.PHONE);

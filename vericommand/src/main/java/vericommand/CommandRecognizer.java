@@ -16,6 +16,8 @@ public final class CommandRecognizer {
     public static final long TIMEOUT_SAMPLES = 80_000;
 
     private static final int MAX_DIGITS = 4;
+    /** Keys before an opening, {@code #} among them, that are taken for an order whose opening was not heard. */
+    private static final int LEAST_STRAYS = 3;
 
     private StateMachine<Place, KeyClass, GrammarAction> machine;
     private final StringBuilder keys = new StringBuilder();
@@ -24,6 +26,10 @@ public final class CommandRecognizer {
     private int number;
     private Recognition recognition;
     private long silentSamples;
+    /** Keys outside orders since the last order or answer. */
+    private final StringBuilder strays = new StringBuilder();
+    /** Whether the keys outside orders are the rest of a broken order, which has been answered. */
+    private boolean isAnswered;
 
     /** A recogniser that has read no key. */
     public CommandRecognizer() {
@@ -34,6 +40,8 @@ public final class CommandRecognizer {
     public void reset() {
         machine = new StateMachine<>(CommandGrammar.TABLE, "vericommand", this::perform);
         keys.setLength(0);
+        strays.setLength(0);
+        isAnswered = false;
         silentSamples = 0;
     }
 
@@ -50,6 +58,9 @@ public final class CommandRecognizer {
     /** Reads the next key; a character that is no telephone key never fits. */
     public Recognition key(char key) {
         silentSamples = 0;
+        if (!isOpen() && !isAnswered) {
+            strays.append(key);
+        }
         keys.append(key);
         recognition = Recognition.PENDING;
         KeyClass event = KeyClass.of(key);
@@ -61,20 +72,40 @@ public final class CommandRecognizer {
         if (!isOpen() && machine.state() != Place.FIRST_STAR) {
             keys.setLength(0);
         }
+        if (recognition != Recognition.PENDING || isOpen() && machine.state() != Place.OPENED) {
+            strays.setLength(0);
+            isAnswered = recognition instanceof Recognition.Broken;
+        }
         return recognition;
     }
 
-    /** Counts samples of speech without a key; an order that has a key after its opening is dropped after 10 s. */
+    /**
+     * Counts samples of speech without a key. After 10 s an order that has a key after its opening is dropped, and keys that look
+     * like an order without its opening are a fault at the first of them.
+     */
     public Recognition elapsed(long samples) {
         silentSamples += samples;
-        if (silentSamples < TIMEOUT_SAMPLES || !machine.accepts(KeyClass.TIMEOUT)) {
+        if (silentSamples < TIMEOUT_SAMPLES) {
             return Recognition.PENDING;
         }
-        recognition = isOpen()
-                ? new Recognition.Broken(fault(KeyClass.TIMEOUT, keys.length() + 1, true))
-                : Recognition.PENDING;
+        isAnswered = false;
+        if (!machine.accepts(KeyClass.TIMEOUT) || !isOpen()) {
+            return strayOrder();
+        }
+        recognition = new Recognition.Broken(fault(KeyClass.TIMEOUT, keys.length() + 1, true));
         machine.fire(KeyClass.TIMEOUT);
         return recognition;
+    }
+
+    private Recognition strayOrder() {
+        if (machine.accepts(KeyClass.TIMEOUT)) {
+            machine.fire(KeyClass.TIMEOUT);
+        }
+        String read = strays.toString();
+        strays.setLength(0);
+        return read.length() < LEAST_STRAYS || read.indexOf('#') < 0
+                ? Recognition.PENDING
+                : new Recognition.Broken(new OrderFault(read, 1, ExpectedKeys.OPENING, OrderFault.Limit.NONE, true));
     }
 
     /** The fault of an order that ends here: which key is missing. */

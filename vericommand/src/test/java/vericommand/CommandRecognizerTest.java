@@ -267,6 +267,43 @@ class CommandRecognizerTest {
         assertEquals(List.of("ok:#**20"), press("** #**20 **"));
     }
 
+    /** Heard over towers, where a handover takes a key: the opening was damaged, or a closing key. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "*?*#*#4**|1:OPENING",
+                "?*#*#3**|1:OPENING",
+                "*#*#30**|1:OPENING",
+                "###|1:OPENING",
+                "**#*#*19*|",
+                "** #**20 ** *#*#20**|1:OPENING"
+            })
+    void anOrderWhoseOpeningWasNotHeardIsAnsweredOnceAfterTenSeconds(String heard, String answer) {
+        List<String> before = press(heard);
+        assertEquals(List.of(), silence(CommandRecognizer.TIMEOUT_SAMPLES - 1));
+        List<String> after = silence(1);
+
+        assertEquals(answer == null ? List.of() : List.of(answer), after);
+        assertEquals(answer == null ? 1 : heard.startsWith("** ") ? 1 : 0, before.size());
+        assertEquals(List.of(), silence(10 * CommandRecognizer.TIMEOUT_SAMPLES));
+        assertEquals(List.of("ok:#**20"), press("** #**20 **"));
+        assertEquals(List.of(), silence(CommandRecognizer.TIMEOUT_SAMPLES));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"12", "*#", "1234567", "** #**20 **", "** 5 #*#90 **"})
+    void otherKeysOutsideOrdersGetNoAnswer(String keys) {
+        press(keys);
+        assertEquals(List.of(), silence(10 * CommandRecognizer.TIMEOUT_SAMPLES));
+    }
+
+    @Test
+    void keysBeforeAnOrderAreForgottenWithIt() {
+        assertEquals(List.of("ok:#**20"), press("*#20 ** #**20 **"));
+        assertEquals(List.of(), silence(CommandRecognizer.TIMEOUT_SAMPLES));
+    }
+
     @Test
     void afterATimeOutTheNextOrderIsReadRight() {
         press("** #");

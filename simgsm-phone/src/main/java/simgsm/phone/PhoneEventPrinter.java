@@ -114,10 +114,12 @@ final class PhoneEventPrinter implements Consumer<StationEvent> {
             Event line = Event.of("service")
                     .with("code", answer.status().service().typed())
                     .with("state", answer.status().state());
+            Event told =
+                    answer.status().forwardedTo().map(to -> line.with("to", to)).orElse(line);
             console.emit(answer.status()
-                    .forwardedTo()
-                    .map(number -> line.with("to", number))
-                    .orElse(line));
+                    .noReplySeconds()
+                    .map(seconds -> told.with("seconds", seconds))
+                    .orElse(told));
         } else if (event instanceof StationEvent.UssdEnded end && end.how() != UssdEnding.COMPLETED) {
             Event line = Event.of("ussd-failed");
             console.emit(end.error()

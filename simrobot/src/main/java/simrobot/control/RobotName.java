@@ -23,6 +23,8 @@ public record RobotName(String name, Msisdn number) {
         if (equals < 0) {
             throw new IllegalArgumentException("expected NAME=NUMBER, found " + text);
         }
-        return new RobotName(text.substring(0, equals), Msisdn.parse(text.substring(equals + 1)).plain());
+        return new RobotName(
+                text.substring(0, equals),
+                Msisdn.parse(text.substring(equals + 1)).plain());
     }
 }

@@ -15,12 +15,15 @@ import simgsm.ss.SsCode;
 
 /** A subscriber's call forwarding (TS 23.082, 1.2) and call waiting (TS 23.083, 1), as the subscriber has set them. */
 public final class CallServices {
-    /** Service code, number, whether it is active. */
-    private static final Pattern PART = Pattern.compile("([0-9]+)=(?:(\\+?[0-9]+),)?(true|false)");
+    /** Service code, number, no reply time, whether it is active. */
+    private static final Pattern PART = Pattern.compile("([0-9]+)=(?:(\\+?[0-9]+),)?(?:([0-9]+)s,)?(true|false)");
+
+    private static final int USUAL_NO_REPLY_SECONDS = 20;
 
     private final Map<SsCode, Msisdn> forwardedTo = new EnumMap<>(SsCode.class);
     private final Set<SsCode> active = EnumSet.noneOf(SsCode.class);
     private Optional<Boolean> callWaiting = Optional.empty();
+    private int noReplySeconds = USUAL_NO_REPLY_SECONDS;
 
     CallServices() {}
 
@@ -28,6 +31,15 @@ public final class CallServices {
     public void register(SsCode condition, Msisdn number) {
         forwardedTo.put(condition, number);
         active.add(condition);
+    }
+
+    /** How long a call rings before it is forwarded. */
+    public int noReplySeconds() {
+        return noReplySeconds;
+    }
+
+    public void setNoReplySeconds(int seconds) {
+        noReplySeconds = seconds;
     }
 
     public void erase(SsCode condition) {
@@ -50,7 +62,9 @@ public final class CallServices {
 
     /** Where calls go on this condition; empty if they are not forwarded. */
     public Optional<Msisdn> forwarding(SsCode condition) {
-        return active.contains(condition) ? Optional.of(forwardedTo.get(condition).plain()) : Optional.empty();
+        return active.contains(condition)
+                ? Optional.of(forwardedTo.get(condition).plain())
+                : Optional.empty();
     }
 
     public void setCallWaiting(boolean isActive) {
@@ -69,17 +83,21 @@ public final class CallServices {
         int flags = ServiceStatus.PROVISIONED
                 | (number.isPresent() ? ServiceStatus.REGISTERED : 0)
                 | (active.contains(condition) ? ServiceStatus.ACTIVE : 0);
-        return new ServiceStatus(condition, flags, number);
+        boolean isTimed = number.isPresent() && condition == SsCode.FORWARDING_ON_NO_REPLY;
+        return new ServiceStatus(condition, flags, number, isTimed ? Optional.of(noReplySeconds) : Optional.empty());
     }
 
     /**
-     * For the store: {@code code=number,active} for each forwarding that is registered, {@code 43=active} for call waiting
-     * that the subscriber has set; separated by semicolons.
+     * For the store: {@code code=number,active} for each forwarding that is registered, {@code 61=number,25s,active} where the no
+     * reply time is another one than 20 s, {@code 43=active} for call waiting that the subscriber has set; separated by semicolons.
      */
     public String text() {
         StringJoiner parts = new StringJoiner(";");
-        forwardedTo.forEach(
-                (condition, number) -> parts.add(condition.typed() + "=" + number + "," + active.contains(condition)));
+        forwardedTo.forEach((condition, number) -> {
+            boolean isTimed = condition == SsCode.FORWARDING_ON_NO_REPLY && noReplySeconds != USUAL_NO_REPLY_SECONDS;
+            parts.add(condition.typed() + "=" + number + (isTimed ? "," + noReplySeconds + "s," : ",")
+                    + active.contains(condition));
+        });
         callWaiting.ifPresent(isActive -> parts.add(SsCode.CALL_WAITING.typed() + "=" + isActive));
         return parts.toString();
     }
@@ -89,6 +107,7 @@ public final class CallServices {
         forwardedTo.clear();
         active.clear();
         callWaiting = Optional.empty();
+        noReplySeconds = USUAL_NO_REPLY_SECONDS;
         for (String part : text.isEmpty() ? new String[0] : text.split(";")) {
             Matcher form = PART.matcher(part);
             Optional<SsCode> service = Stream.of(SsCode.values())
@@ -97,12 +116,13 @@ public final class CallServices {
             if (service.isEmpty()) {
                 throw new IllegalArgumentException("services of a subscriber: found " + part);
             }
-            boolean isActive = Boolean.parseBoolean(form.group(3));
+            boolean isActive = Boolean.parseBoolean(form.group(4));
             if (form.group(2) == null) {
                 setCallWaiting(isActive);
             } else {
                 register(service.get(), Msisdn.parse(form.group(2)));
                 setForwarding(service.get(), isActive);
+                noReplySeconds = form.group(3) == null ? noReplySeconds : Integer.parseInt(form.group(3));
             }
         }
     }

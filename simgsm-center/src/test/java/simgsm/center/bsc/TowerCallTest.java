@@ -87,7 +87,7 @@ class TowerCallTest extends TowerCalls {
         }
         stage.passMillis(millis);
 
-        assertEquals("832502e0a2", lastLayer3());
+        assertEquals("832502e2a2", lastLayer3());
     }
 
     @Test
@@ -149,7 +149,7 @@ class TowerCallTest extends TowerCalls {
         west.tell(signalling, "062f6f");
 
         west.down("0825 0109", "082e 0109");
-        assertEquals("832502e0a2", west.nextLayer3());
+        assertEquals("832502e2a2", west.nextLayer3());
     }
 
     @Test
@@ -163,7 +163,7 @@ class TowerCallTest extends TowerCalls {
         }
         stage.passMillis(1);
 
-        assertEquals("832502e0a2", west.nextLayer3());
+        assertEquals("832502e2a2", west.nextLayer3());
     }
 
     @Test
@@ -171,7 +171,7 @@ class TowerCallTest extends TowerCalls {
         List<String> occupied = occupyTrafficChannels();
         String signalling = dial(west);
         stage.passMillis(5_000);
-        assertEquals("832502e0a2", lastLayer3());
+        assertEquals("832502e2a2", lastLayer3());
         west.tell(signalling, "0524 71 03331981 05f4" + caller);
         west.tell(signalling, "1345 0406600402000581 5e0581550502f0");
         west.received.clear();
@@ -294,7 +294,7 @@ class TowerCallTest extends TowerCalls {
         west.vanish();
 
         assertEquals(CallProgress.RELEASED, progress());
-        assertEquals("032502e0a9", east.nextLayer3());
+        assertEquals("032502e2a9", east.nextLayer3());
         assertTrue(channels[1].startsWith("0"));
         assertFalse(west.media.get(0).isOpen);
     }

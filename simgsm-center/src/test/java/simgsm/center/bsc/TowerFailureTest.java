@@ -27,7 +27,7 @@ class TowerFailureTest extends TowerCalls {
         west.up("0206 01" + traffic + "0200");
         west.tell(traffic, "062900");
 
-        assertEquals("832502e0a2", west.nextLayer3());
+        assertEquals("832502e2a2", west.nextLayer3());
         assertEquals(Optional.empty(), west.closedFor);
     }
 
@@ -37,7 +37,7 @@ class TowerFailureTest extends TowerCalls {
 
         west.up("7e75 01" + channels[0] + "f80001 1a012f");
 
-        assertEquals("832502e0a2", west.nextLayer3());
+        assertEquals("832502e2a2", west.nextLayer3());
         assertEquals(Optional.empty(), west.closedFor);
     }
 
@@ -63,10 +63,10 @@ class TowerFailureTest extends TowerCalls {
 
         stage.passMillis(999);
         assertFalse(
-                west.received.stream().anyMatch(message -> message.toString().contains("832502e0a2")));
+                west.received.stream().anyMatch(message -> message.toString().contains("832502e2a2")));
         stage.passMillis(1);
 
-        assertEquals("832502e0a2", west.nextLayer3());
+        assertEquals("832502e2a2", west.nextLayer3());
     }
 
     @Test
@@ -82,7 +82,7 @@ class TowerFailureTest extends TowerCalls {
         west.tell(signalling, "06286f");
         stage.passMillis(0);
 
-        assertEquals("832502e0a2", west.nextLayer3());
+        assertEquals("832502e2a2", west.nextLayer3());
     }
 
     @Test

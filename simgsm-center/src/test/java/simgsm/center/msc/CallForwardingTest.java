@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Call forwarding by service codes, and where calls go then (TS 22.082). */
 class CallForwardingTest extends ThreePhones {
@@ -108,7 +109,50 @@ class CallForwardingTest extends ThreePhones {
         assertEquals(List.of("ringing 5550100"), carol.news());
         carol.station.answer();
         settle();
-        assertEquals(List.of("alerting", "connected 5550101"), alice.news());
+        assertEquals(List.of("alerting", "connected 5550102"), alice.news());
+    }
+
+    /** TS 22.082, 3: 5 to 30 s in steps of 5; the answer tells the time. */
+    @ParameterizedTest
+    @ValueSource(ints = {5, 25, 30})
+    void aCallThatIsNotAnsweredGoesOnAfterTheTimeThatTheSubscriberHasSet(int noReplySeconds) {
+        String code = "**61*5550102**" + noReplySeconds + "#";
+        assertEquals(List.of("61 active 5550102 after " + noReplySeconds + " s"), bob.code(code));
+        assertEquals(List.of("61 active 5550102 after " + noReplySeconds + " s"), bob.code("*#61#"));
+        alice.dial(BOB);
+        seconds(noReplySeconds - 1);
+        assertEquals(List.of("ringing 5550100"), bob.news());
+        assertEquals(List.of(), carol.news());
+        seconds(2);
+        assertEquals(List.of("ringing 5550100"), carol.news());
+    }
+
+    /** TS 22.030, annex C; TS 29.002, 17.5: errors 10 and 11; TS 22.082, 3: error 36. */
+    @ParameterizedTest
+    @CsvSource({
+        "*21*5550102*13#, 11", "**21*5550102*16#, 11", "##21**12#, 11", "*21*5550102*20#, 10", "*21*5550102*25#, 10",
+        "*43*13#, 11", "**61*5550102**4#, 36", "**61*5550102**7#, 36", "**61*5550102**35#, 36", "**21*5550102**20#, 36"
+    })
+    void aServiceOrTimeThatTheNetworkDoesNotHaveIsRefusedAndChangesNothing(String code, int error) {
+        assertEquals(List.of("refused " + error), bob.code(code));
+        assertEquals(List.of("21 inactive"), bob.code("*#21#"));
+        alice.dial(BOB);
+        assertEquals(List.of("ringing 5550100"), bob.news());
+        seconds(25);
+        assertEquals(List.of(), carol.news());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"**21*5550102*10#", "**21*5550102*11#", "**21*5550102*19#"})
+    void aGroupThatIncludesSpeechForwardsCalls(String code) {
+        assertEquals(List.of("21 active 5550102"), bob.code(code));
+    }
+
+    @Test
+    void anInternationalNumberKeepsItsPlusAndIsReachedByItsDigits() {
+        assertEquals(List.of("21 active +5550102"), bob.code("**21*+5550102#"));
+        alice.dial(BOB);
+        assertEquals(List.of("ringing 5550100"), carol.news());
     }
 
     @Test

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import simgsm.abis.RtpPacket;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
+import simgsm.air.CauseLocation;
 import simgsm.air.ProtocolViolation;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.dtmf.Goertzel;
@@ -70,7 +71,10 @@ class NetworkTonesTest {
         caller.dial("5550200");
         caller.next(CallControl.CallProceeding.class);
         CallControl.Disconnect disconnect = caller.next(CallControl.Disconnect.class);
-        assertEquals(new CallControl.Disconnect(OUR_CALL.answered(), Cause.USER_BUSY, simgsm.air.CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true), disconnect);
+        assertEquals(
+                new CallControl.Disconnect(
+                        OUR_CALL.answered(), Cause.USER_BUSY, CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true),
+                disconnect);
         network.pass(Duration.ofMillis(1990));
         assertEquals(100, caller.heard.size());
         assertEquals(-13, dbm0(caller, 425, 1, 24), 0.3);

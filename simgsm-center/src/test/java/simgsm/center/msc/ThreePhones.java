@@ -109,6 +109,10 @@ abstract class ThreePhones {
                         + answer.status()
                                 .forwardedTo()
                                 .map(number -> " " + number)
+                                .orElse("")
+                        + answer.status()
+                                .noReplySeconds()
+                                .map(seconds -> " after " + seconds + " s")
                                 .orElse(""));
             } else if (event instanceof StationEvent.UssdEnded end) {
                 told.add("refused " + end.error().map(error -> error.code()).orElse(-1));

@@ -54,8 +54,7 @@ final class CallControlCodec {
         } else if (message instanceof CallControl.Alerting alerting) {
             writeInBand(out, alerting.inBand());
         } else if (message instanceof CallControl.Connect connect) {
-            connect.connected()
-                    .ifPresent(number -> NumberElements.writeShown(out.octet(CONNECTED_NUMBER), number));
+            connect.connected().ifPresent(number -> NumberElements.writeShown(out.octet(CONNECTED_NUMBER), number));
         } else if (message instanceof CallControl.Disconnect disconnect) {
             CauseElement.write(out, disconnect.cause(), disconnect.location());
             writeInBand(out, disconnect.inBand());
@@ -90,7 +89,8 @@ final class CallControlCodec {
             throws ProtocolViolation {
         CallControl message = switch (type) {
             case SETUP -> readSetup(ti, in, direction);
-            case CALL_CONFIRMED -> new CallControl.CallConfirmed(ti, readOptionalCause(in).map(CauseElement::cause));
+            case CALL_CONFIRMED ->
+                new CallControl.CallConfirmed(ti, readOptionalCause(in).map(CauseElement::cause));
             case CALL_PROCEEDING -> new CallControl.CallProceeding(ti);
             case PROGRESS -> readProgress(ti, in);
             case ALERTING -> new CallControl.Alerting(ti, readInBand(in));
@@ -98,15 +98,18 @@ final class CallControlCodec {
             case CONNECT_ACKNOWLEDGE -> new CallControl.ConnectAcknowledge(ti);
             case START_DTMF -> new CallControl.StartDtmf(ti, readKey(in));
             case START_DTMF_ACKNOWLEDGE -> new CallControl.StartDtmfAcknowledge(ti, readKey(in));
-            case START_DTMF_REJECT -> new CallControl.StartDtmfReject(ti, CauseElement.read(in).cause());
+            case START_DTMF_REJECT ->
+                new CallControl.StartDtmfReject(ti, CauseElement.read(in).cause());
             case STOP_DTMF -> new CallControl.StopDtmf(ti);
             case STOP_DTMF_ACKNOWLEDGE -> new CallControl.StopDtmfAcknowledge(ti);
             case HOLD -> new CallControl.Hold(ti);
             case HOLD_ACKNOWLEDGE -> new CallControl.HoldAcknowledge(ti);
-            case HOLD_REJECT -> new CallControl.HoldReject(ti, CauseElement.read(in).cause());
+            case HOLD_REJECT ->
+                new CallControl.HoldReject(ti, CauseElement.read(in).cause());
             case RETRIEVE -> new CallControl.Retrieve(ti);
             case RETRIEVE_ACKNOWLEDGE -> new CallControl.RetrieveAcknowledge(ti);
-            case RETRIEVE_REJECT -> new CallControl.RetrieveReject(ti, CauseElement.read(in).cause());
+            case RETRIEVE_REJECT ->
+                new CallControl.RetrieveReject(ti, CauseElement.read(in).cause());
             case DISCONNECT -> readDisconnect(ti, in);
             case RELEASE -> {
                 Optional<CauseElement> cause = readOptionalCause(in);
@@ -114,7 +117,8 @@ final class CallControlCodec {
             }
             case RELEASE_COMPLETE -> {
                 Optional<CauseElement> cause = readOptionalCause(in);
-                yield new CallControl.ReleaseComplete(ti, cause.map(CauseElement::cause), cause.map(CauseElement::location));
+                yield new CallControl.ReleaseComplete(
+                        ti, cause.map(CauseElement::cause), cause.map(CauseElement::location));
             }
             case FACILITY ->
                 new CallControl.Facility(ti, in.lengthAndValue("facility").rest());
@@ -160,8 +164,7 @@ final class CallControlCodec {
     private static CallControl.Disconnect readDisconnect(TransactionIdentifier transaction, MessageReader in) {
         try {
             CauseElement cause = CauseElement.read(in);
-            return new CallControl.Disconnect(
-                    transaction, cause.cause(), cause.location(), readInBand(in));
+            return new CallControl.Disconnect(transaction, cause.cause(), cause.location(), readInBand(in));
         } catch (ProtocolViolation broken) {
             in.skipRest();
             return new CallControl.Disconnect(transaction, Cause.INVALID_MANDATORY_INFORMATION);

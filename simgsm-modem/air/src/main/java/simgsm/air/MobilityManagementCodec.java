@@ -108,7 +108,8 @@ final class MobilityManagementCodec {
             case AUTHENTICATION_RESPONSE -> readAuthenticationResponse(in);
             case AUTHENTICATION_REJECT -> new AuthenticationReject();
             case AUTHENTICATION_FAILURE ->
-                new AuthenticationFailure(readCause(in, direction), element(in, AUTS, AuthenticationFailure.AUTS_LENGTH));
+                new AuthenticationFailure(
+                        readCause(in, direction), element(in, AUTS, AuthenticationFailure.AUTS_LENGTH));
             case TMSI_REALLOCATION_COMPLETE -> new TmsiReallocationComplete();
             case CM_SERVICE_REQUEST -> readCmServiceRequest(in);
             case CM_SERVICE_ACCEPT -> new CmServiceAccept();

@@ -22,7 +22,8 @@ final class SupplementaryServiceCodec {
         } else if (message instanceof SsFacility facility) {
             writeFacility(out, facility.facility());
         } else if (message instanceof SsReleaseComplete complete) {
-            complete.cause().ifPresent(cause -> CauseElement.write(out.octet(CAUSE), cause, CauseLocation.of(direction)));
+            complete.cause()
+                    .ifPresent(cause -> CauseElement.write(out.octet(CAUSE), cause, CauseLocation.of(direction)));
             complete.facility().ifPresent(facility -> writeFacility(out.octet(FACILITY), facility));
         }
     }

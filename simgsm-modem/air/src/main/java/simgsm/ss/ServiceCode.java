@@ -22,8 +22,9 @@ public final class ServiceCode {
 
     private static final String HIDING = "#31#";
 
-    /** Procedure, service code, supplementary information. */
-    private static final Pattern FORM = Pattern.compile("(\\*\\*|\\*#|##|\\*|#)([0-9]{2,3})(?:\\*([0-9+]*)[0-9*]*)?#");
+    /** Procedure, service code, supplementary information A, B and C. */
+    private static final Pattern FORM =
+            Pattern.compile("(\\*\\*|\\*#|##|\\*|#)([0-9]{2,3})(?:\\*([0-9+]*)(?:\\*([0-9]*)(?:\\*([0-9]{0,3}))?)?)?#");
 
     /** Codes of call forwarding begin so (TS 24.080, 4.5: SS-Code). */
     private static final int FORWARDING = 0x20;
@@ -39,6 +40,20 @@ public final class ServiceCode {
         SERVICES.putAll(Map.of(
                 "330", 0x90, "333", 0x91, "33", 0x92, "331", 0x93, "332", 0x94, "353", 0x99, "35", 0x9a, "351", 0x9b));
     }
+
+    /** Basic service groups (TS 22.030, annex C): tag of teleservice or bearer service, and code (TS 29.002, 17.7.9 and 17.7.10). */
+    private static final Map<String, Integer> GROUPS = Map.ofEntries(
+            Map.entry("10", 0x8300),
+            Map.entry("11", 0x8311),
+            Map.entry("12", 0x8370),
+            Map.entry("13", 0x8360),
+            Map.entry("16", 0x8320),
+            Map.entry("19", 0x8380),
+            Map.entry("20", 0x8200),
+            Map.entry("21", 0x8260),
+            Map.entry("22", 0x8268),
+            Map.entry("24", 0x8258),
+            Map.entry("25", 0x8250));
 
     private ServiceCode() {}
 
@@ -66,10 +81,17 @@ public final class ServiceCode {
     public static Invoke invoke(int id, String typed) {
         Matcher form = FORM.matcher(typed);
         if (form.matches() && SERVICES.containsKey(form.group(2))) {
-            String information = form.group(3) == null ? "" : form.group(3);
             int service = SERVICES.get(form.group(2));
-            SsOperation operation = operation(form.group(1), service, information);
-            return new Invoke(id, operation, argument(operation, service, information));
+            boolean isForwarding = (service & GROUP) == FORWARDING;
+            String number = isForwarding ? text(form.group(3)) : "";
+            String group = text(form.group(isForwarding ? 4 : 3));
+            SsOperation operation = operation(form.group(1), isForwarding, number);
+            if (group.isEmpty() || GROUPS.containsKey(group)) {
+                Optional<Integer> seconds = Optional.of(text(form.group(5)))
+                        .filter(text -> !text.isEmpty() && operation == SsOperation.REGISTER_SS)
+                        .map(Integer::valueOf);
+                return new Invoke(id, operation, argument(operation, service, number, group, seconds));
+            }
         }
         return new Invoke(
                 id,
@@ -78,8 +100,7 @@ public final class ServiceCode {
     }
 
     /** {@code *} registers a forwarding if it has a number, and activates everything else. */
-    private static SsOperation operation(String procedure, int service, String information) {
-        boolean isForwarding = (service & GROUP) == FORWARDING;
+    private static SsOperation operation(String procedure, boolean isForwarding, String information) {
         return switch (procedure) {
             case "**" -> SsOperation.REGISTER_SS;
             case "*#" -> SsOperation.INTERROGATE_SS;
@@ -89,11 +110,18 @@ public final class ServiceCode {
         };
     }
 
-    private static OctetString argument(SsOperation operation, int service, String information) {
-        boolean isNumber = information.matches("\\+?[0-9]{1," + Msisdn.MAX_DIGITS + "}");
+    private static String text(String typed) {
+        return typed == null ? "" : typed;
+    }
+
+    private static OctetString argument(
+            SsOperation operation, int service, String number, String group, Optional<Integer> seconds) {
+        boolean isNumber = number.matches("\\+?[0-9]{1," + Msisdn.MAX_DIGITS + "}");
         return new SsArgument(
                         service,
-                        operation == SsOperation.REGISTER_SS && isNumber ? Optional.of(information) : Optional.empty())
+                        Optional.ofNullable(GROUPS.get(group)),
+                        operation == SsOperation.REGISTER_SS && isNumber ? Optional.of(number) : Optional.empty(),
+                        seconds)
                 .encode();
     }
 }

@@ -12,8 +12,9 @@ import simgsm.octets.OctetWriter;
  *
  * @param flags SS-Status: a sum of the constants
  * @param forwardedTo the number that is registered, with a plus sign if it is international
+ * @param noReplySeconds after which a call that is not answered is forwarded; empty for other services
  */
-public record ServiceStatus(SsCode service, int flags, Optional<String> forwardedTo) {
+public record ServiceStatus(SsCode service, int flags, Optional<String> forwardedTo, Optional<Integer> noReplySeconds) {
     public static final int ACTIVE = 1;
     public static final int REGISTERED = 2;
     public static final int PROVISIONED = 4;
@@ -31,6 +32,12 @@ public record ServiceStatus(SsCode service, int flags, Optional<String> forwarde
     private static final int STATUS = 0x84;
     /** [5] in ForwardingFeature. */
     private static final int NUMBER = 0x85;
+    /** [7] in ForwardingFeature. */
+    private static final int NO_REPLY_TIME = 0x87;
+
+    public ServiceStatus(SsCode service, int flags, Optional<String> forwardedTo) {
+        this(service, flags, forwardedTo, Optional.empty());
+    }
 
     public boolean isActive() {
         return (flags & ACTIVE) != 0;
@@ -62,6 +69,7 @@ public record ServiceStatus(SsCode service, int flags, Optional<String> forwarde
     private OctetString features() {
         OctetWriter feature = BerElement.write(new OctetWriter(), STATUS, flags);
         forwardedTo.ifPresent(number -> BerElement.write(feature, NUMBER, SsArgument.address(number)));
+        noReplySeconds.ifPresent(seconds -> BerElement.write(feature, NO_REPLY_TIME, seconds));
         return element(BerElement.SEQUENCE, feature.toOctetString());
     }
 
@@ -121,14 +129,17 @@ public record ServiceStatus(SsCode service, int flags, Optional<String> forwarde
     private static ServiceStatus parts(SsCode service, MessageReader in) throws ProtocolViolation {
         int flags = 0;
         Optional<String> number = Optional.empty();
+        Optional<Integer> seconds = Optional.empty();
         while (in.hasMore()) {
             BerElement element = BerElement.read(in, "the status");
             if (element.tag() == STATUS) {
                 flags = element.octet("the status");
             } else if (element.tag() == NUMBER) {
                 number = Optional.of(SsArgument.readAddress(element.content()));
+            } else if (element.tag() == NO_REPLY_TIME) {
+                seconds = Optional.of(element.octet("the no reply time"));
             }
         }
-        return new ServiceStatus(service, flags, number);
+        return new ServiceStatus(service, flags, number, seconds);
     }
 }

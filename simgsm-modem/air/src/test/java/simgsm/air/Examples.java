@@ -125,7 +125,9 @@ public final class Examples {
                     "03050401a05c081183947100000010"),
             down(
                     new Setup(
-                            ours(1), Optional.of(Msisdn.parse("+491700000001")), Optional.of(Msisdn.parse("+491700000002"))),
+                            ours(1),
+                            Optional.of(Msisdn.parse("+491700000001")),
+                            Optional.of(Msisdn.parse("+491700000002"))),
                     "13050401a05c0811839471000000105e0791947100000020"),
             up(
                     new Setup(ours(0), Optional.empty(), Optional.of(new Msisdn("5550200"))),
@@ -140,7 +142,9 @@ public final class Examples {
             down(new Alerting(theirs(0)), "8301"),
             down(new Alerting(theirs(0), true), "83011e02e288"),
             down(new Disconnect(theirs(0), Cause.USER_BUSY, CauseLocation.USER, false), "832502e091"),
-            down(new Disconnect(theirs(0), Cause.USER_BUSY, CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true), "832502e2911e02e288"),
+            down(
+                    new Disconnect(theirs(0), Cause.USER_BUSY, CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER, true),
+                    "832502e2911e02e288"),
             new Example(new Alerting(theirs(0)), UP, 1, "8341"),
             up(new Connect(theirs(0)), "8307"),
             down(new ConnectAcknowledge(ours(0)), "030f"),

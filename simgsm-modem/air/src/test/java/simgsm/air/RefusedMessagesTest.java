@@ -126,7 +126,8 @@ class RefusedMessagesTest {
     void aRefusedSetupIsReleased() {
         assertEquals(
                 List.of(new CallControl.ReleaseComplete(
-                        Examples.theirs(2), Optional.of(Cause.INVALID_MANDATORY_INFORMATION),
+                        Examples.theirs(2),
+                        Optional.of(Cause.INVALID_MANDATORY_INFORMATION),
                         Optional.of(CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER))),
                 ProtocolErrorAnswers.to(refused("2305", Direction.UPLINK), 0));
     }

@@ -36,7 +36,8 @@ class SentAsTheStandardSaysTest {
     }
 
     static List<Row> rows() {
-        return Stream.concat(Stream.of(calls(), identities()).flatMap(List::stream), rejects()).toList();
+        return Stream.concat(Stream.of(calls(), identities()).flatMap(List::stream), rejects())
+                .toList();
     }
 
     private static List<Row> calls() {
@@ -44,8 +45,7 @@ class SentAsTheStandardSaysTest {
                 down(
                         "24.008 10.5.4.11: osmo-msc sends its own cause as a private network's, the exchange here as a public one's",
                         "832502e181",
-                        new Disconnect(
-                                TI, Cause.UNASSIGNED_NUMBER, CauseLocation.PRIVATE_NETWORK_OF_LOCAL_USER, false),
+                        new Disconnect(TI, Cause.UNASSIGNED_NUMBER, CauseLocation.PRIVATE_NETWORK_OF_LOCAL_USER, false),
                         "832502e181"),
                 down(
                         "24.008 10.5.4.11: a user's cause that the network passes on",
@@ -90,9 +90,17 @@ class SentAsTheStandardSaysTest {
 
     private static List<Row> identities() {
         return List.of(
-                up("22.016 2: the Luhn digit is not sent", "0519084a09512430325701", identity(), "0519084a09512430325701"),
+                up(
+                        "22.016 2: the Luhn digit is not sent",
+                        "0519084a09512430325701",
+                        identity(),
+                        "0519084a09512430325701"),
                 up("22.016 2: a phone sends it", "0519084a09512430325781", identity(), "0519084a09512430325701"),
-                up("22.016 2: a phone sends another digit", "0519084a09512430325751", identity(), "0519084a09512430325701"));
+                up(
+                        "22.016 2: a phone sends another digit",
+                        "0519084a09512430325751",
+                        identity(),
+                        "0519084a09512430325701"));
     }
 
     private static IdentityResponse identity() {
@@ -138,8 +146,7 @@ class SentAsTheStandardSaysTest {
     @ParameterizedTest
     @MethodSource("rows")
     void whatOthersSendIsReadAndSentAsTheStandardSays(Row row) throws ProtocolViolation {
-        assertEquals(
-                row.read, Layer3Codec.decode(OctetString.ofHex(row.others).toArray(), row.direction));
+        assertEquals(row.read, Layer3Codec.decode(OctetString.ofHex(row.others).toArray(), row.direction));
         assertEquals(
                 row.ours,
                 OctetString.of(Layer3Codec.encode(row.read, row.direction, 0)).toString());

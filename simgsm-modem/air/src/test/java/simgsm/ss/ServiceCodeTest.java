@@ -18,7 +18,10 @@ class ServiceCodeTest {
         "#43#, DEACTIVATE_SS, 3003040141",
         "##002#, ERASE_SS, 3003040120",
         "*21*5550200#, REGISTER_SS, 300a040121840581550502f0",
-        "**61*+5550200*11*20#, REGISTER_SS, 300a04012a840591550502f0"
+        "**61*+5550200*11*20#, REGISTER_SS, 301004012a830111840591550502f0850114",
+        "*21*5550200*13#, REGISTER_SS, 300d040121830160840581550502f0",
+        "*43*11#, ACTIVATE_SS, 3006040141830111",
+        "##21**20#, ERASE_SS, 3006040121820100"
     })
     void aCodeOfASupplementaryServiceIsItsOperation(String typed, SsOperation operation, String argument) {
         Component.Invoke invoke = ServiceCode.invoke(1, typed);

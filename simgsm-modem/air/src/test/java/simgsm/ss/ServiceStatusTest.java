@@ -47,7 +47,7 @@ class ServiceStatusTest {
     @Test
     void anArgumentWithANumberIsReadAsItWasWritten() throws ProtocolViolation {
         for (String number : new String[] {"5550102", "+5550102", "1"}) {
-            SsArgument argument = new SsArgument(0x21, Optional.of(number));
+            SsArgument argument = new SsArgument(0x21, Optional.of(0x8311), Optional.of(number), Optional.of(25));
             assertEquals(argument, SsArgument.decode(argument.encode()));
         }
     }

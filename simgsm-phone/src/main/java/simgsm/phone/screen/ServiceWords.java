@@ -30,6 +30,7 @@ public final class ServiceWords {
         List<Words> lines = new ArrayList<>();
         lines.add(state(status));
         status.forwardedTo().ifPresent(number -> lines.add(Words.of("service.to", names.apply(number))));
+        status.noReplySeconds().ifPresent(seconds -> lines.add(Words.of("service.after", seconds)));
         return lines;
     }
 

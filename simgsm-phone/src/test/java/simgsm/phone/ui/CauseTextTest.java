@@ -27,7 +27,11 @@ class CauseTextTest {
         TextBundle texts = new TextBundle(ResourceBundle.getBundle("simgsm.phone.messages", locale), Locale.ROOT);
         assertEquals(
                 words.toLowerCase(Locale.ROOT),
-                CauseText.ofRefusal(texts, RejectCause.ofCode(code, simgsm.air.Direction.DOWNLINK), cardRefused, new Msisdn("5550100"))
+                CauseText.ofRefusal(
+                                texts,
+                                RejectCause.ofCode(code, simgsm.air.Direction.DOWNLINK),
+                                cardRefused,
+                                new Msisdn("5550100"))
                         .toLowerCase(Locale.ROOT));
     }
 }

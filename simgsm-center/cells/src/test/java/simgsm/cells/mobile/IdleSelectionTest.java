@@ -108,7 +108,16 @@ class IdleSelectionTest {
 
     /** TS 45.005, 4.1.1: class 4 of GSM 900 has 33 dBm, class 1 of DCS 1800 30 dBm. */
     @ParameterizedTest
-    @CsvSource({"100, 5, 0", "100, 3, 4", "100, 0, 6", "100, 19, 0", "600, 0, 0", "600, 5, 0", "600, 29, 6", "600, 31, 2"})
+    @CsvSource({
+        "100, 5, 0",
+        "100, 3, 4",
+        "100, 0, 6",
+        "100, 19, 0",
+        "600, 0, 0",
+        "600, 5, 0",
+        "600, 29, 6",
+        "600, 31, 2"
+    })
     void theHandsetLacksWhatTheLevelOfItsBandAsksAboveItsOutput(int arfcn, int level, int decibels) {
         assertEquals(decibels, MobilePower.missingDecibels(arfcn, level));
     }

@@ -137,6 +137,9 @@ class ChannelChangeTest {
         scene.network.place("5550100", new simgsm.cells.town.TownPlace(60_000, 0));
         scene.pass(10 * 480 * MILLI);
         scene.network.place("5550100", new simgsm.cells.town.TownPlace(500, 0));
+        scene.pass(480 * MILLI);
+        scene.west.up.clear();
+        assertEquals(TownScene.LINK_TIMEOUT - 10 + 2, terminal.mobile.radioLinkCount());
         assign(1);
         scene.pass(100 * MILLI);
 

@@ -50,6 +50,7 @@ public final class CallLeg implements PagedTransaction {
     private Cause cause = Cause.NORMAL_CALL_CLEARING;
     /** The cause in the clearing message to the mobile; empty if the mobile clears. */
     private Optional<Cause> sentCause = Optional.empty();
+
     private CauseLocation location = CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER;
     /** Whether the message of this state announces a tone of the network's. */
     private boolean announcesTone;
@@ -335,11 +336,11 @@ public final class CallLeg implements PagedTransaction {
             case SEND_CONNECT -> link.send(new CallControl.Connect(transaction, Optional.of(call.connected())));
             case SEND_CONNECT_ACKNOWLEDGE -> link.send(new CallControl.ConnectAcknowledge(transaction));
             case SEND_DISCONNECT ->
-                link.send(new CallControl.Disconnect(
-                        transaction, sentCause.orElse(cause), location, announcesTone));
-            case SEND_RELEASE -> link.send(new CallControl.Release(transaction, sentCause, sentCause.map(sent -> location)));
-            case SEND_RELEASE_COMPLETE -> link.send(new CallControl.ReleaseComplete(
-                        transaction, sentCause, sentCause.map(sent -> location)));
+                link.send(new CallControl.Disconnect(transaction, sentCause.orElse(cause), location, announcesTone));
+            case SEND_RELEASE ->
+                link.send(new CallControl.Release(transaction, sentCause, sentCause.map(sent -> location)));
+            case SEND_RELEASE_COMPLETE ->
+                link.send(new CallControl.ReleaseComplete(transaction, sentCause, sentCause.map(sent -> location)));
             case START_T308 -> restartGuard();
             case PLAY_TONE -> {
                 if (announcesTone) {

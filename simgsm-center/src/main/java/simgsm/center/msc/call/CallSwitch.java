@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.air.CallControl;
@@ -135,8 +136,11 @@ public final class CallSwitch implements LinkUser {
 
     private void open(Link link, CallControl.Setup setup) {
         if (link.radio().takeService()) {
-            NetworkCall call =
-                    new NetworkCall(this, on(link), setup.transaction().answered(), setup.called().map(Msisdn::plain));
+            NetworkCall call = new NetworkCall(
+                    this,
+                    on(link),
+                    setup.transaction().answered(),
+                    setup.called().map(Msisdn::plain));
             call.originating().receive(setup);
         } else {
             refuse(link, setup.transaction(), Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
@@ -204,6 +208,12 @@ public final class CallSwitch implements LinkUser {
     /** Where the called subscriber forwards this call on a condition. */
     Optional<Msisdn> forwarding(NetworkCall call, SsCode condition) {
         return subscriberOf(call).flatMap(called -> called.services().forwarding(condition));
+    }
+
+    /** How long the called mobile rings before a call is forwarded. */
+    long noReplyNanos(NetworkCall call) {
+        return TimeUnit.SECONDS.toNanos(
+                subscriberOf(call).orElseThrow().services().noReplySeconds());
     }
 
     /** Forwards the call if the called subscriber wants it (TS 23.082, 1.3). @return whether it goes on, or has been refused */

@@ -5,7 +5,6 @@ import java.util.concurrent.TimeUnit;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
-import simgsm.center.msc.link.NetworkTimer;
 import simgsm.ss.SsCode;
 import simgsm.timer.Timer;
 
@@ -162,7 +161,7 @@ public final class NetworkCall {
         enter(CallProgress.ALERTING);
         originating.alert();
         if (exchange.forwarding(this, SsCode.FORWARDING_ON_NO_REPLY).isPresent()) {
-            noReply = originating.link().timers().start(NetworkTimer.NO_REPLY.nanos(), this::notAnswered);
+            noReply = originating.link().timers().start(exchange.noReplyNanos(this), this::notAnswered);
         }
     }
 

@@ -46,8 +46,6 @@ public enum NetworkTimer {
 
     // Our own.
 
-    /** A called mobile with call forwarding on no reply is not answered; TS 22.082, 3: 5 to 30 s. */
-    NO_REPLY(20),
     /** A mobile's user does not answer a question of USSD. */
     USSD_REPLY(60),
     /** The mobile does not begin the transaction that CM SERVICE ACCEPT allows. */

@@ -91,7 +91,9 @@ final class ServiceProcedures {
         if (service.isEmpty()) {
             return new ReturnError(invoke.id(), SsError.FACILITY_NOT_SUPPORTED);
         }
-        Optional<SsError> error = perform(subscriber, operation, service.get(), argument);
+        Optional<SsError> error = argument.refusal().isPresent()
+                ? argument.refusal()
+                : perform(subscriber, operation, service.get(), argument);
         if (error.isPresent()) {
             return new ReturnError(invoke.id(), error.get());
         }
@@ -102,7 +104,7 @@ final class ServiceProcedures {
     private static Optional<SsError> perform(
             Subscriber subscriber, SsOperation operation, SsCode service, SsArgument argument) {
         if (service.isForwarding()) {
-            return forward(subscriber, operation, service, argument.forwardedTo());
+            return forward(subscriber, operation, service, argument);
         }
         if (service.isLineIdentification()) {
             // TS 23.081: these are interrogated alone.
@@ -114,17 +116,22 @@ final class ServiceProcedures {
     }
 
     private static Optional<SsError> forward(
-            Subscriber subscriber, SsOperation operation, SsCode service, Optional<String> number) {
+            Subscriber subscriber, SsOperation operation, SsCode service, SsArgument argument) {
         CallServices services = subscriber.services();
         switch (operation) {
             case REGISTER_SS -> {
-                if (number.isEmpty()) {
+                if (argument.forwardedTo().isEmpty()) {
                     return Optional.of(SsError.DATA_MISSING);
                 }
-                Msisdn to = Msisdn.parse(number.get());
-                if (to.plain().equals(subscriber.number())) {
+                Msisdn to = Msisdn.parse(argument.forwardedTo().get());
+                boolean isTimed = service.members().contains(SsCode.FORWARDING_ON_NO_REPLY);
+                if (to.plain().equals(subscriber.number())
+                        || !argument.noReplySeconds()
+                                .map(seconds -> isTimed && isNoReplyTime(seconds))
+                                .orElse(true)) {
                     return Optional.of(SsError.UNEXPECTED_DATA_VALUE);
                 }
+                argument.noReplySeconds().ifPresent(services::setNoReplySeconds);
                 service.members().forEach(condition -> services.register(condition, to));
             }
             case ERASE_SS -> service.members().forEach(services::erase);
@@ -141,6 +148,11 @@ final class ServiceProcedures {
             }
         }
         return Optional.empty();
+    }
+
+    /** 5 to 30 s in steps of 5 (TS 22.082, 3). */
+    private static boolean isNoReplyTime(int seconds) {
+        return seconds >= 5 && seconds <= 30 && seconds % 5 == 0;
     }
 
     private static Optional<SsError> setWaiting(CallServices services, SsOperation operation) {
@@ -165,6 +177,6 @@ final class ServiceProcedures {
             return new ServiceStatus(service, SHOWN.contains(service) ? SHOWN_ALWAYS : 0, Optional.empty());
         }
         ServiceStatus first = services.status(service.members().get(0));
-        return new ServiceStatus(service, first.flags(), first.forwardedTo());
+        return new ServiceStatus(service, first.flags(), first.forwardedTo(), first.noReplySeconds());
     }
 }

@@ -181,7 +181,7 @@ class LadderModelTest {
                 "SETUP; 1",
                 "5550200; 3",
                 "full rate; 1",
-                "91 55 05 02; 2",
+                "81 55 05 02; 2",
                 "#*#90; 1",
                 "attention; 1",
                 "nothing; 0",

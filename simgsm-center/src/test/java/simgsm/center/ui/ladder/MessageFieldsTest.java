@@ -20,7 +20,7 @@ class MessageFieldsTest {
                 called                5550200
                 bearer capability     speech, full rate preferred, versions FR3 FR2 FR1 HR3 HR1
 
-                0000  03 05 04 06 60 04 02 00 05 81 5e 05 91 55 05 02
+                0000  03 05 04 06 60 04 02 00 05 81 5e 05 81 55 05 02
                 0010  f0""", words(Scene.setup()));
     }
 

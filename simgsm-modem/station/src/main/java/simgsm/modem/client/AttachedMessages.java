@@ -300,8 +300,7 @@ final class AttachedMessages {
     }
 
     private SmsAddress address(Msisdn to) {
-        return Optional.ofNullable(senders.get(to.digits()))
-                .orElseGet(() -> SmsAddress.of(to));
+        return Optional.ofNullable(senders.get(to.digits())).orElseGet(() -> SmsAddress.of(to));
     }
 
     /** The service centre is the SIM's; it is not counted (TS 27.005, 3.5.1 and 4.3). */
@@ -323,8 +322,6 @@ final class AttachedMessages {
     private ModemCommand text(Outgoing message) {
         SmsAddress address = address(message.to());
         return ModemCommand.prompting(
-                "AT+CMGS=\"" + address + "\"",
-                message.text().replaceAll("[\\u001a\\u001b]", " "),
-                "+CMGS:");
+                "AT+CMGS=\"" + address + "\"", message.text().replaceAll("[\\u001a\\u001b]", " "), "+CMGS:");
     }
 }

@@ -61,7 +61,10 @@ final class MessageSettingCommands {
                 .read((client, request) -> request.answer(
                         AtRequest.quoted(client.settings()
                                 .characterSet
-                                .encode(client.modem().messages().serviceCenter().toString())),
+                                .encode(client.modem()
+                                        .messages()
+                                        .serviceCenter()
+                                        .toString())),
                         AddressType.of(client.modem().messages().serviceCenter().toString())))
                 .set(MessageSettingCommands::serviceCenter);
         table.add("+CSMP", "fo,vp,pid,dcs", "text mode: first octet, validity, protocol, coding (17,167,0,0)")

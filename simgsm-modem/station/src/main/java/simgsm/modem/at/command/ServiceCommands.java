@@ -77,8 +77,8 @@ final class ServiceCommands {
         int mode = parameters.number(1, 0, PROCEDURES.size() - 1);
         int type = parameters.number(3, 0, MOST_TYPE, AddressType.UNKNOWN);
         checkClass(parameters.number(4, 1, MOST_CLASSES, ALL_CLASSES));
-        parameters.number(7, 1, MOST_SECONDS, 1);
-        String number = mode == REGISTER ? "*" + number(parameters, type) : "";
+        String seconds = parameters.given(7).isEmpty() ? "" : "**" + parameters.number(7, 1, MOST_SECONDS, 1);
+        String number = mode == REGISTER ? "*" + number(parameters, type) + seconds : "";
         String code = PROCEDURES.get(mode) + reason.typed() + number + "#";
         return client.modem().services().ask(request, code, status -> {
             if (mode == QUERY) {
@@ -108,7 +108,10 @@ final class ServiceCommands {
     private static String forwarding(ServiceStatus status) {
         int active = status.isActive() ? 1 : 0;
         return status.forwardedTo()
-                .map(number -> active + "," + VOICE + "," + AtRequest.quoted(number) + "," + AddressType.of(number))
+                .map(number -> active + "," + VOICE + "," + AtRequest.quoted(number) + "," + AddressType.of(number)
+                        + status.noReplySeconds()
+                                .map(seconds -> ",,," + seconds)
+                                .orElse(""))
                 .orElse(active + "," + ALL_CLASSES);
     }
 

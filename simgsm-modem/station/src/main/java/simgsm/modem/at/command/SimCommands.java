@@ -20,11 +20,10 @@ final class SimCommands {
         table.add("+CIMI", "", "IMSI")
                 .execute((client, request) ->
                         request.line(client.modem().terminal().identity().imsi().digits()));
-        table.add("+CNUM", "", "own number")
-                .execute((client, request) -> {
-                    String number = client.modem().terminal().identity().number().toString();
-                    request.answer("\"\"", AtRequest.quoted(number), AddressType.of(number));
-                });
+        table.add("+CNUM", "", "own number").execute((client, request) -> {
+            String number = client.modem().terminal().identity().number().toString();
+            request.answer("\"\"", AtRequest.quoted(number), AddressType.of(number));
+        });
         table.add("+CCID", "", "number of the SIM")
                 .execute((client, request) -> request.line(
                         client.modem().profile().cardNumber(files(client).iccid())));
