@@ -81,6 +81,18 @@ public sealed interface CallControl extends Layer3Message {
 
     record ConnectAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
+    /** A request within the call is refused. */
+    sealed interface Rejection extends CallControl {
+        Cause cause();
+    }
+
+    /** Ends the transaction; a cause has a location. */
+    sealed interface Releasing extends CallControl {
+        Optional<Cause> cause();
+
+        Optional<CauseLocation> location();
+    }
+
     /** @param key one of 0-9 * # A-D, as its ASCII character */
     record StartDtmf(TransactionIdentifier transaction, char key) implements CallControl {
         public StartDtmf {
@@ -94,7 +106,7 @@ public sealed interface CallControl extends Layer3Message {
         }
     }
 
-    record StartDtmfReject(TransactionIdentifier transaction, Cause cause) implements CallControl {}
+    record StartDtmfReject(TransactionIdentifier transaction, Cause cause) implements Rejection {}
 
     record StopDtmf(TransactionIdentifier transaction) implements CallControl {}
 
@@ -116,7 +128,7 @@ public sealed interface CallControl extends Layer3Message {
 
     /** @param location of the cause, as in {@link Disconnect} */
     record Release(TransactionIdentifier transaction, Optional<Cause> cause, Optional<CauseLocation> location)
-            implements CallControl {
+            implements Releasing {
         /** The mobile's. */
         public Release(TransactionIdentifier transaction, Optional<Cause> cause) {
             this(transaction, cause, cause.map(given -> CauseLocation.USER));
@@ -125,7 +137,7 @@ public sealed interface CallControl extends Layer3Message {
 
     /** @param location of the cause, as in {@link Disconnect} */
     record ReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause, Optional<CauseLocation> location)
-            implements CallControl {
+            implements Releasing {
         /** The mobile's. */
         public ReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause) {
             this(transaction, cause, cause.map(given -> CauseLocation.USER));
@@ -137,14 +149,14 @@ public sealed interface CallControl extends Layer3Message {
 
     record HoldAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
-    record HoldReject(TransactionIdentifier transaction, Cause cause) implements CallControl {}
+    record HoldReject(TransactionIdentifier transaction, Cause cause) implements Rejection {}
 
     /** The held call is to be active again. */
     record Retrieve(TransactionIdentifier transaction) implements CallControl {}
 
     record RetrieveAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
-    record RetrieveReject(TransactionIdentifier transaction, Cause cause) implements CallControl {}
+    record RetrieveReject(TransactionIdentifier transaction, Cause cause) implements Rejection {}
 
     /** A component of a supplementary service within the call (TS 24.008, 9.3.9). @param facility the element's value */
     record Facility(TransactionIdentifier transaction, OctetString facility) implements CallControl {

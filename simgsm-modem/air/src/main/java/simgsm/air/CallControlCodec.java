@@ -43,11 +43,7 @@ final class CallControlCodec {
             out.octet(KEYPAD_FACILITY).octet(start.key());
         } else if (message instanceof CallControl.StartDtmfAcknowledge acknowledge) {
             out.octet(KEYPAD_FACILITY).octet(acknowledge.key());
-        } else if (message instanceof CallControl.StartDtmfReject reject) {
-            CauseElement.write(out, reject.cause(), sender);
-        } else if (message instanceof CallControl.HoldReject reject) {
-            CauseElement.write(out, reject.cause(), sender);
-        } else if (message instanceof CallControl.RetrieveReject reject) {
+        } else if (message instanceof CallControl.Rejection reject) {
             CauseElement.write(out, reject.cause(), sender);
         } else if (message instanceof CallControl.Facility facility) {
             out.octet(facility.facility().length()).string(facility.facility());
@@ -58,10 +54,8 @@ final class CallControlCodec {
         } else if (message instanceof CallControl.Disconnect disconnect) {
             CauseElement.write(out, disconnect.cause(), disconnect.location());
             writeInBand(out, disconnect.inBand());
-        } else if (message instanceof CallControl.Release release) {
+        } else if (message instanceof CallControl.Releasing release) {
             writeOptionalCause(out, release.cause(), release.location());
-        } else if (message instanceof CallControl.ReleaseComplete complete) {
-            writeOptionalCause(out, complete.cause(), complete.location());
         } else if (message instanceof CallControl.Status status) {
             CauseElement.write(out, status.cause(), sender);
             out.octet(GSM_CALL_STATE | status.callState());

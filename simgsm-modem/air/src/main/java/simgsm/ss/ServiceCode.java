@@ -34,26 +34,17 @@ public final class ServiceCode {
     /** SS-Code by the service code that a user types. */
     private static final Map<String, Integer> SERVICES = new HashMap<>();
 
+    /** Basic service groups (TS 22.030, annex C): tag of teleservice or bearer service, and code (TS 29.002, 17.7.9 and 17.7.10). */
+    private static final Map<String, Integer> GROUPS = new HashMap<>();
+
     static {
+        GROUPS.putAll(Map.of("10", 0x8300, "11", 0x8311, "12", 0x8370, "13", 0x8360, "16", 0x8320, "19", 0x8380));
+        GROUPS.putAll(Map.of("20", 0x8200, "21", 0x8260, "22", 0x8268, "24", 0x8258, "25", 0x8250));
         SERVICES.putAll(Map.of("30", 0x11, "31", 0x12, "76", 0x13, "77", 0x14, "43", 0x41));
         SERVICES.putAll(Map.of("002", 0x20, "21", 0x21, "004", 0x28, "67", 0x29, "61", 0x2a, "62", 0x2b));
         SERVICES.putAll(Map.of(
                 "330", 0x90, "333", 0x91, "33", 0x92, "331", 0x93, "332", 0x94, "353", 0x99, "35", 0x9a, "351", 0x9b));
     }
-
-    /** Basic service groups (TS 22.030, annex C): tag of teleservice or bearer service, and code (TS 29.002, 17.7.9 and 17.7.10). */
-    private static final Map<String, Integer> GROUPS = Map.ofEntries(
-            Map.entry("10", 0x8300),
-            Map.entry("11", 0x8311),
-            Map.entry("12", 0x8370),
-            Map.entry("13", 0x8360),
-            Map.entry("16", 0x8320),
-            Map.entry("19", 0x8380),
-            Map.entry("20", 0x8200),
-            Map.entry("21", 0x8260),
-            Map.entry("22", 0x8268),
-            Map.entry("24", 0x8258),
-            Map.entry("25", 0x8250));
 
     private ServiceCode() {}
 
