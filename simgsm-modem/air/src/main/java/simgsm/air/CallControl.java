@@ -82,12 +82,12 @@ public sealed interface CallControl extends Layer3Message {
     record ConnectAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
     /** A request within the call is refused. */
-    sealed interface Rejection extends CallControl {
+    interface Rejection {
         Cause cause();
     }
 
     /** Ends the transaction; a cause has a location. */
-    sealed interface Releasing extends CallControl {
+    interface Releasing {
         Optional<Cause> cause();
 
         Optional<CauseLocation> location();
@@ -106,39 +106,29 @@ public sealed interface CallControl extends Layer3Message {
         }
     }
 
-    record StartDtmfReject(TransactionIdentifier transaction, Cause cause) implements Rejection {}
+    record StartDtmfReject(TransactionIdentifier transaction, Cause cause) implements CallControl, Rejection {}
 
     record StopDtmf(TransactionIdentifier transaction) implements CallControl {}
 
     record StopDtmfAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
-    /**
-     * Asks to clear the call.
-     *
-     * @param location of the cause: the network passes on what the other user gave as that user's
-     * @param inBand whether a tone is to be heard until the call is released (progress indicator 8)
-     */
+    /** @param location the other user's, if the network passes on a cause; @param inBand whether a tone follows (progress indicator 8) */
     record Disconnect(TransactionIdentifier transaction, Cause cause, CauseLocation location, boolean inBand)
             implements CallControl {
-        /** The mobile's. */
         public Disconnect(TransactionIdentifier transaction, Cause cause) {
             this(transaction, cause, CauseLocation.USER, false);
         }
     }
 
-    /** @param location of the cause, as in {@link Disconnect} */
     record Release(TransactionIdentifier transaction, Optional<Cause> cause, Optional<CauseLocation> location)
-            implements Releasing {
-        /** The mobile's. */
+            implements CallControl, Releasing {
         public Release(TransactionIdentifier transaction, Optional<Cause> cause) {
             this(transaction, cause, cause.map(given -> CauseLocation.USER));
         }
     }
 
-    /** @param location of the cause, as in {@link Disconnect} */
     record ReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause, Optional<CauseLocation> location)
-            implements Releasing {
-        /** The mobile's. */
+            implements CallControl, Releasing {
         public ReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause) {
             this(transaction, cause, cause.map(given -> CauseLocation.USER));
         }
@@ -149,14 +139,14 @@ public sealed interface CallControl extends Layer3Message {
 
     record HoldAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
-    record HoldReject(TransactionIdentifier transaction, Cause cause) implements Rejection {}
+    record HoldReject(TransactionIdentifier transaction, Cause cause) implements CallControl, Rejection {}
 
     /** The held call is to be active again. */
     record Retrieve(TransactionIdentifier transaction) implements CallControl {}
 
     record RetrieveAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
-    record RetrieveReject(TransactionIdentifier transaction, Cause cause) implements Rejection {}
+    record RetrieveReject(TransactionIdentifier transaction, Cause cause) implements CallControl, Rejection {}
 
     /** A component of a supplementary service within the call (TS 24.008, 9.3.9). @param facility the element's value */
     record Facility(TransactionIdentifier transaction, OctetString facility) implements CallControl {

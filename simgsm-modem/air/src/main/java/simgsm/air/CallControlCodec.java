@@ -32,7 +32,7 @@ final class CallControlCodec {
     private CallControlCodec() {}
 
     static void write(OctetWriter out, CallControl message, Direction direction) {
-        CauseLocation sender = CauseLocation.of(direction);
+        CauseLocation sender = CauseLocation.of(direction, false);
         if (message instanceof CallControl.Setup setup) {
             writeSetup(out, setup, direction);
         } else if (message instanceof CallControl.CallConfirmed confirmed) {

@@ -8,13 +8,13 @@ public enum CauseLocation {
     TRANSIT_NETWORK,
     PUBLIC_NETWORK_OF_REMOTE_USER,
     PRIVATE_NETWORK_OF_REMOTE_USER,
-    /** Not used by the standard; code 10, network beyond interworking point, is read as this, too. */
+    /** Code 10, network beyond interworking point, is read as this. */
     OTHER_NETWORK,
     INTERNATIONAL_NETWORK;
 
-    /** The party that sends in this direction. */
-    static CauseLocation of(Direction sent) {
-        return sent == Direction.UPLINK ? USER : PUBLIC_NETWORK_OF_LOCAL_USER;
+    /** The party that sends in this direction, the other one if it answers. */
+    static CauseLocation of(Direction direction, boolean answers) {
+        return (direction == Direction.UPLINK) != answers ? USER : PUBLIC_NETWORK_OF_LOCAL_USER;
     }
 
     static CauseLocation ofCode(int code) {

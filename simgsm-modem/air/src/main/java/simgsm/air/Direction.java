@@ -5,9 +5,5 @@ public enum Direction {
     /** From the mobile to the network. */
     UPLINK,
     /** From the network to the mobile. */
-    DOWNLINK;
-
-    public Direction opposite() {
-        return this == UPLINK ? DOWNLINK : UPLINK;
-    }
+    DOWNLINK
 }

@@ -19,7 +19,7 @@ public final class IdentityElements {
         if (identity instanceof Tmsi tmsi) {
             out.octet(5).octet(TMSI_FIRST_OCTET).fourOctets(tmsi.value());
         } else {
-            String digits = identity instanceof Imei imei ? imei.transmitted() : identity.toString();
+            String digits = identity instanceof Imei imei ? Imei.transmitted(imei.digits()) : identity.toString();
             boolean odd = digits.length() % 2 == 1;
             out.octet(digits.length() / 2 + 1);
             out.octet((digits.charAt(0) - '0') << 4
@@ -44,7 +44,7 @@ public final class IdentityElements {
         try {
             return switch (type) {
                 case IMSI -> new Imsi(digits(first, in));
-                case IMEI -> Imei.received(digits(first, in));
+                case IMEI -> new Imei(Imei.transmitted(digits(first, in)));
                 case TMSI -> new Tmsi((int) in.fourOctets("TMSI"));
                 case IMEISV ->
                     throw ProtocolViolation.invalid(

@@ -26,14 +26,9 @@ public record Imei(String digits) implements MobileIdentity {
         digits = digits.substring(0, 14) + luhn;
     }
 
-    /** The identity with these digits; the 15th, which the receiver of a message ignores, may be any. */
-    static Imei received(String digits) {
-        return new Imei(digits.length() == 15 ? digits.substring(0, 14) + '0' : digits);
-    }
-
-    /** As a message has it. */
-    String transmitted() {
-        return digits.substring(0, 14) + '0';
+    /** As messages have them; the receiver ignores the 15th. */
+    static String transmitted(String digits) {
+        return digits.length() == 15 ? digits.substring(0, 14) + '0' : digits;
     }
 
     /** A new identity of the suite's type with a random serial number. */

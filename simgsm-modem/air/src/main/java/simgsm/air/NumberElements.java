@@ -5,14 +5,11 @@ import simgsm.octets.OctetWriter;
 
 /** Telephone numbers as they stand in messages (TS 24.008, 10.5.4.7 and 10.5.4.9; TS 24.011, 8.2.5.1). */
 final class NumberElements {
-    /** ISDN numbering plan (E.164), type of number unknown. */
-    private static final int UNKNOWN = 0x01;
-    /** The same plan, type of number international. */
-    private static final int INTERNATIONAL = 0x11;
+    /** ISDN numbering plan (E.164). */
+    private static final int PLAN = 0x01;
 
     private static final int TYPE_MASK = 0x70;
-    private static final int INTERNATIONAL_TYPE = 0x10;
-
+    private static final int INTERNATIONAL = 0x10;
     /** Presentation allowed; network provided (10.5.4.9, screening indicator). */
     private static final int SHOWN_BY_NETWORK = 0x83;
 
@@ -37,7 +34,7 @@ final class NumberElements {
     }
 
     private static int type(Msisdn number) {
-        return number.international() ? INTERNATIONAL : UNKNOWN;
+        return number.international() ? PLAN | INTERNATIONAL : PLAN;
     }
 
     static Msisdn read(MessageReader value) throws ProtocolViolation {
@@ -46,7 +43,7 @@ final class NumberElements {
             value.octet("number's presentation");
         }
         try {
-            return new Msisdn(SemiOctets.read(value), (typeAndPlan & TYPE_MASK) == INTERNATIONAL_TYPE);
+            return new Msisdn(SemiOctets.read(value), (typeAndPlan & TYPE_MASK) == INTERNATIONAL);
         } catch (IllegalArgumentException wrong) {
             throw ProtocolViolation.invalid(wrong.getMessage());
         }

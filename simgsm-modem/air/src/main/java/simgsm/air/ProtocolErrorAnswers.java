@@ -54,9 +54,7 @@ public final class ProtocolErrorAnswers {
         TransactionIdentifier transaction = header.transaction().orElseThrow().answered();
         if (type.equals(Optional.of(Layer3Type.SETUP))) {
             return new CallControl.ReleaseComplete(
-                    transaction,
-                    Optional.of(cause),
-                    Optional.of(CauseLocation.of(header.direction().opposite())));
+                    transaction, Optional.of(cause), Optional.of(CauseLocation.of(header.direction(), true)));
         }
         return new CallControl.Status(transaction, cause, callState);
     }

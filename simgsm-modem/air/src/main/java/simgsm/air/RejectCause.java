@@ -21,7 +21,6 @@ public enum RejectCause implements Coded.Titled {
     SERVICE_OPTION_NOT_SUBSCRIBED(33, "requested service option not subscribed"),
     SERVICE_OPTION_OUT_OF_ORDER(34, "service option temporarily out of order"),
     CALL_CANNOT_BE_IDENTIFIED(38, "call cannot be identified"),
-    /** Codes 48 to 63 are one cause. */
     RETRY_IN_NEW_CELL(48, "retry upon entry into a new cell"),
     SEMANTICALLY_INCORRECT_MESSAGE(95, "semantically incorrect message"),
     INVALID_MANDATORY_INFORMATION(96, "invalid mandatory information"),

@@ -23,7 +23,8 @@ final class SupplementaryServiceCodec {
             writeFacility(out, facility.facility());
         } else if (message instanceof SsReleaseComplete complete) {
             complete.cause()
-                    .ifPresent(cause -> CauseElement.write(out.octet(CAUSE), cause, CauseLocation.of(direction)));
+                    .ifPresent(
+                            cause -> CauseElement.write(out.octet(CAUSE), cause, CauseLocation.of(direction, false)));
             complete.facility().ifPresent(facility -> writeFacility(out.octet(FACILITY), facility));
         }
     }
