@@ -599,8 +599,8 @@ class AtCommandsTest {
         modem.say("AT+CUSD=0");
         for (String row : List.of(
                 "*#21# -> forwarding unconditional: inactive",
-                "*21*5550132# -> forwarding unconditional: active, +5550132",
-                "*#21# -> forwarding unconditional: active, +5550132",
+                "*21*5550132# -> forwarding unconditional: active, 5550132",
+                "*#21# -> forwarding unconditional: active, 5550132",
                 "**61*+5550299# -> forwarding on no reply: active, +5550299",
                 "#61# -> forwarding on no reply: registered, +5550299",
                 "##002# -> all forwarding: inactive",

@@ -116,7 +116,7 @@ class AtProfileTest {
         modem.say("AT+CLIP=1");
         caller.dial("5550300");
         suite.seconds(0.2);
-        assertEquals("RING|+CLIP: \"+5550100\",145,\"\",0,\"\",0", VirtualModem.lines(modem.heard()));
+        assertEquals("RING|+CLIP: \"5550100\",129,\"\",0,\"\",0", VirtualModem.lines(modem.heard()));
         assertEquals("OK", modem.say("ATH"));
         suite.seconds(0.2);
         modem.say("AT+GSMBUSY=1");
