@@ -40,14 +40,26 @@ fi
 pids=()
 stop() {
     [ ${#pids[@]} -eq 0 ] || kill "${pids[@]}" 2>/dev/null
-    wait
+    wait 2>/dev/null
     [ -n "${OSMOCOM_LOGS:-}" ] || rm -rf "$run"
 }
 trap stop EXIT
 trap 'exit 130' INT TERM
 
+# Runs a program in $run and starts it again 1 s after its end.
+supervise() {
+    cd "$run" || exit
+    trap 'kill "$child" 2>/dev/null; wait "$child"; exit' TERM
+    while :; do
+        LD_PRELOAD=$preload "$@" &
+        child=$!
+        wait "$child"
+        sleep 1
+    done
+}
+
 start() {
-    (cd "$run" && LD_PRELOAD=$preload exec "$@") >"$run/$1.log" 2>&1 &
+    supervise "$@" >>"$run/$1.log" 2>&1 &
     pids+=($!)
 }
 
@@ -92,19 +104,9 @@ done | while read -r number; do
 done | vty 4258
 
 # OML, by which the controller starts each base station; it ends with the tower's RSL link and begins anew.
-announce() {
-    cd "$run" || exit
-    trap 'kill "$child" 2>/dev/null; exit' TERM
-    while :; do
-        osmo-bts-omldummy 127.0.0.1 "$1" 1 &
-        child=$!
-        wait "$child"
-        sleep 1
-    done
-}
 sed -n 's/^  ipa unit-id \([0-9]*\) 0$/\1/p' "$run/bsc.cfg" >"$run/sites"
 while read -r site; do
-    announce "$site" >"$run/oml-$site.log" 2>&1 &
+    supervise osmo-bts-omldummy 127.0.0.1 "$site" 1 >"$run/oml-$site.log" 2>&1 &
     pids+=($!)
 done <"$run/sites"
 listens 3003
