@@ -182,6 +182,8 @@ final class GlossaryText extends JEditorPane {
                 .collect(Collectors.joining("<br><br>"))
                 // A path may be broken behind each folder.
                 .replace("/", "/" + BREAK)
+                // Octets and other words of more than 24 characters would be cut at the edge.
+                .replaceAll("([^\\s&;" + BREAK + "]{24})(?=[^\\s&;" + BREAK + "])", "$1<br>")
                 .replace("** ", "**&nbsp;")
                 .replaceAll("(?<=[0-9]) \\*\\*", "&nbsp;**");
     }

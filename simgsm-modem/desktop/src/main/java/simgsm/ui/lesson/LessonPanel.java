@@ -2,6 +2,7 @@ package simgsm.ui.lesson;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -37,6 +38,7 @@ import simgsm.ui.file.OpenDialog;
  */
 public final class LessonPanel extends JPanel {
     private static final int GAP = Theme.GRID;
+    private static final int NOTICES_UNITS = 96;
 
     private final Lesson lesson;
     private final List<String> all;
@@ -54,6 +56,8 @@ public final class LessonPanel extends JPanel {
     private final List<StepRow> rows = new ArrayList<>();
     private final List<ProgramButton> programs = new ArrayList<>();
     private final GlossaryText score;
+    private final UserAction closeNotices;
+    private String closedNotice = "";
 
     /**
      * @param all names of all lessons in their order
@@ -74,6 +78,8 @@ public final class LessonPanel extends JPanel {
         this.numbers = numbers;
         this.acts = acts;
         words = DesktopTexts.in(language);
+        closeNotices = new UserAction("lesson.notice.close", words.of("lesson.notice.close"), this::closeNotices);
+        closeNotices.setEnabled(false);
         glossary = Optional.of(Glossary.in(language));
         term = text("lesson.term");
         task = text("lesson.task");
@@ -93,12 +99,36 @@ public final class LessonPanel extends JPanel {
         scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         // A bar that comes and goes would break all texts anew, below the student's pointer.
         scroll.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
-        // Always in view, whatever part of the steps is.
-        JPanel below = Arrange.column(Theme.HALF, notice, term);
-        below.setBorder(Theme.padding(8, 12, 12, 12));
         add(scroll, BorderLayout.CENTER);
-        add(below, BorderLayout.SOUTH);
+        add(notices(), BorderLayout.SOUTH);
         setBackground(Theme.color(Ink.SURFACE));
+    }
+
+    /** Notice and term have a place of one height, always in view, so that neither moves a button. */
+    private JComponent notices() {
+        JPanel texts = Arrange.column(Theme.HALF, notice, term);
+        texts.setBorder(Theme.padding(8, 12, 8, 12));
+        JScrollPane place = new JScrollPane(new LessonColumn(texts)) {
+            @Override
+            public Dimension getPreferredSize() {
+                return new Dimension(0, Theme.px(NOTICES_UNITS));
+            }
+        };
+        place.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        place.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
+        return Arrange.row(
+                Theme.HALF,
+                Arrange.growing(place),
+                ComponentNames.name(new JButton(closeNotices), "lesson.notice.close", closeNotices.name()));
+    }
+
+    /** A notice that was closed stays so until there is another one. */
+    private void closeNotices() {
+        closedNotice = notice.getText();
+        notice.setVisible(false);
+        term.setVisible(false);
+        closeNotices.setEnabled(false);
+        revalidate();
     }
 
     private GlossaryText text(String name) {
@@ -112,6 +142,7 @@ public final class LessonPanel extends JPanel {
         glossary.flatMap(all -> all.find(name)).ifPresent(found -> {
             term.show(name + ": " + found);
             term.setVisible(true);
+            closeNotices.setEnabled(true);
             revalidate();
         });
     }
@@ -239,8 +270,13 @@ public final class LessonPanel extends JPanel {
                 "lesson.score", view.score(), Integer.toString(view.steps().size()), Long.toString(view.seed())));
         question.show(words.of("lesson.question") + " " + numbers.apply(texts.of("question")));
         question.setVisible(view.isDone());
+        if (!view.notice().equals(notice.getText())) {
+            closedNotice = "";
+            term.setVisible(false);
+        }
         notice.show(view.notice());
-        notice.setVisible(!view.notice().isEmpty());
+        notice.setVisible(!view.notice().equals(closedNotice));
+        closeNotices.setEnabled(notice.isVisible() || term.isVisible());
         revalidate();
         repaint();
     }

@@ -7,10 +7,12 @@ import java.awt.Dimension;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.InputMap;
@@ -40,7 +42,7 @@ import simgsm.ui.lesson.SheetPanel;
 /** The help of a window, opened by F1: what the window is for, all its keys, and the version. */
 final class HelpDialog {
     private static final Dimension SIZE_UNITS = new Dimension(720, 520);
-    private static final int KEY_COLUMN_UNITS = 150;
+    private static final int KEY_COLUMN_UNITS = 250;
 
     private HelpDialog() {}
 
@@ -181,8 +183,12 @@ final class HelpDialog {
 
     private static void begin(JDialog dialog, String name, TextBundle texts, Lessons lessons) {
         if (lessons.chosen().isPresent()) {
-            dialog.dispose();
-            lessons.chosen().get().accept(name);
+            int answer = JOptionPane.showConfirmDialog(
+                    dialog, texts.of("lessons.ends"), texts.of("lessons.title"), JOptionPane.OK_CANCEL_OPTION);
+            if (answer == JOptionPane.OK_OPTION) {
+                dialog.dispose();
+                lessons.chosen().get().accept(name);
+            }
         } else {
             String folder = lessons.library()
                     .folder(name)
@@ -205,7 +211,12 @@ final class HelpDialog {
         text.setOpaque(false);
         DefaultTableModel rows =
                 new DefaultTableModel(new Object[] {texts.of("window.help.key"), texts.of("window.help.action")}, 0);
-        keysOf(root).forEach(key -> rows.addRow(new Object[] {key.key(), key.action()}));
+        keysOf(root).stream()
+                .collect(Collectors.groupingBy(
+                        ShownKey::action,
+                        LinkedHashMap::new,
+                        Collectors.mapping(ShownKey::key, Collectors.joining(",  "))))
+                .forEach((action, keys) -> rows.addRow(new Object[] {keys, action}));
         JTable table = new JTable(rows);
         table.setDefaultEditor(Object.class, null);
         table.setRowHeight(Theme.px(24));

@@ -100,6 +100,55 @@ class LessonPanelTest {
                 "");
     }
 
+    /** 0123... in one word, as octets are. */
+    @Test
+    void aNoticeMovesNoButtonIsReadToItsEndAndIsGoneOnceItIsClosedUntilThereIsAnother() throws Exception {
+        LessonPanel panel = panel("twelve-keys", "en");
+        panel.setSize(340, 600);
+        LessonView quiet = view("twelve-keys", LessonView.StepState.OPEN);
+        panel.show(quiet);
+        arrange(panel);
+        int before = boundsOf(panel, "lesson.save").y;
+        panel.show(noticed(quiet, "The robot has hung up: " + "0123456789abcdef".repeat(20)));
+        arrange(panel);
+        assertEquals(before, boundsOf(panel, "lesson.save").y);
+        assertTrue(boundsOf(panel, "lesson.notice").width <= 340);
+        assertTrue(
+                boundsOf(panel, "lesson.notice").height > 80,
+                boundsOf(panel, "lesson.notice").toString());
+        ((JButton) ComponentNames.find(panel, "lesson.notice.close").orElseThrow()).doClick(0);
+        assertFalse(isShown(panel, "lesson.notice"));
+        panel.show(noticed(quiet, "The robot has hung up: " + "0123456789abcdef".repeat(20)));
+        assertFalse(isShown(panel, "lesson.notice"));
+        panel.show(noticed(quiet, "Saved"));
+        assertTrue(isShown(panel, "lesson.notice"));
+    }
+
+    /** Texts are measured anew after each layout, on the event thread. */
+    private static void arrange(LessonPanel panel) throws Exception {
+        for (int i = 0; i < 4; i++) {
+            SwingUtilities.invokeAndWait(() -> lay(panel));
+        }
+    }
+
+    private static void lay(java.awt.Container container) {
+        container.doLayout();
+        for (java.awt.Component child : container.getComponents()) {
+            if (child instanceof java.awt.Container inner) {
+                lay(inner);
+            }
+        }
+    }
+
+    private static LessonView noticed(LessonView view, String notice) {
+        return new LessonView(view.seed(), true, view.steps(), view.running(), notice);
+    }
+
+    private static java.awt.Rectangle boundsOf(LessonPanel panel, String name) {
+        java.awt.Component found = ComponentNames.find(panel, name).orElseThrow();
+        return SwingUtilities.convertRectangle(found.getParent(), found.getBounds(), panel);
+    }
+
     @Test
     void aLessonCanBeBegunAgain() throws Exception {
         JButton again = (JButton)
