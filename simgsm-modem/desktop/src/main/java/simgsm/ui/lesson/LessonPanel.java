@@ -28,6 +28,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Lamp;
+import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.file.OpenDialog;
@@ -78,7 +79,8 @@ public final class LessonPanel extends JPanel {
         this.numbers = numbers;
         this.acts = acts;
         words = DesktopTexts.in(language);
-        closeNotices = new UserAction("lesson.notice.close", words.of("lesson.notice.close"), this::closeNotices);
+        closeNotices = new UserAction("lesson.notice.close", words.of("lesson.notice.close"), this::closeNotices)
+                .with(Symbol.CLOSE.icon());
         closeNotices.setEnabled(false);
         glossary = Optional.of(Glossary.in(language));
         term = text("lesson.term");
@@ -116,10 +118,9 @@ public final class LessonPanel extends JPanel {
         };
         place.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         place.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
-        return Arrange.row(
-                Theme.HALF,
-                Arrange.growing(place),
-                ComponentNames.name(new JButton(closeNotices), "lesson.notice.close", closeNotices.name()));
+        JButton close = ComponentNames.name(new JButton(closeNotices), "lesson.notice.close", closeNotices.name());
+        close.setHideActionText(true);
+        return Arrange.row(Theme.HALF, Arrange.growing(place), Arrange.column(Theme.HALF, close, Arrange.spring()));
     }
 
     /** A notice that was closed stays so until there is another one. */
