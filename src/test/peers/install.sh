@@ -78,7 +78,7 @@ gsmmodem_tests() {
 [ -d target/peers/gsmmodem-tests ] || thrice gsmmodem_tests || missing+=("python-gsmmodem-new's tests")
 [ -d target/peers/node_modules/smpp ] \
     || thrice npm install --silent --no-fund --no-audit --prefix target/peers smpp@0.5.1 || missing+=(smpp@0.5.1)
-smpp_commands() { (cd src/test/peers/smpp_commands && GOFLAGS=-mod=readonly go build -o ../../../../target/peers/smpp_commands .); }
+smpp_commands() { (cd src/test/peers/smpp_commands && go build -buildvcs=false -o ../../../../target/peers/smpp_commands .); }
 [ -x target/peers/smpp_commands ] || thrice smpp_commands || missing+=("gosmpp and fiorix/go-smpp (Go 1.25)")
 if [ ${#missing[@]} -gt 0 ]; then
     echo "peers: could not be installed, so the tests that need them are skipped: ${missing[*]}" >&2

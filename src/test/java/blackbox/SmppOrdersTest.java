@@ -63,6 +63,22 @@ class SmppOrdersTest {
     }
 
     @Test
+    void aPhonesNumberIsServedByTheApplicationThatListsItOnlyEvenWhenThePhoneIsAway() throws Exception {
+        try (Scenario scenario = new Scenario("a phone's number and applications")) {
+            Path data = Files.createDirectories(scenario.folder().resolve("data"));
+            Files.writeString(
+                    data.resolve("smpp-users.properties"), "robotics=\ndesk=\ndesk.numbers=" + Scenario.PHONE);
+            scenario.center("--smpp", "0");
+            scenario.phone(Scenario.PHONE).quit();
+            int port = scenario.smppPort();
+            assertThrows(IOException.class, () -> application(scenario, "", Scenario.PHONE));
+            application(scenario, "", SERVICE).close();
+            new SmppApplication(port, "desk", "", Scenario.PHONE).close();
+            assertThrows(IOException.class, () -> new SmppApplication(port, "desk", "", SERVICE));
+        }
+    }
+
+    @Test
     void onlyTheApplicationsOfTheUserFileBind() throws Exception {
         try (Scenario scenario = new Scenario("applications with passwords")) {
             Path data = Files.createDirectories(scenario.folder().resolve("data"));

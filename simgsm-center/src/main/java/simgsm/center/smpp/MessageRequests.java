@@ -7,6 +7,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
@@ -112,25 +113,22 @@ final class MessageRequests {
     /** What has become of a submission. */
     private record Submitted(String id, int status, List<SmppPdu.Refused> refused) {}
 
-    /** Makes the response of a submission. */
-    private interface Responder {
-        SmppPdu response(Submitted submitted);
-    }
-
-    /** Submits a message, in as many parts as it needs, to all destinations that can be served: all or none. */
+    /**
+     * Submits a message, in as many parts as it needs, to all destinations that can be served: all or none.
+     *
+     * @param responder makes the response
+     */
     private void submit(
             Requester by,
             SmppMessage message,
             List<SmppAddress> destinations,
-            Responder responder,
+            Function<Submitted, SmppPdu> responder,
             Consumer<SmppPdu> answer)
             throws SmppViolation {
         SmsAddress source = source(message.source(), by);
         Receipts receipts = receipts(message.registeredDelivery());
         if ((message.esmClass() & TYPE_BITS) != 0 || (message.esmClass() & MODE_BITS) == FORWARD_MODE) {
-            throw new SmppViolation(
-                    SmppStatus.INVALID_ESM_CLASS,
-                    "esm_class " + message.esmClass() + ", expected a message to store and forward");
+            throw new SmppViolation(SmppStatus.INVALID_ESM_CLASS, "esm_class " + message.esmClass() + " is not served");
         }
         Optional<Instant> deliverAt = schedule(message.schedule());
         Optional<Instant> expiry = expiry(message.validity(), deliverAt);
@@ -156,7 +154,7 @@ final class MessageRequests {
         }
         if (units.isEmpty()) {
             int status = destinations.size() == 1 ? refused.get(0).status() : SmppStatus.SUBMIT_FAILED;
-            answer.accept(responder.response(new Submitted("", status, refused)));
+            answer.accept(responder.apply(new Submitted("", status, refused)));
             return;
         }
         EsmeOrigin origin = new EsmeOrigin(
@@ -168,7 +166,7 @@ final class MessageRequests {
             if (replaces && cause.isEmpty()) {
                 units.stream().map(SubmitTpdu::destination).distinct().forEach(to -> cancelReplaced(origin, to));
             }
-            answer.accept(responder.response(cause.map(
+            answer.accept(responder.apply(cause.map(
                             refusal -> new Submitted("", status(refusal), List.<SmppPdu.Refused>of()))
                     .orElseGet(() -> new Submitted(id, SmppStatus.OK, refused))));
         });
@@ -246,9 +244,8 @@ final class MessageRequests {
     private static Receipts receipts(int registeredDelivery) throws SmppViolation {
         int code = registeredDelivery & RECEIPT_BITS;
         if ((registeredDelivery & ~REGISTERED_DELIVERY_BITS) != 0 || code == RECEIPT_BITS) {
-            throw new SmppViolation(
-                    SmppStatus.INVALID_REGISTERED_DELIVERY,
-                    "registered_delivery " + registeredDelivery + ", expected 0 to 2, or 16 to 18");
+            String text = "registered_delivery " + registeredDelivery + ", expected 0 to 2, or 16 to 18";
+            throw new SmppViolation(SmppStatus.INVALID_REGISTERED_DELIVERY, text);
         }
         return Receipts.values()[code];
     }
