@@ -12,8 +12,8 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import simgsm.console.Event;
 import simrobot.process.BehaviourKind;
+import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.world.World;
 
@@ -71,12 +71,14 @@ class SlowDiskTest {
     @Test
     void aRecordingThatADiskWithoutRoomEndsIsClosedWhenTheDiskWorksAgain() throws InterruptedException {
         Simulation simulation = new Simulation(World.bare(), 1);
-        simulation.addRobot("r").autonomy().begin(BehaviourKind.WANDER);
         BlockedDisk disk = new BlockedDisk();
         SessionRecorder recorder = new SessionRecorder("session", disk, simulation, act -> {});
-        for (int i = 0; i < 2_000 && recorder.failure().isEmpty(); i++) {
-            recorder.event(Event.of("sms").with("text", "x".repeat(70_000)));
-            simulation.run(10);
+        for (int i = 0; i < 1_000 && recorder.failure().isEmpty(); i++) {
+            // each change of the robots is a record
+            SimulatedRobot robot = simulation.addRobot("r");
+            simulation.run(1);
+            simulation.removeRobot(robot);
+            simulation.run(1);
         }
         assertEquals(
                 "the disk takes no more data", recorder.failure().orElseThrow().getMessage());
