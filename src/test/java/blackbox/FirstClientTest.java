@@ -20,7 +20,7 @@ class FirstClientTest {
     private static final byte[] ENQUIRE_LINK = HEX.parseHex("00000010000000150000000000000001");
 
     @Test
-    void theFirstAnswerOfSimRobotsPortsLoadsNoClassOfTheSuite() throws Exception {
+    void theFirstAnswerOfSimRobotsPortsLoadsNoClassOfTheirs() throws Exception {
         try (Scenario scenario = new Scenario("SimRobot's first clients")) {
             Path classes = scenario.folder().resolve("classes.txt");
             RunningProgram robot = scenario.start(
@@ -37,14 +37,15 @@ class FirstClientTest {
                     "--http",
                     "0");
             ConsoleEvent ready = robot.expect("ready");
-            assertLoadsNothing(classes, ready.field("p2os"), SYNC0, "fa fb");
-            assertLoadsNothing(classes, ready.field("at"), ascii("AT\r"), "41 54");
-            assertLoadsNothing(classes, ready.field("http"), ascii("GET /robots HTTP/1.0\r\n\r\n"), "48 54");
+            assertLoadsNothing(classes, ready.field("p2os"), "simrobot.p2os", SYNC0, "fa fb");
+            assertLoadsNothing(classes, ready.field("at"), "simgsm.modem.at", ascii("AT\r"), "41 54");
+            assertLoadsNothing(
+                    classes, ready.field("http"), "simrobot.http", ascii("GET /robots HTTP/1.0\r\n\r\n"), "48 54");
         }
     }
 
     @Test
-    void theFirstAnswerOfTheCentersPortsLoadsNoClassOfTheSuite() throws Exception {
+    void theFirstAnswerOfTheCentersPortsLoadsNoClassOfTheirs() throws Exception {
         try (Scenario scenario = new Scenario("the centre's first clients")) {
             Path classes = scenario.folder().resolve("classes.txt");
             RunningProgram center = scenario.start(
@@ -61,9 +62,10 @@ class FirstClientTest {
                     "--http",
                     "0");
             ConsoleEvent ready = center.expect("ready");
-            assertLoadsNothing(classes, ready.field("port"), new byte[0], "00");
-            assertLoadsNothing(classes, ready.field("smpp"), ENQUIRE_LINK, "00");
-            assertLoadsNothing(classes, ready.field("http"), ascii("GET /metrics HTTP/1.0\r\n\r\n"), "48 54");
+            assertLoadsNothing(classes, ready.field("port"), "simgsm.abis", new byte[0], "00");
+            assertLoadsNothing(classes, ready.field("smpp"), "simgsm.center.smpp", ENQUIRE_LINK, "00");
+            assertLoadsNothing(
+                    classes, ready.field("http"), "simgsm.center.web", ascii("GET /metrics HTTP/1.0\r\n\r\n"), "48 54");
         }
     }
 
@@ -75,10 +77,13 @@ class FirstClientTest {
         return text.getBytes(StandardCharsets.US_ASCII);
     }
 
-    /** @param answer the first octets of the answer */
-    private static void assertLoadsNothing(Path classes, String port, byte[] request, String answer)
+    /**
+     * @param owner package of the port; others may load classes meanwhile, as the modem that looks for its centre
+     * @param answer the first octets of the answer
+     */
+    private static void assertLoadsNothing(Path classes, String port, String owner, byte[] request, String answer)
             throws IOException {
-        int before = ofSuite(classes).size();
+        int before = of(owner, classes).size();
         try (Socket client = new Socket("127.0.0.1", Integer.parseInt(port))) {
             client.setSoTimeout(20_000);
             client.getOutputStream().write(request);
@@ -87,14 +92,15 @@ class FirstClientTest {
                     answer,
                     HEX.withDelimiter(" ").formatHex(client.getInputStream().readNBytes(expected.length)));
         }
-        List<String> after = ofSuite(classes);
+        List<String> after = of(owner, classes);
         assertTrue(before > 0, "no class is in the log");
         assertEquals(List.of(), after.subList(before, after.size()), "loaded for the first client of port " + port);
     }
 
-    private static List<String> ofSuite(Path classes) throws IOException {
+    private static List<String> of(String owner, Path classes) throws IOException {
         return Files.readAllLines(classes).stream()
-                .filter(line -> line.matches(".*\\] (simgsm|simrobot)\\..*"))
+                // a periodic task that meets its first connection may make a lambda, beside the answer
+                .filter(line -> line.contains("] " + owner + ".") && !line.contains("$$Lambda"))
                 .toList();
     }
 }
