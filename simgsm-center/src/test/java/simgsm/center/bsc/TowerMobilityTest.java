@@ -62,7 +62,7 @@ class TowerMobilityTest {
     void anotherEquipmentIsRefusedWhileTheFirstOneMayAnswer() {
         update(west, TowerStage.IMEI);
 
-        assertEquals("050403", update(east, TowerStage.OTHER_IMEI));
+        assertEquals("050416", update(east, TowerStage.OTHER_IMEI));
     }
 
     @Test
