@@ -105,15 +105,7 @@ final class CallControlCodec {
             case RETRIEVE_REJECT ->
                 new CallControl.RetrieveReject(ti, CauseElement.read(in).cause());
             case DISCONNECT -> readDisconnect(ti, in);
-            case RELEASE -> {
-                Optional<CauseElement> cause = readOptionalCause(in);
-                yield new CallControl.Release(ti, cause.map(CauseElement::cause), cause.map(CauseElement::location));
-            }
-            case RELEASE_COMPLETE -> {
-                Optional<CauseElement> cause = readOptionalCause(in);
-                yield new CallControl.ReleaseComplete(
-                        ti, cause.map(CauseElement::cause), cause.map(CauseElement::location));
-            }
+            case RELEASE, RELEASE_COMPLETE -> readRelease(type, ti, in);
             case FACILITY ->
                 new CallControl.Facility(ti, in.lengthAndValue("facility").rest());
             case STATUS_ENQUIRY -> new CallControl.StatusEnquiry(ti);
@@ -163,6 +155,15 @@ final class CallControlCodec {
             in.skipRest();
             return new CallControl.Disconnect(transaction, Cause.INVALID_MANDATORY_INFORMATION);
         }
+    }
+
+    private static CallControl readRelease(Layer3Type type, TransactionIdentifier transaction, MessageReader in) {
+        Optional<CauseElement> given = readOptionalCause(in);
+        Optional<Cause> cause = given.map(CauseElement::cause);
+        Optional<CauseLocation> location = given.map(CauseElement::location);
+        return type == Layer3Type.RELEASE
+                ? new CallControl.Release(transaction, cause, location)
+                : new CallControl.ReleaseComplete(transaction, cause, location);
     }
 
     private static CallControl.Connect readConnect(
