@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Human speech and music, and keys over human speech: four receivers on the same samples. A sample of what docs/TONES.md
+ * Human speech and music, and keys over human speech: four receivers on the same samples. A sample of what docs/MEASURED.md
  * measured; {@code -Dtones.every=1} takes all recordings (an hour of CPU time).
  */
 @Tag("peer")

@@ -11,7 +11,7 @@ import java.util.Locale;
 /**
  * Fits the curves of {@link KeyLikelihood} to labelled recordings: additive logistic regression by boosting, one step of one
  * curve at a time. Arguments: the table to write, the seed of the synthetic recordings, and files of speech and music
- * without keys (raw, 8 kHz, 16 bit, little-endian). docs/TONES.md says which files were used. {@code -Dskip=KIND} leaves one
+ * without keys (raw, 8 kHz, 16 bit, little-endian). docs/MEASURED.md says which files were used. {@code -Dskip=KIND} leaves one
  * measure out, to see what it carries.
  */
 final class LikelihoodFit {
