@@ -126,7 +126,8 @@ class MutantsTest {
 
     @Test
     void theSimulationOfTheRightSourceRunsInAProcessOfItsOwn() throws Exception {
-        assertTrue(seeds(classPath(), 2).endsWith("exit 0"));
+        String run = seeds(classPath(), 2);
+        assertTrue(run.endsWith("exit 0"), run);
     }
 
     private static String seeds(String classPath, int count) throws Exception {
