@@ -367,6 +367,8 @@ class RobotsInTheWindowTest {
                 new RobotEvent.OrderVerified("16", "refused"),
                 new RobotEvent.OrderAnswered(16, "refused"),
                 new RobotEvent.ReplySent("16", "refused"),
+                new RobotEvent.ReplyFailed("16", "refused"),
+                new RobotEvent.BatteryChanged(true),
                 new RobotEvent.UssdAnswered("16", "refused"),
                 new RobotEvent.MessageReceived("16", "refused"),
                 new RobotEvent.TypeUnknown("16"),

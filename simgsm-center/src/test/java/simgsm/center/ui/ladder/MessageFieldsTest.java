@@ -49,7 +49,7 @@ class MessageFieldsTest {
         String words = words(Scene.submit("** #*#90 **"));
 
         assertTrue(words.contains("text                  ** #*#90 **\n"), words);
-        assertTrue(words.contains("TP-DA                 5550200 (international, plan 1)"), words);
+        assertTrue(words.contains("TP-DA                 5550200 (unknown, plan 1)"), words);
     }
 
     /** TS 24.007, 11.2.3.1.1: 0x0B is non call related supplementary services; with the transaction's flag 0x8B. */
