@@ -133,7 +133,8 @@ final class LocationUpdate {
         if (subscriber.isEmpty()) {
             reject(RejectCause.CONGESTION);
         } else if (!mobility.claim(subscriber.get(), imei, link)) {
-            // Cause 3 would make the SIM invalid for a mobile of towers, although its former self may only have been killed.
+            // Cause 3 would make the SIM invalid for a mobile of towers, although its former self may only have been
+            // killed.
             reject(link.access().isShared() ? RejectCause.CONGESTION : RejectCause.ILLEGAL_MS);
         } else {
             admitted = subscriber.get();
