@@ -12,7 +12,7 @@ import simgsm.modem.at.command.AtCommands;
 
 /** What a set command took, its read command tells: a row for each command that has both forms. */
 class AtReadBackTest {
-    private static final Pattern ROW = Pattern.compile("\\| `(AT[^`]*)`.*");
+    private static final Pattern ROW = Pattern.compile("- `(AT[^`]*)`.*");
     /** Commands that set an action or a list and read a state: other tests have them. */
     private static final Set<String> OTHERS = Set.of("+CPIN", "+COPS", "+CPMS", "+CPBS", "+CSMS");
 

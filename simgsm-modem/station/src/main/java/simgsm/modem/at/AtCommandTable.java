@@ -113,12 +113,11 @@ public final class AtCommandTable<C> {
         return List.copyOf(rows.keySet());
     }
 
-    /** The list of commands as a table in Markdown. */
+    /** The commands as a list in Markdown. */
     public String toMarkdown() {
-        StringBuilder text = new StringBuilder("| command | does |\n|---|---|\n");
+        StringBuilder text = new StringBuilder();
         for (Row<C> row : rows.values()) {
-            text.append("| `").append(row.forms().replace("|", "\\|")).append("` | ");
-            text.append(row.meaning).append(" |\n");
+            text.append("- `%s`: %s\n".formatted(row.forms(), row.meaning));
         }
         return text.toString();
     }

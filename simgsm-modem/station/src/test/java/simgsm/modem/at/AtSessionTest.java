@@ -391,10 +391,8 @@ class AtSessionTest {
         table.add("E", "<n>", "echo").execute((client, request) -> {});
         assertEquals("+XY", row.name());
         assertEquals("""
-                | command | does |
-                |---|---|
-                | `AT+XY AT+XY? AT+XY=? AT+XY=0\\|1` | does x |
-                | `ATE<n>` | echo |
+                - `AT+XY AT+XY? AT+XY=? AT+XY=0|1`: does x
+                - `ATE<n>`: echo
                 """, table.toMarkdown());
         assertEquals(Optional.empty(), table.handler(new AtCommand("E", AtCommand.Form.TEST, "")));
     }
