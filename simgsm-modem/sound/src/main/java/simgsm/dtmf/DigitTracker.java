@@ -21,6 +21,8 @@ final class DigitTracker {
 
     /** A longer gap, in hops, parts a key from the next: 23.5 ms. ES 201 235-3 bridges 20 ms, 25 ms are a pause. */
     private static final double MOST_GAP = 9.4;
+    /** Drop of level from which the tones after a gap may be the rest of the key before, in decibels. */
+    private static final double WEAKER_DB = 5;
     /** The same for a copy that is as weak as an echo: 28.8 ms. */
     private static final double MOST_ECHO_GAP = 11.5;
 
@@ -267,6 +269,9 @@ final class DigitTracker {
         if (ended == null || ended.key().ordinal() != runKey) {
             return false;
         }
+        if (!isWeaker(ended)) {
+            return fit.open && hop - barrier <= ToneFit.SPAN;
+        }
         double onset = hop - fit.sinceOnset;
         double mostGap = isCopy(ended) ? MOST_ECHO_GAP : MOST_GAP;
         if (onset - barrier > mostGap && onset + LEAST_HOPS >= rest) {
@@ -293,6 +298,12 @@ final class DigitTracker {
             }
         }
         return false;
+    }
+
+    /** Noise moves onsets by some hops, so tones as loud as the key before need no gap to be a key of their own. */
+    private boolean isWeaker(DtmfDigit digit) {
+        return digit.rowDbm0() - ToneLevel.dbm0(fit.amplitude[0]) > WEAKER_DB
+                && digit.columnDbm0() - ToneLevel.dbm0(fit.amplitude[1]) > WEAKER_DB;
     }
 
     private boolean isCopy(DtmfDigit digit) {
