@@ -67,7 +67,7 @@ final class SimulatedApplication implements SmppPort {
             String validity = random.nextInt(4) == 0 ? "0000000000" + (10 + random.nextInt(50)) + "000R" : "";
             SmppMessage message = new SmppMessage(
                     "",
-                    new SmppAddress(0, 1, NUMBER),
+                    new SmppAddress(1, 1, NUMBER),
                     new SmppAddress(1, 1, to),
                     0,
                     0,

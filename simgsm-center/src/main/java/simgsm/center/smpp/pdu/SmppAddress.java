@@ -16,6 +16,7 @@ public record SmppAddress(int ton, int npi, String value) {
     public static final SmppAddress NONE = new SmppAddress(0, 0, "");
 
     private static final int LETTERS = 5;
+    private static final int NETWORK_DIGITS = 10;
     /** addr_ton (5.2.5): unknown ... abbreviated. */
     private static final int MAX_TON = 6;
 
@@ -40,15 +41,23 @@ public record SmppAddress(int ton, int npi, String value) {
         return ton > MAX_TON ? typeStatus : PLANS.contains(npi) ? SmppStatus.OK : planStatus;
     }
 
-    /** The address for a mobile: a number, or up to 11 letters for any type of number; empty if it is neither. */
+    /**
+     * The address for a mobile: a number, or up to 11 letters for any type of number; empty if it is neither. Numbers of the
+     * network have at most 10 digits and no country code, but most applications call every number international: these
+     * are of unknown type for a mobile.
+     */
     public Optional<SmsAddress> forMobiles() {
         if (value.isEmpty()) {
             return Optional.empty();
         }
-        Optional<Msisdn> number = number();
+        Optional<String> digits = number().map(Msisdn::digits);
+        boolean isOfNetwork = ton == SmsAddress.INTERNATIONAL
+                && digits.filter(it -> it.length() <= NETWORK_DIGITS).isPresent();
         try {
             return Optional.of(
-                    number.isPresent() ? new SmsAddress(ton, npi, number.get().digits()) : SmsAddress.ofLetters(value));
+                    digits.isPresent()
+                            ? new SmsAddress(isOfNetwork ? SmsAddress.UNKNOWN : ton, npi, digits.get())
+                            : SmsAddress.ofLetters(value));
         } catch (IllegalArgumentException e) {
             return Optional.empty();
         }
