@@ -21,7 +21,7 @@ class ReferenceTest {
 
             ## All programs with a window
 
-            Options and console commands that centre, cells, phone and SimRobot share; their sections leave them out.
+            Options and console commands that centre, cells, phone and SimRobot share; the other sections leave them out.
 
             ```
             """;
@@ -52,18 +52,22 @@ class ReferenceTest {
         StringBuilder page = new StringBuilder(HEAD);
         page.append(String.join("\n", shared)).append("\n```\n");
         for (String program : WINDOWED) {
-            List<String> own = new ArrayList<>(helps.get(program));
-            own.removeAll(shared);
-            append(page, program, List.of(), String.join("\n", own));
+            append(page, program, List.of(), without(shared, helps.get(program)));
         }
         for (String program : List.of("vericommand", "simgsm-modem")) {
-            append(page, program, List.of(), help(program, List.of()));
+            append(page, program, List.of(), without(shared, entries(help(program, List.of()))));
         }
         for (String tool : TOOLS) {
-            append(page, "simgsm-modem", List.of(tool), help("simgsm-modem", List.of(tool)));
+            append(page, "simgsm-modem", List.of(tool), without(shared, entries(help("simgsm-modem", List.of(tool)))));
         }
         page.append(AT_HEAD).append(AtCommands.toMarkdown());
         PrintedFile.hold(Dist.root().resolve("docs/REFERENCE.md"), page.toString());
+    }
+
+    private static String without(Set<String> shared, List<String> entries) {
+        List<String> own = new ArrayList<>(entries);
+        own.removeAll(shared);
+        return String.join("\n", own).stripTrailing().replaceFirst("\n+Options:$", "");
     }
 
     private static List<String> entries(String help) {
