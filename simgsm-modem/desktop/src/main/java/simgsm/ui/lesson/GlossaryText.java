@@ -31,8 +31,6 @@ import simgsm.ui.UserAction;
  */
 final class GlossaryText extends JEditorPane {
     private static final int LEAST_PIXELS = 13;
-    /** A space without width. */
-    private static final String BREAK = "\u200b";
 
     /** Steps among the terms. */
     private static final Map<Integer, Integer> KEYS =
@@ -180,10 +178,9 @@ final class GlossaryText extends JEditorPane {
         return Stream.of(text.split("\n\n", -1))
                 .map(SvgCanvas::escaped)
                 .collect(Collectors.joining("<br><br>"))
-                // A path may be broken behind each folder.
-                .replace("/", "/" + BREAK)
-                // Octets and other words of more than 24 characters would be cut at the edge.
-                .replaceAll("([^\\s&;" + BREAK + "]{24})(?=[^\\s&;" + BREAK + "])", "$1<br>")
+                // Words of more than 24 characters would be cut at the edge: a path is broken behind a folder.
+                .replaceAll("([^\\s&;<>]{11,23}/)(?=[^\\s<])", "$1<br>")
+                .replaceAll("([^\\s&;<>]{24})(?=[^\\s&;<>])", "$1<br>")
                 .replace("** ", "**&nbsp;")
                 .replaceAll("(?<=[0-9]) \\*\\*", "&nbsp;**");
     }
