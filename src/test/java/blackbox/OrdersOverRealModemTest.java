@@ -32,7 +32,9 @@ class OrdersOverRealModemTest {
                             "--world",
                             world(world).toString(),
                             "--answer-after",
-                            "0"),
+                            "0",
+                            "--reply",
+                            "all"),
                     options);
             robot.expect("ready");
             robot.expect("registered");

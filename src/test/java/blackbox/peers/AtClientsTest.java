@@ -205,7 +205,7 @@ class AtClientsTest {
             assertTrue(printed.contains("reply 5550200 3 Done: #**20."), printed);
             assertTrue(printed.contains("ussd 5550100"), printed);
             assertTrue(printed.contains("call to the robot: its reply 3 heard"), printed);
-            assertTrue(printed.contains("call from 5550101 answered, keys heard in both directions"), printed);
+            assertTrue(printed.contains("call from +5550101 answered, keys heard in both directions"), printed);
         } finally {
             end();
         }
