@@ -69,10 +69,14 @@ final class DiskReserve {
     }
 
     void close() {
-        try (DiskFile closing = file) {
-            file = null;
-        } catch (IOException e) {
-            // Nothing is lost: it holds zeros.
+        DiskFile closing = file;
+        file = null;
+        if (closing != null) {
+            try {
+                closing.close();
+            } catch (IOException e) {
+                // Nothing is lost: it holds zeros.
+            }
         }
     }
 }

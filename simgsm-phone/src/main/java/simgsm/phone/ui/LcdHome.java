@@ -116,6 +116,11 @@ final class LcdHome {
         if (!name.equals(phone.typed())) {
             pen.left(name, pen.sans(14, true), LcdPen.MARGIN, 120, LcdPen.WIDTH - 2 * LcdPen.MARGIN);
         }
-        pen.hint(texts.of(ServiceCode.isCode(phone.typed()) ? "lcd.hint.code" : "lcd.hint.typed"), HINT_BASELINE);
+        pen.hint(texts.of("lcd.hint." + hint(phone.typed())), HINT_BASELINE);
+    }
+
+    /** No service code begins with {@code **#}: these are keys for a robot, typed after its call has ended. */
+    static String hint(String typed) {
+        return typed.startsWith("**#") ? "order" : ServiceCode.isCode(typed) ? "code" : "typed";
     }
 }

@@ -15,6 +15,7 @@ import java.util.ResourceBundle;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
@@ -84,6 +85,7 @@ class LcdScreensTest {
         screens.put("failed", failed());
         screens.put(
                 "broadcast", with(bench -> bench.handset.accept(new StationEvent.BroadcastReceived(50, 1, "storm"))));
+        screens.put("order without a call", with(bench -> bench.key("**#**20**")));
         screens.put("service code", with(bench -> bench.key("*#100#")));
         screens.put("service asked for", with(bench -> bench.handset.ussd("*100#")));
         screens.put(
@@ -397,5 +399,18 @@ class LcdScreensTest {
             }
         }
         return count;
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "5550200, typed",
+        "+5550200, typed",
+        "*100#, code",
+        "**21*5550101#, code",
+        "**#, order",
+        "**#**20**, order"
+    })
+    void theHintSaysWhatTheTypedKeysAreFor(String typed, String hint) {
+        assertEquals(hint, LcdHome.hint(typed));
     }
 }
