@@ -92,6 +92,7 @@ class ModemProgramTest {
         try (Scenario scenario = new Scenario("a real modem");
                 ServedModem modem = new ServedModem()) {
             RunningProgram robot = robotBehind(scenario, modem.address());
+            robot.expect("modem", "state", "ready");
             robot.expect("registered", "number", Scenario.ROBOT);
             modem.call(Scenario.PHONE);
             robot.expect("ringing", "from", Scenario.PHONE);
@@ -105,6 +106,8 @@ class ModemProgramTest {
             robot.expect("status", "value", "Moving");
             scenario.tell("the modem is unplugged");
             modem.unplug();
+            robot.expect("modem", "state", "silent");
+            robot.say("modem").expect("modem", "state", "silent");
             robot.expectBefore(Set.of("status"), "released", "cause", "41");
             // The robot brakes while the modem is taken off the network: their events come in either order.
             robot.expect("status", "value", "Stopped");

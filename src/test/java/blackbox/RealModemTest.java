@@ -31,6 +31,7 @@ class RealModemTest {
         assertEquals(
                 List.of(
                         "registered robot=robot number=5550200",
+                        "modem robot=robot state=ready text=TestNet",
                         "ringing robot=robot from=5550100",
                         "call robot=robot from=5550100",
                         "tone robot=robot key=1",
@@ -87,7 +88,7 @@ class RealModemTest {
         assertFalse(modem.isInCall());
         assertEquals(
                 List.of("ringing robot=robot from=5550100", "released robot=robot cause=16"),
-                scene.lines.subList(1, 3));
+                scene.lines.subList(2, 4));
         modem.message(RealModemScene.CALLER, "** #**20 **");
         scene.seconds(5);
         assertEquals(0.2, scene.travelledMetres(), 1e-6);
@@ -276,7 +277,7 @@ class RealModemTest {
         scene.seconds(3);
         assertEquals(
                 List.of("ringing robot=robot from=5550100", "released robot=robot cause=16"),
-                scene.lines.subList(1, 3));
+                scene.lines.subList(2, 4));
     }
 
     @Test
@@ -320,10 +321,14 @@ class RealModemTest {
     void aModemThatIsNotRegisteredIsAwaited() {
         modem.registered = false;
         scene.ready();
-        assertEquals(List.of(), scene.lines);
+        assertEquals(List.of("modem robot=robot state=no-network text=\"+CREG: 1,2\""), scene.lines);
         modem.registered = true;
         scene.seconds(1);
-        assertEquals(List.of("registered robot=robot number=5550200"), scene.lines);
+        assertEquals(
+                List.of(
+                        "registered robot=robot number=5550200",
+                        "modem robot=robot state=ready text=TestNet"),
+                scene.lines.subList(1, 3));
     }
 
     /** In each of many calls one octet of the line is lost or changed into noise, at another place. */

@@ -74,6 +74,13 @@ public final class ListeningPorts implements AutoCloseable {
                     .map(number -> number.digits())
                     .orElse("");
         }
+
+        @Override
+        public String modem(String name) {
+            return simRobot.robot(name)
+                    .map(robot -> robot.modemState().state().word())
+                    .orElse("");
+        }
     }
 
     /** The robots' P2OS ports. */

@@ -69,6 +69,12 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         return modem;
     }
 
+    /** Returns the modem's newest state; callable on any thread. */
+    RobotEvent.ModemChanged state() {
+        ModemEvent.StateChanged newest = modem.state();
+        return new RobotEvent.ModemChanged(newest.state(), newest.text());
+    }
+
     /** Returns the newest trace of the received tones; callable on any thread. */
     ToneTrace trace() {
         return trace;
@@ -138,6 +144,9 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
             }
             long began = clockNanos.getAsLong() - Math.round(samplesSinceStart(digit) * NANOS_PER_SAMPLE);
             simulation.execute(() -> control.key(key, began));
+        } else if (event instanceof ModemEvent.StateChanged) {
+            RobotEvent changed = state();
+            simulation.execute(() -> control.tell(changed));
         } else if (event instanceof ModemEvent.CallIdle idle) {
             simulation.execute(() -> control.callIdle(idle.seconds()));
         } else if (event instanceof ModemEvent.KeyUnreadable) {

@@ -73,6 +73,10 @@ final class RobotCommands {
         onSimulation(() -> answer(new RobotEvent.StatusChanged(robot.status())));
     }
 
+    void modem() throws CommandException {
+        onSimulation(() -> answer(telephone.modemState()));
+    }
+
     void pose() throws CommandException {
         onSimulation(() -> answer(new RobotEvent.PoseReported(robot.pose())));
     }

@@ -31,6 +31,11 @@ public final class RobotConsole implements Console.Commands {
                     "prints the robot's status",
                     (to, command) -> to.robot().status())
             .add(
+                    "modem",
+                    "",
+                    "prints whether the modem can serve, and what hinders it",
+                    (to, command) -> to.robot().modem())
+            .add(
                     "pose",
                     "",
                     "prints the true pose: metres, and degrees anticlockwise from +X",

@@ -3,6 +3,7 @@ package simrobot.control;
 import java.util.Map;
 import java.util.Optional;
 import simgsm.console.Event;
+import simgsm.modem.ModemState;
 import simrobot.process.BehaviourKind;
 import vericommand.Pose;
 import vericommand.RobotStatus;
@@ -42,6 +43,14 @@ public sealed interface RobotEvent {
         public Event line(String robot) {
             Event event = about(robot, "unregistered");
             return cause.isEmpty() ? event : event.with("cause", cause);
+        }
+    }
+
+    /** A real modem's state has changed, or a modem's was queried. */
+    record ModemChanged(ModemState state, String text) implements RobotEvent {
+        @Override
+        public Event line(String robot) {
+            return about(robot, "modem").with("state", state.word()).with("text", text);
         }
     }
 
@@ -232,6 +241,7 @@ public sealed interface RobotEvent {
                         case "removed" -> new Removed(field(fields, "number"));
                         case "registered" -> new Registered(field(fields, "number"));
                         case "unregistered" -> new Unregistered(field(fields, "cause"));
+                        case "modem" -> new ModemChanged(ModemState.ofWord(field(fields, "state")), field(fields, "text"));
                         case "ringing" -> new CallRinging(field(fields, "from"));
                         case "call" -> new CallReceived(field(fields, "from"));
                         case "order" -> new OrderVerified(field(fields, "text"), field(fields, "verdict"));

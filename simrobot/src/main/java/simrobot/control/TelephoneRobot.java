@@ -95,6 +95,11 @@ public final class TelephoneRobot {
         return link.modem().snapshot();
     }
 
+    /** Returns the same in words, as the console's {@code modem} answers; callable on any thread. */
+    public RobotEvent.ModemChanged modemState() {
+        return link.state();
+    }
+
     /** Returns the trace of the caller's key tones; callable on any thread. */
     public ToneTrace heard() {
         return link.trace();

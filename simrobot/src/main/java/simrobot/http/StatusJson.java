@@ -42,6 +42,7 @@ final class StatusJson {
         ranges(json, "laser", robot.laserRangesMeters());
         json.name("world").value(scene.world().name());
         json.name("time").value(scene.timeNanos() / 1e9, 2);
+        json.name("modem").value(source.modem(robot.name()));
         json.name("simulated").value(robot.simulated());
         if (robot.simulated()) {
             json.name("camera").value(path + "/camera.jpg");

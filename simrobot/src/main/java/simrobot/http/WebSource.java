@@ -13,4 +13,7 @@ public interface WebSource {
 
     /** The telephone number of the robot's modem; empty if it has none. */
     String number(String robot);
+
+    /** The state of the robot's modem, as {@link simgsm.modem.ModemState#word}; empty if it has none. */
+    String modem(String robot);
 }

@@ -65,6 +65,11 @@ class WebServerTest {
             public String number(String robot) {
                 return robot.equals("ann") ? "5550200" : "";
             }
+
+            @Override
+            public String modem(String robot) {
+                return robot.equals("ann") ? "no-network" : "";
+            }
         });
         opened.start();
         return opened;
@@ -130,6 +135,7 @@ class WebServerTest {
         String json = text(answer);
         assertEquals("application/json", answer.getContentType());
         assertTrue(json.startsWith("[{\"name\":\"ann\",\"number\":\"5550200\",\"status\":\"Stopped\","), json);
+        assertTrue(json.contains("\"modem\":\"no-network\","), json);
         assertTrue(json.contains("},{\"name\":\"\u00f1a+nd\u00fa 1/<2>&\\\"3\\\"%\""), json);
         assertTrue(json.endsWith("}]"), json);
     }
@@ -398,6 +404,11 @@ class WebServerTest {
 
                     @Override
                     public String number(String robot) {
+                        return "";
+                    }
+
+                    @Override
+                    public String modem(String robot) {
                         return "";
                     }
                 },

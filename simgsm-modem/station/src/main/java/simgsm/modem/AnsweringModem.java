@@ -11,7 +11,7 @@ import simgsm.station.context.StationEvent;
 /**
  * A modem through which a robot is commanded: {@link Modem} (M2), or a real one. It answers calls, reports keys and short
  * messages as {@link StationEvent}s, and sends reply tones and messages. One owner thread calls everything except
- * {@link #snapshot}.
+ * {@link #snapshot} and {@link #state}.
  */
 public interface AnsweringModem {
     /** Makes a modem with a rule for its calls and a listener. */
@@ -28,6 +28,13 @@ public interface AnsweringModem {
 
     /** The newest state; callable on any thread. */
     StationSnapshot snapshot();
+
+    /** The newest state in words; callable on any thread. */
+    default ModemEvent.StateChanged state() {
+        StationSnapshot newest = snapshot();
+        ModemState state = newest.registered() ? ModemState.READY : ModemState.NO_NETWORK;
+        return new ModemEvent.StateChanged(state, newest.networkName());
+    }
 
     /** Queues a reply tone. @return false if there is no accepted and connected call */
     boolean sendTone(DtmfKey key);

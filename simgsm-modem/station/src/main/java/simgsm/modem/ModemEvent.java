@@ -21,6 +21,9 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
     /** All keys in this much speech of an accepted call, lost frames included, have been reported. */
     record SpeechProcessed(int samples) implements ModemEvent {}
 
+    /** A real modem's state has changed. @param text the answer that shows it, or the network's name */
+    record StateChanged(ModemState state, String text) implements ModemEvent {}
+
     /** A tone of {@link Modem#sendTone} or of the {@link CallDecision} has been sent whole. */
     record ReplyToneSent(DtmfKey key) implements ModemEvent {}
 }

@@ -23,6 +23,8 @@ public final class EventTexts {
             return texts.of("log.registered", registered.number());
         } else if (event instanceof RobotEvent.Unregistered) {
             return texts.of("log.unregistered");
+        } else if (event instanceof RobotEvent.ModemChanged modem) {
+            return texts.of("log.modem." + modem.state().word(), modem.text());
         } else if (event instanceof RobotEvent.CallRinging ringing) {
             return texts.of("log.ringing", caller(ringing.from()));
         } else if (event instanceof RobotEvent.CallReceived call) {

@@ -19,6 +19,7 @@ import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
+import simgsm.modem.ModemState;
 import simgsm.ui.Theme;
 import simrobot.control.LoggedEvent;
 import simrobot.control.RobotEvent;
@@ -378,12 +379,15 @@ class RobotsInTheWindowTest {
                 new RobotEvent.StatusChanged(RobotStatus.MOVING),
                 new RobotEvent.BehaviourChanged(BehaviourKind.WANDER),
                 new RobotEvent.BehaviourFailed("Dance", 12, "ArithmeticException: / by zero"));
+        for (ModemState state : ModemState.values()) {
+            assertTrue(words.of(new RobotEvent.ModemChanged(state, "TestNet")).contains("modem"), state.word());
+        }
         for (RobotEvent event : events) {
             String text = words.of(event);
             assertFalse(text.isBlank() || text.startsWith("log."), event + ": " + text);
         }
-        // all but keys, tones, poses and arrivals, which the log leaves out
-        assertEquals(RobotEvent.class.getPermittedSubclasses().length - 4, events.size());
+        // all but keys, tones, poses and arrivals, which the log leaves out, and the modem's states
+        assertEquals(RobotEvent.class.getPermittedSubclasses().length - 5, events.size());
     }
 
     private EventsCard card() {

@@ -13,6 +13,8 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.AnsweringModem;
 import simgsm.modem.CallDecision;
+import simgsm.modem.ModemEvent;
+import simgsm.modem.ModemState;
 import simgsm.modem.client.AttachedCallTable.AttachedCallPhase;
 import simgsm.modem.client.ModemServiceTable.ServiceAction;
 import simgsm.modem.client.ModemServiceTable.ServiceEvent;
@@ -27,7 +29,8 @@ import simgsm.timer.Timers;
 /**
  * A real modem in M2's place, as a deterministic core: octets of its line and time in; octets and events out, the same as
  * M2's. It is prepared by {@link SetupStep} whenever its line comes up and whenever it has started again; runs by
- * {@link ModemServiceTable}. One owner thread calls everything except {@link #snapshot}.
+ * {@link ModemServiceTable}. One owner thread calls everything except {@link #snapshot} and
+ * {@link #state}.
  */
 public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     /** {@link #nextDeadlineNanos} of a modem that waits for nothing. */
@@ -35,6 +38,9 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
 
     /** Without an octet for this time, no earlier dialogue is under way. */
     static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
+
+    private static final ModemEvent.StateChanged NOT_ASKED =
+            new ModemEvent.StateChanged(ModemState.SILENT, "the line is not open yet");
 
     private static final long ATTENTION_MILLIS = 500;
 
@@ -62,6 +68,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
 
     private UnsolicitedCode bodyOf = UnsolicitedCode.NEWS;
     private volatile StationSnapshot snapshot;
+    private volatile ModemEvent.StateChanged state = NOT_ASKED;
 
     private enum StartCode {
         CARD("+CPIN:"),
@@ -119,8 +126,14 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     @Override
     public void lineDown(long nowNanos) {
         timePassed(nowNanos);
+        setState(ModemState.SILENT, "the line is lost");
         service.fire(ServiceEvent.LINE_DOWN);
         publish();
+    }
+
+    @Override
+    public void lineFailed(String reason) {
+        setState(ModemState.SILENT, reason);
     }
 
     /** Octets have come from the modem. */
@@ -157,6 +170,11 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     @Override
     public StationSnapshot snapshot() {
         return snapshot;
+    }
+
+    @Override
+    public ModemEvent.StateChanged state() {
+        return state;
     }
 
     @Override
@@ -227,8 +245,8 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
 
     /** Without an answer it is asked again at once; a set-up finds that out itself. */
     private void stalled(ModemCommand command) {
+        setState(ModemState.SILENT, "no answer to " + command.text());
         if (service.state() != ServiceState.PREPARING) {
-            LOG.log(Level.INFO, "no answer to " + command.text());
             service.fire(ServiceEvent.STALLED);
         }
     }
@@ -255,6 +273,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
             call.rings();
         }
         lookTimer = timers.start(LOOK_NANOS, this::look);
+        setState(ModemState.READY, operatorName());
     }
 
     private void look() {
@@ -266,7 +285,11 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private void askRegistration() {
         dialogue.send(ModemCommand.query("AT+CREG?", "+CREG:"), answer -> {
             if (answer.isOk()) {
-                setRegistered(SetupStep.REGISTRATION.verdict(answer) == SetupVerdict.OK);
+                boolean isRegistered = SetupStep.REGISTRATION.verdict(answer) == SetupVerdict.OK;
+                setState(
+                        isRegistered ? ModemState.READY : ModemState.NO_NETWORK,
+                        isRegistered ? operatorName() : answer.content());
+                setRegistered(isRegistered);
             }
         });
     }
@@ -281,8 +304,20 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         }
     }
 
-    private void logged(ModemCommand command, ModemAnswer answer, SetupVerdict verdict) {
+    /** Reports a change of the state; a new text alone is only kept. */
+    private void setState(ModemState now, String text) {
+        boolean isNews = state == NOT_ASKED || state.state() != now;
+        state = new ModemEvent.StateChanged(now, text);
+        if (isNews) {
+            boolean isExpected = now == ModemState.READY || service.state() == ServiceState.NO_LINE;
+            LOG.log(isExpected ? Level.INFO : Level.WARNING, "modem " + number + ": " + now.word() + ", " + text);
+            listener.accept(state);
+        }
+    }
+
+    private void logged(SetupStep step, ModemCommand command, ModemAnswer answer, SetupVerdict verdict) {
         LOG.log(Level.DEBUG, command.text() + ": " + verdict.word() + ", " + answer.text());
+        step.obstacle(answer).ifPresent(obstacle -> setState(obstacle, answer.content()));
     }
 
     // ---- what the modem says unasked -------------------------------------------------------------------------------
@@ -354,7 +389,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     }
 
     private void booted() {
-        LOG.log(Level.INFO, "the modem has started again");
+        setState(ModemState.SILENT, "the modem has started again");
         expectedCodes.addAll(EnumSet.allOf(StartCode.class));
         service.fire(ServiceEvent.BOOTED);
     }

@@ -34,6 +34,11 @@ record ModemAnswer(Ending ending, List<String> lines, String result) {
         return number.matches("[0-9]{1,4}") ? OptionalInt.of(Integer.parseInt(number)) : OptionalInt.empty();
     }
 
+    /** The lines in one; without lines the final result. */
+    String content() {
+        return lines.isEmpty() ? result : String.join(" ", lines);
+    }
+
     /** All lines in one, as a report shows them; without an answer, what happened. */
     String text() {
         return switch (ending) {

@@ -20,7 +20,7 @@ final class ModemSetup {
 
     /** Learns of each command, as it is answered. */
     interface Observer {
-        void answered(ModemCommand command, ModemAnswer answer, SetupVerdict verdict);
+        void answered(SetupStep step, ModemCommand command, ModemAnswer answer, SetupVerdict verdict);
     }
 
     private final CommandDialogue dialogue;
@@ -102,7 +102,7 @@ final class ModemSetup {
 
     private void answered(SetupStep asked, ModemCommand command, ModemAnswer answer) {
         SetupVerdict verdict = asked.verdict(answer);
-        observer.answered(command, answer, verdict);
+        observer.answered(asked, command, answer, verdict);
         answers.put(asked, answer);
         verdicts.put(asked, verdict);
         if (answer.ending() == ModemAnswer.Ending.TIMED_OUT) {

@@ -2,9 +2,11 @@ package simgsm.modem.client;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import simgsm.modem.ModemState;
 
 /**
  * How a modem is prepared, in this order (TS 27.007, TS 27.005): the commands of each step, of which the first that is
@@ -99,6 +101,32 @@ enum SetupStep {
         Function<Boolean, Stream<ModemCommand>> ofOwn =
                 wanted -> alternatives.stream().filter(command -> own.contains(command.text()) == wanted);
         return Stream.concat(ofOwn.apply(true), ofOwn.apply(false)).toList();
+    }
+
+    /** The state of a modem that has given this answer; empty if the answer names no obstacle. */
+    Optional<ModemState> obstacle(ModemAnswer answer) {
+        SetupVerdict verdict = verdict(answer);
+        boolean isRefused = answer.ending() == ModemAnswer.Ending.REFUSED;
+        if (need != Need.AWAITED || verdict == SetupVerdict.OK || verdict == SetupVerdict.MISSING && !isRefused) {
+            return Optional.empty();
+        }
+        return this == REGISTRATION ? Optional.of(ModemState.NO_NETWORK) : cardState(answer);
+    }
+
+    /** {@code +CPIN} (TS 27.007, 8.3), or an error (9.2.1); a busy card (14) is asked again. */
+    private static Optional<ModemState> cardState(ModemAnswer answer) {
+        return switch (answer.errorNumber().orElse(-1)) {
+            case 14 -> Optional.empty();
+            case 11 -> Optional.of(ModemState.SIM_PIN);
+            case 12 -> Optional.of(ModemState.SIM_PUK);
+            default -> {
+                String code = answer.content().replaceFirst("^\\+CPIN: *", "");
+                yield Optional.of(
+                        code.contains("PUK")
+                                ? ModemState.SIM_PUK
+                                : code.contains("PIN") ? ModemState.SIM_PIN : ModemState.NO_SIM);
+            }
+        };
     }
 
     /** An answer that says all counts without its final result, too: Wavecom's to {@code +CPIN?} has none. */

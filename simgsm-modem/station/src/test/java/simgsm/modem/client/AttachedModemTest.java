@@ -8,10 +8,12 @@ import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.CallDecision;
+import simgsm.modem.ModemState;
 import simgsm.octets.OctetString;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.MessageSplitter;
@@ -54,6 +56,62 @@ class AttachedModemTest {
         bench.answers.put("AT+CPIN?", "+CPIN: READY|OK");
         bench.millis(1500);
         assertTrue(bench.modem.isInService());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "+CPIN: SIM PIN|OK, sim-pin +CPIN: SIM PIN",
+        "+CPIN:SIM PUK|OK, sim-puk +CPIN:SIM PUK",
+        "+CPIN: NOT INSERTED|OK, no-sim +CPIN: NOT INSERTED",
+        "+CME ERROR: 10, no-sim +CME ERROR: 10",
+        "+CME ERROR: 11, sim-pin +CME ERROR: 11",
+        "+CME ERROR: 12, sim-puk +CME ERROR: 12",
+    })
+    void aSimThatHindersTheModemIsToldOnce(String answer, String state) {
+        bench.answers.put("AT+CPIN?", answer);
+        bench.ready();
+        assertEquals(List.of(state), bench.states);
+        bench.answers.put("AT+CPIN?", "+CPIN: READY|OK");
+        bench.millis(1500);
+        assertEquals(List.of(state, "ready TestNet"), bench.states);
+        assertEquals(ModemState.READY, bench.modem.state().state());
+    }
+
+    @Test
+    void aBusySimIsAskedAgainWithoutAWord() {
+        bench.answers.put("AT+CPIN?", "+CME ERROR: 14");
+        bench.ready();
+        assertEquals(List.of(), bench.states);
+    }
+
+    @Test
+    void eachChangeOfTheModemsStateIsToldOnce() {
+        bench.modem.lineFailed("no such file");
+        bench.modem.lineFailed("no such file");
+        bench.answers.put("AT+CREG?", "+CREG: 1,2|OK");
+        bench.ready();
+        bench.answers.put("AT+CREG?", "+CREG: 1,1|OK");
+        bench.millis(1500);
+        bench.answers.put("AT+CREG?", "+CREG: 1,0|OK");
+        bench.millis(30_000);
+        bench.answers.put("AT+CREG?", "+CREG: 1,5|OK");
+        bench.millis(30_000);
+        bench.answers.put("AT+CREG?", ModemBench.NO_ANSWER);
+        bench.millis(36_000);
+        bench.answers.put("AT+CREG?", "+CREG: 1,5|OK");
+        bench.millis(8000);
+        bench.modem.lineDown(bench.nowNanos);
+        assertEquals(
+                List.of(
+                        "silent no such file",
+                        "no-network +CREG: 1,2",
+                        "ready TestNet",
+                        "no-network +CREG: 1,0",
+                        "ready TestNet",
+                        "silent no answer to AT+CREG?",
+                        "ready TestNet",
+                        "silent the line is lost"),
+                bench.states);
     }
 
     @Test

@@ -23,6 +23,8 @@ final class ModemBench {
 
     final List<String> sent = new ArrayList<>();
     final List<String> events = new ArrayList<>();
+    /** Each state with its text, as it changes. */
+    final List<String> states = new ArrayList<>();
     /** The answer to a command, lines separated by |, with its final result; all others are answered by OK. */
     final Map<String, String> answers = new HashMap<>(Map.of(
             "AT+CGMI", "SIMCOM|OK",
@@ -59,6 +61,10 @@ final class ModemBench {
     }
 
     private void accept(StationEvent event) {
+        if (event instanceof ModemEvent.StateChanged changed) {
+            states.add(changed.state().word() + " " + changed.text());
+            return;
+        }
         if (event instanceof ModemEvent.SpeechProcessed) {
             return;
         }
