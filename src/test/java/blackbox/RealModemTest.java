@@ -325,9 +325,7 @@ class RealModemTest {
         modem.registered = true;
         scene.seconds(1);
         assertEquals(
-                List.of(
-                        "registered robot=robot number=5550200",
-                        "modem robot=robot state=ready text=TestNet"),
+                List.of("registered robot=robot number=5550200", "modem robot=robot state=ready text=TestNet"),
                 scene.lines.subList(1, 3));
     }
 

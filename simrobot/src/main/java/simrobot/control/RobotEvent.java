@@ -241,7 +241,8 @@ public sealed interface RobotEvent {
                         case "removed" -> new Removed(field(fields, "number"));
                         case "registered" -> new Registered(field(fields, "number"));
                         case "unregistered" -> new Unregistered(field(fields, "cause"));
-                        case "modem" -> new ModemChanged(ModemState.ofWord(field(fields, "state")), field(fields, "text"));
+                        case "modem" ->
+                            new ModemChanged(ModemState.ofWord(field(fields, "state")), field(fields, "text"));
                         case "ringing" -> new CallRinging(field(fields, "from"));
                         case "call" -> new CallReceived(field(fields, "from"));
                         case "order" -> new OrderVerified(field(fields, "text"), field(fields, "verdict"));

@@ -41,7 +41,8 @@ public final class ModemCheck implements ModemLine.Party {
         this.results = results;
         this.done = done;
         dialogue = new CommandDialogue(timers, this.output, new Silent());
-        setup = new ModemSetup(dialogue, timers, MOST_TRIES, (step, command, answer, verdict) -> report(command, answer, verdict));
+        setup = new ModemSetup(
+                dialogue, timers, MOST_TRIES, (step, command, answer, verdict) -> report(command, answer, verdict));
     }
 
     private static final class Silent implements CommandDialogue.Listener {
