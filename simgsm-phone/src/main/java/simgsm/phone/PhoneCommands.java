@@ -24,56 +24,21 @@ import simgsm.ss.ServiceCode;
 
 /** The console's commands. Each ends on the owner thread before the next is read, so errors appear in order. */
 final class PhoneCommands implements Console.Commands {
-    static final CommandTable<PhoneCommands> TABLE = new CommandTable<PhoneCommands>()
-            .add("dial", "NUMBER", "calls a number, or sends a service code such as *#06#", PhoneCommands::dial)
-            .add("answer", "", "answers the ringing call", (phone, command) -> phone.perform(command, Handset::answer))
-            .add(
-                    "hangup",
-                    "",
-                    "ends the call, or rejects the ringing one; drops keys that are not sent yet; else ends a USSD dialogue",
-                    (phone, command) -> phone.perform(command, Handset::hangUp))
-            .add(
-                    "hold",
-                    "",
-                    "holds the call, and takes the waiting or held one; without a call takes the held one",
-                    (phone, command) -> phone.perform(command, Handset::hold))
-            .add(
-                    "reject",
-                    "",
-                    "rejects the waiting call, or ends the held one",
-                    (phone, command) -> phone.perform(command, Handset::rejectSecond))
-            .add(
-                    "press",
-                    "KEYS",
-                    "sends keys of 0-9*#ABCD in the call, 100 ms each; blanks are ignored",
-                    PhoneCommands::press)
-            .add(
-                    "play",
-                    "FILE.wav",
-                    "sends a sound in the call, in place of a microphone: 8 kHz, 16 bit, mono",
-                    PhoneCommands::play)
-            .add(
-                    "sms",
-                    "NUMBER TEXT",
-                    "sends a text: the rest of the line, or one double-quoted string with JSON escapes",
-                    PhoneCommands::sms)
-            .add(
-                    "ussd",
-                    "CODE",
-                    "sends a USSD code such as *100#, or the reply that the network waits for",
-                    PhoneCommands::ussd)
-            .add("inbox", "", "lists the received messages and marks them as read", (phone, command) -> phone.inbox())
-            .add(
-                    "channels",
-                    "LIST",
-                    "the broadcast channels that are shown, as 50,919,4370-4399; all or none",
-                    PhoneCommands::channels)
-            .add(
-                    "memory",
-                    "full|free",
-                    "whether there is room for messages; without it the network keeps them",
-                    PhoneCommands::memory)
-            .add("power", "on|off", "switches the phone on or off", PhoneCommands::power);
+    static final CommandTable<PhoneCommands> TABLE = new CommandTable<PhoneCommands>(
+                    PhoneCommands.class.getResourceAsStream("commands.txt"))
+            .add("dial", PhoneCommands::dial)
+            .add("answer", (phone, command) -> phone.perform(command, Handset::answer))
+            .add("hangup", (phone, command) -> phone.perform(command, Handset::hangUp))
+            .add("hold", (phone, command) -> phone.perform(command, Handset::hold))
+            .add("reject", (phone, command) -> phone.perform(command, Handset::rejectSecond))
+            .add("press", PhoneCommands::press)
+            .add("play", PhoneCommands::play)
+            .add("sms", PhoneCommands::sms)
+            .add("ussd", PhoneCommands::ussd)
+            .add("inbox", (phone, command) -> phone.inbox())
+            .add("channels", PhoneCommands::channels)
+            .add("memory", PhoneCommands::memory)
+            .add("power", PhoneCommands::power);
 
     /** Time that the end of the program waits for acknowledgements, in addition to the time for queued keys. */
     private static final long SETTLE_SECONDS = 10;

@@ -40,49 +40,7 @@ public final class PhoneMain {
     }
 
     static Options options() {
-        return Program.commonOptions(
-                        "java -jar simgsm-phone.jar --number 5550101 [options]",
-                        "A GSM phone (M1): dial a robot, key its orders, hear its answers, send short messages.")
-                .commands(PhoneCommands.TABLE)
-                .flag("console", Program.CONSOLE_HELP)
-                .value("lessons", "DIR", Program.LESSONS_HELP)
-                .flag(
-                        "ignore-setup",
-                        "a fault, for lessons and tests of networks: the phone answers paging, and leaves SETUP unanswered")
-                .value("number", "N", "the phone's own number, 1 to 10 digits (5550100)")
-                .value("center", "HOST:PORT", "the SMS/Phone centre (127.0.0.1:3003)")
-                .value("codec", "alaw|gsm", "how the phone's speech is coded; it understands both (alaw)")
-                .value(
-                        "dtmf",
-                        "inband|signalled",
-                        "keys in a call as the phone's own sound, or as START DTMF and STOP DTMF"
-                                + "\nfrom which the network makes the sound (inband)")
-                .value("tones", "eu|us", "how ring-back, busy and the like sound, European or American (eu)")
-                .value(
-                        "record-audio",
-                        "FILE.wav",
-                        "record all calls in one file, left what is sent and right what is received,"
-                                + "\nwith 0.5 s of silence between calls; a file that is there is overwritten")
-                .value(
-                        "data",
-                        "DIR",
-                        "keep names, calls, messages and settings of this number here; without it they last as long"
-                                + "\nas the program. A codec and keys given here come before those that were set")
-                .value(
-                        "channels",
-                        "LIST",
-                        "the broadcast channels that are shown, as 50,919,4370-4399; all or none (all)")
-                .value(
-                        "sim",
-                        "FILE",
-                        "the SIM, for a closed network: IMSI, number and key; of a file with several SIMs"
-                                + "\nthe one of --number")
-                .value(
-                        "at",
-                        "PORT",
-                        "take AT commands on this port, as a GSM modem does; 0: any free one. Loopback only")
-                .value("at-profile", "plain|sim800", AtProfile.HELP)
-                .value("imei", "IMEI", "the equipment's identity, 15 digits; else a random one");
+        return Options.read(PhoneMain.class.getResourceAsStream("options.txt")).commands(PhoneCommands.TABLE);
     }
 
     static int run(Arguments given) throws Exception {

@@ -24,94 +24,27 @@ import vericommand.Pose;
 /** SimRobot's console: commands about the run, and, with or without {@code @NAME} in front, about one robot. */
 public final class RobotConsole implements Console.Commands {
     /** All commands, for the console and for the reference. */
-    public static final CommandTable<Request> COMMANDS = new CommandTable<Request>()
-            .add(
-                    "status",
-                    "",
-                    "prints the robot's status",
-                    (to, command) -> to.robot().status())
-            .add(
-                    "modem",
-                    "",
-                    "prints whether the modem can serve, and what hinders it",
-                    (to, command) -> to.robot().modem())
-            .add(
-                    "pose",
-                    "",
-                    "prints the true pose: metres, and degrees anticlockwise from +X",
-                    (to, command) -> to.robot().pose())
-            .add(
-                    "sonar",
-                    "",
-                    "prints the ranges of the 16 sonars in mm, sonar 0 first",
-                    (to, command) -> to.robot().sonar())
-            .add(
-                    "laser",
-                    "",
-                    "prints 181 laser ranges in mm, from 90 degrees at the right to 90 at the left",
-                    (to, command) -> to.robot().laser())
-            .add(
-                    "camera",
-                    "FILE",
-                    "writes the camera's picture; the ending says .png, .jpg or .jpeg",
-                    (to, command) -> to.robot().camera(command))
-            .add(
-                    "power",
-                    "on|off",
-                    "switches the robot; the status answers",
-                    (to, command) -> to.robot().power(command))
-            .add(
-                    "motors",
-                    "on|off",
-                    "switches the motors; the status answers",
-                    (to, command) -> to.robot().motors(command))
-            .add(
-                    "place",
-                    "X Y HEADING",
-                    "puts the robot there: metres, degrees; the pose answers",
-                    (to, command) -> to.robot().place(command))
-            .add(
-                    "behaviour",
-                    "[NAME]",
-                    "prints the autonomous process, or begins one; none ends it",
-                    (to, command) -> to.robot().behaviour(command))
-            .add(
-                    "goto",
-                    "NAME|X Y",
-                    "drives to a goal, dock or home, or to a place in metres, round obstacles and forbidden areas",
-                    (to, command) -> to.robot().goTo(command))
-            .add(
-                    "behaviours",
-                    "",
-                    "lists the processes by the numbers that orders start them with",
-                    (to, command) -> to.console.behaviours())
-            .add(
-                    "export",
-                    "FILE",
-                    "writes the world (.png, .svg) or the robot's track (.csv)",
-                    (to, command) -> to.robot().export(command))
-            .add(
-                    "add",
-                    "NAME=NUMBER [X Y HEADING]",
-                    "adds a robot with its modem",
-                    (to, command) -> to.console.add(command))
-            .add(
-                    "speed",
-                    "N",
-                    "simulated seconds per second; 0 pauses",
-                    (to, command) -> new PaceCommands(to.console).speed(command))
-            .add(
-                    "step",
-                    "[N]",
-                    "makes one step of 10 ms, or N, of a paused simulation",
-                    (to, command) -> new PaceCommands(to.console).step(command))
-            .add("remove", "", "removes the robot with its modem", (to, command) -> to.console.remove(to))
-            .add("robots", "", "lists the robots and their numbers", (to, command) -> to.console.list())
-            .add(
-                    "world",
-                    "[FILE]",
-                    "prints which world is loaded, or loads one; the robots go to its homes",
-                    (to, command) -> to.console.world(command));
+    public static final CommandTable<Request> COMMANDS = new CommandTable<Request>(
+                    RobotConsole.class.getResourceAsStream("commands.txt"))
+            .add("status", (to, command) -> to.robot().status())
+            .add("modem", (to, command) -> to.robot().modem())
+            .add("pose", (to, command) -> to.robot().pose())
+            .add("sonar", (to, command) -> to.robot().sonar())
+            .add("laser", (to, command) -> to.robot().laser())
+            .add("camera", (to, command) -> to.robot().camera(command))
+            .add("power", (to, command) -> to.robot().power(command))
+            .add("motors", (to, command) -> to.robot().motors(command))
+            .add("place", (to, command) -> to.robot().place(command))
+            .add("behaviour", (to, command) -> to.robot().behaviour(command))
+            .add("goto", (to, command) -> to.robot().goTo(command))
+            .add("behaviours", (to, command) -> to.console.behaviours())
+            .add("export", (to, command) -> to.robot().export(command))
+            .add("add", (to, command) -> to.console.add(command))
+            .add("speed", (to, command) -> new PaceCommands(to.console).speed(command))
+            .add("step", (to, command) -> new PaceCommands(to.console).step(command))
+            .add("remove", (to, command) -> to.console.remove(to))
+            .add("robots", (to, command) -> to.console.list())
+            .add("world", (to, command) -> to.console.world(command));
 
     /** A command with the robot to which it is addressed. */
     public static final class Request {

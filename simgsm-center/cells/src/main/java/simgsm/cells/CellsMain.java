@@ -29,34 +29,7 @@ public final class CellsMain {
     }
 
     private static Options options() {
-        return Program.commonOptions(
-                        "java -jar simgsm-cells.jar --town FILE.town [OPTION]...",
-                        "The cells of a town: towers between phones and robots, which connect here, and a controller.")
-                .commands(CellsCommands.COMMANDS)
-                .flag("console", Program.CONSOLE_HELP)
-                .value("lessons", "DIR", Program.LESSONS_HELP)
-                .value("town", "FILE", "town file with the towers; needed")
-                .value("center", "HOST:PORT", "the controller: centre or osmo-bsc; default 127.0.0.1:3003")
-                .value(
-                        "controller",
-                        "ours|osmo-bsc",
-                        "ours (default): a centre of this suite; osmo-bsc: a base station controller of Osmocom")
-                .value(
-                        "port",
-                        "N",
-                        "TCP port for phones and modems, 0 for any free one; default " + CellsSettings.DEFAULT_PORT)
-                .value("bind", "ADDRESS", "address to listen on; default loopback only")
-                .collecting(
-                        "follow",
-                        "NUMBER=URL[,SCALE]",
-                        "the place of this phone or robot is the pose at URL, http://HOST:PORT/robots/NAME of a SimRobot with"
-                                + "\n--http, times SCALE (1)")
-                .value(
-                        "handover",
-                        "ALGORITHM[,NAME=N]...",
-                        "what the controller is set to, in the words of the centre's --handover, for the window's margin and"
-                                + "\ncount of reports; default power-budget")
-                .flag("print-osmo-bsc", "print the configuration of osmo-bsc for the town's towers, and end");
+        return Options.read(CellsMain.class.getResourceAsStream("options.txt")).commands(CellsCommands.COMMANDS);
     }
 
     private static int run(Arguments given) throws Exception {

@@ -14,11 +14,10 @@ import simgsm.console.Event;
 /** The centre's console commands. */
 public final class CenterCommands implements Console.Commands {
     /** All commands, for the console and for the reference. */
-    public static final CommandTable<CenterCommands> COMMANDS = new CommandTable<CenterCommands>()
+    public static final CommandTable<CenterCommands> COMMANDS = new CommandTable<CenterCommands>(
+                    CenterCommands.class.getResourceAsStream("commands.txt"))
             .add(
                     "subscribers",
-                    "",
-                    "lists the subscribers and their states",
                     (to, command) -> to.list(
                             command,
                             exchange -> exchange.subscribers().stream()
@@ -26,35 +25,21 @@ public final class CenterCommands implements Console.Commands {
                                             CenterEventPrinter.of(subscriber, exchange.isBarred(subscriber)))))
             .add(
                     "calls",
-                    "",
-                    "lists the calls under way",
                     (to, command) -> to.list(
                             command, exchange -> exchange.calls().stream().map(CenterEventPrinter::of)))
             .add(
                     "messages",
-                    "",
-                    "lists the short messages that wait",
                     (to, command) -> to.list(
                             command,
                             exchange -> exchange.shortMessages().messages().waiting().stream()
                                     .map(CenterEventPrinter::of)))
-            .add("message", "ID", "prints what has happened to a message", CenterCommands::message)
-            .add(
-                    "broadcast",
-                    "[lang=XX] [every=SECONDS] [times=N] [update=ID] CHANNEL TEXT",
-                    "sends a text to all attached subscribers; broadcast stop ID ends one that is repeated",
-                    (to, command) -> to.broadcasts.perform(command))
+            .add("message", CenterCommands::message)
+            .add("broadcast", (to, command) -> to.broadcasts.perform(command))
             .add(
                     "broadcasts",
-                    "",
-                    "lists the broadcasts that are repeated",
                     (to, command) -> to.list(
                             command, exchange -> exchange.broadcasts().stream().map(CenterEventPrinter::of)))
-            .add(
-                    "handover",
-                    "ALGORITHM[,NAME=N]...",
-                    "chooses when calls over towers move, as --handover does, from their next traffic channel on",
-                    CenterCommands::handover);
+            .add("handover", CenterCommands::handover);
 
     private final Center center;
     private final Console console;

@@ -30,8 +30,7 @@ class NewSimsTest {
 
     private void make(String numbers) throws UsageException, IOException {
         NewSims.make(new Options("", "")
-                .value("hlr", "FILE", "")
-                .value("new-sim", "N", "")
+                .rows("--hlr FILE\n--new-sim N")
                 .parse(List.of("--hlr", list().toString(), "--new-sim", numbers)));
     }
 
@@ -106,10 +105,8 @@ class NewSimsTest {
     void withoutAListNothingIsMade() throws Exception {
         UsageException refused = assertThrows(
                 UsageException.class,
-                () -> NewSims.make(new Options("", "")
-                        .value("new-sim", "N", "")
-                        .value("hlr", "F", "")
-                        .parse(List.of("--new-sim=1"))));
+                () -> NewSims.make(
+                        new Options("", "").rows("--hlr FILE\n--new-sim N").parse(List.of("--new-sim=1"))));
         assertTrue(refused.getMessage().contains("--hlr"), refused.getMessage());
     }
 }

@@ -179,8 +179,15 @@ public final class Arguments {
 
     /** The language of {@code --lang en|es}; without it Spanish on a Spanish system, else English. */
     public Locale language() throws UsageException {
-        String system = isSpanish(System.getenv(), Locale.getDefault()) ? "es" : "en";
-        return Locale.forLanguageTag(has("lang") ? choice("lang", "en", "es") : system);
+        if (has("lang")) {
+            choice("lang", "en", "es");
+        }
+        return Locale.forLanguageTag(prefersSpanish() ? "es" : "en");
+    }
+
+    /** True for Spanish by {@code --lang} or else by the system; any other word of {@code --lang} is English. */
+    boolean prefersSpanish() {
+        return text("lang").map("es"::equals).orElseGet(() -> isSpanish(System.getenv(), Locale.getDefault()));
     }
 
     /** Java itself takes no language from LANG on a system that has not generated that locale, as in containers. */

@@ -1,6 +1,8 @@
 package simgsm.console;
 
+import java.io.InputStream;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -19,37 +21,42 @@ public final class CommandTable<T> {
         void perform(T target, ConsoleCommand command) throws CommandException;
     }
 
-    private record Row<T>(String arguments, String help, Action<T> action) {}
-
-    private final Map<String, Row<T>> rows = new LinkedHashMap<>();
-
-    /** An empty table, to which {@link #add} adds. */
-    public CommandTable() {}
+    private final Map<String, HelpRow> rows = new LinkedHashMap<>();
+    private final Map<String, Action<T>> actions = new LinkedHashMap<>();
 
     /**
-     * Adds a command.
+     * A table without actions, to which {@link #add} adds them.
      *
-     * @param arguments as in a usage line, {@code NUMBER TEXT}; empty for a command that takes none: the table refuses any
-     * @param help what it does, in one or a few lines
+     * @param resource a row for each command: its name and arguments, then indented lines of help, the Spanish ones after
+     *     {@code es:}. The table refuses arguments of a command that has none.
      */
-    public CommandTable<T> add(String name, String arguments, String help, Action<T> action) {
-        if (rows.put(name, new Row<>(arguments, help, action)) != null) {
-            throw new IllegalArgumentException("command " + name + " twice");
+    public CommandTable(InputStream resource) {
+        this(HelpRow.read(resource));
+    }
+
+    CommandTable(List<HelpRow> help) {
+        help.forEach(row -> rows.put(row.name(), row));
+    }
+
+    /** Sets the action of a command, which must have a row. */
+    public CommandTable<T> add(String name, Action<T> action) {
+        if (!rows.containsKey(name) || actions.put(name, action) != null) {
+            throw new IllegalArgumentException("command " + name + " twice, or without a row");
         }
         return this;
     }
 
     /** Performs the command of this name; an unknown name is an error that lists the known ones. */
     public void perform(T target, ConsoleCommand command) throws CommandException {
-        Row<T> row = rows.get(command.name());
+        HelpRow row = rows.get(command.name());
         if (row == null) {
             throw new CommandException("unknown command " + command.name() + ", expected "
                     + String.join(", ", rows.keySet()) + ", wait or quit");
         }
-        if (row.arguments.isEmpty()) {
+        if (row.arguments().isEmpty()) {
             command.words(0, "nothing after it");
         }
-        row.action.perform(target, command);
+        actions.get(command.name()).perform(target, command);
     }
 
     /** As {@link #perform}, where the core runs on another thread: no answer in time is an error like any other. */
@@ -61,16 +68,12 @@ public final class CommandTable<T> {
         }
     }
 
-    /** One entry a command, {@code name arguments} and what it does; {@code wait} and {@code quit} come last. */
-    public String reference() {
+    /** One entry for each command, {@code name arguments} and what it does; {@code wait} and {@code quit} are the last. */
+    String reference(boolean inSpanish) {
         StringBuilder text = new StringBuilder();
-        rows.forEach((name, row) -> Options.describe(text, name, row.arguments, row.help));
-        Options.describe(
-                text,
-                "wait",
-                "EVENT [key=value...] [SECONDS]",
-                "waits for an event with these fields; after the seconds (10) an error, and exit status 1");
-        Options.describe(text, "quit", "", "ends the program");
+        rows.values().forEach(row -> row.describe(text, inSpanish));
+        HelpRow.shared("wait").describe(text, inSpanish);
+        HelpRow.shared("quit").describe(text, inSpanish);
         return text.toString();
     }
 }

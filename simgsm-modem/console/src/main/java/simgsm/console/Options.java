@@ -1,18 +1,18 @@
 package simgsm.console;
 
+import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The options of a program: reads command lines and prints the help. */
+/** The options of a program, from rows of text: reads command lines and prints the help. */
 public final class Options {
-    /** @param value name of the value in the help; null for a flag */
-    private record Option(String name, String value, String help, boolean collects, boolean isOptional) {}
+    /** After the arguments of an option: all its values count, not only the last one. */
+    private static final String REPEATABLE = " ...";
 
-    private final String usage;
-    private final String summary;
-    private final Map<String, Option> options = new LinkedHashMap<>();
+    private final HelpRow program;
+    private final Map<String, HelpRow> options = new LinkedHashMap<>();
     private int maxArguments;
     private CommandTable<?> commands;
 
@@ -21,28 +21,36 @@ public final class Options {
      * @param summary what it does, one or a few lines
      */
     public Options(String usage, String summary) {
-        this.usage = usage;
-        this.summary = summary;
+        this(new HelpRow(usage, "", summary, ""));
     }
 
-    /** An option with a value; the last one counts. */
-    public Options value(String name, String value, String help) {
-        return add(new Option(name, value, help, false, false));
+    private Options(HelpRow program) {
+        this.program = program;
     }
 
-    /** An option whose value may be left out; it is empty then. */
-    public Options optionalValue(String name, String value, String help) {
-        return add(new Option(name, value, help, false, true));
+    /**
+     * The options of a resource: the usage and what the program does, then a row for each option, as
+     * {@code --name VALUE} with indented lines of help, the Spanish ones after {@code es:}. {@code [VALUE]} may be left out;
+     * after {@code VALUE ...} all values count, not only the last one. A row without help is one that programs share, and
+     * {@code include common} the rows of all programs with a window.
+     */
+    public static Options read(InputStream resource) {
+        List<HelpRow> rows = HelpRow.read(resource);
+        return new Options(rows.get(0)).add(rows.subList(1, rows.size()));
     }
 
-    /** An option with a value of which all count. */
-    public Options collecting(String name, String value, String help) {
-        return add(new Option(name, value, help, true, false));
+    /** Adds the options of a text with the rows of {@link #read}. */
+    public Options rows(String text) {
+        return add(HelpRow.parse(text));
     }
 
-    /** An option without a value. */
-    public Options flag(String name, String help) {
-        return add(new Option(name, null, help, false, false));
+    private Options add(List<HelpRow> rows) {
+        for (HelpRow row : rows) {
+            if (options.put(row.name().substring(2), row) != null) {
+                throw new IllegalArgumentException("option " + row.name() + " twice");
+            }
+        }
+        return this;
     }
 
     /** Most arguments other than options; without this call none. */
@@ -54,13 +62,6 @@ public final class Options {
     /** Adds the console's commands to the help. */
     public Options commands(CommandTable<?> table) {
         commands = table;
-        return this;
-    }
-
-    private Options add(Option option) {
-        if (options.put(option.name, option) != null) {
-            throw new IllegalArgumentException("option --" + option.name + " twice");
-        }
         return this;
     }
 
@@ -93,13 +94,13 @@ public final class Options {
         String word = words.get(at);
         int equals = word.indexOf('=');
         String name = longName(equals < 0 ? word : word.substring(0, equals));
-        Option option = options.get(name);
+        HelpRow option = options.get(name);
         if (option == null && !name.equals("help") && !name.equals("version")) {
             throw new UsageException("unknown option " + word);
         }
         int next = at;
         String value = "";
-        if (option == null || option.value == null) {
+        if (option == null || option.arguments().isEmpty()) {
             if (equals >= 0) {
                 throw new UsageException("--" + name + " takes no value, found " + word.substring(equals + 1));
             }
@@ -108,11 +109,11 @@ public final class Options {
         } else if (at + 1 < words.size() && !words.get(at + 1).startsWith("--")) {
             next = at + 1;
             value = words.get(next);
-        } else if (!option.isOptional) {
-            throw new UsageException("--" + name + " needs a value: " + option.value);
+        } else if (!option.arguments().startsWith("[")) {
+            throw new UsageException("--" + name + " needs a value: " + option.arguments());
         }
         List<String> values = given.computeIfAbsent(name, key -> new ArrayList<>());
-        if (option == null || !option.collects) {
+        if (option == null || !option.arguments().endsWith(REPEATABLE)) {
             values.clear();
         }
         values.add(value);
@@ -133,30 +134,18 @@ public final class Options {
     }
 
     /** The text that {@code --help} prints. */
-    public String help() {
-        StringBuilder text = new StringBuilder("Usage: " + usage + "\n\n" + summary + "\n\nOptions:\n");
-        options.values().forEach(option -> describe(text, "    --" + option.name, shown(option), option.help));
-        describe(text, "-h, --help", "", "print this and end");
-        describe(text, "-V, --version", "", "print the version and end");
+    public String help(boolean inSpanish) {
+        StringBuilder text = new StringBuilder(inSpanish ? "Uso: " : "Usage: ")
+                .append((program.name() + " " + program.arguments()).strip() + "\n\n" + program.help(inSpanish))
+                .append(inSpanish ? "\n\nOpciones:\n" : "\n\nOptions:\n");
+        options.values().forEach(option -> option.describe(text, inSpanish));
+        HelpRow.shared("-h,").describe(text, inSpanish);
+        HelpRow.shared("-V,").describe(text, inSpanish);
         if (commands != null) {
-            text.append("\nConsole commands, with --headless:\n").append(commands.reference());
+            text.append(inSpanish ? "\nÓrdenes de consola" : "\nConsole commands")
+                    .append(inSpanish ? ", con --headless:\n" : ", with --headless:\n")
+                    .append(commands.reference(inSpanish));
         }
         return text.toString();
-    }
-
-    private static String shown(Option option) {
-        if (option.value == null) {
-            return "";
-        }
-        return option.isOptional ? "[" + option.value + "]" : option.value;
-    }
-
-    /** Appends a name, its value and a text in two columns. */
-    static void describe(StringBuilder text, String name, String value, String help) {
-        String left = "  " + name + (value.isEmpty() ? "" : " " + value);
-        String column = " ".repeat(30);
-        text.append(left.length() < column.length() - 1 ? left + column.substring(left.length()) : left + "\n" + column)
-                .append(help.replace("\n", "\n" + column))
-                .append('\n');
     }
 }

@@ -21,14 +21,6 @@ public final class Program {
     /** A system property: true if another process in a terminal has started this one and shows what it prints. */
     public static final String IN_TERMINAL = "simgsm.terminal";
 
-    /** The help of {@code --console}, for programs that have it. */
-    public static final String CONSOLE_HELP =
-            "with a window: commands on standard input, events on standard output, as with --headless; end when"
-                    + "\nstandard input ends";
-    /** Of {@code --lessons}, for programs with a window. */
-    public static final String LESSONS_HELP =
-            "a folder with a teacher's own lessons, which F1 offers beside those of the suite";
-
     /** The work of a program. Returns the exit status. */
     public interface Body {
         int run(Arguments arguments) throws Exception;
@@ -109,7 +101,7 @@ public final class Program {
             Arguments arguments = options.parse(args);
             given = Optional.of(arguments);
             if (arguments.has("help")) {
-                out.print(options.help());
+                out.print(options.help(arguments.prefersSpanish()));
                 out.flush();
                 return ExitStatus.OK;
             }
@@ -250,33 +242,5 @@ public final class Program {
         if (!quit && arguments.has("serve")) {
             new java.util.concurrent.CountDownLatch(1).await();
         }
-    }
-
-    /** The options of every program with a headless console. */
-    public static Options commonOptions(String usage, String summary) {
-        return new Options(usage, summary)
-                .flag("headless", "no window: commands on standard input, events on standard output")
-                .value("script", "FILE", "headless: console commands from a file, then from standard input")
-                .flag("serve", "headless: stay when standard input ends, until a signal")
-                .flag(
-                        "end-with-input",
-                        "with a window: end when standard input ends (for programs that start this one)")
-                .value("lang", "en|es", "language of the window and of texts; else the system's")
-                .value("theme", "light|dark|contrast|system", "colours of the window")
-                .value("zoom", "PERCENT", "size of everything in the window, 50 to 300; Ctrl + and - change it (100)")
-                .value("window", "X,Y[,W,H]", "position of the window's top left corner on the screen, and its size")
-                .flag(
-                        "fresh",
-                        "with a window: neither use nor keep what windows remember: place, zoom, theme, language")
-                .flag(
-                        "unfocused",
-                        "with a window: leave the keyboard to the window that has it (for programs that start this one)")
-                .value("remember-as", "NAME", "name under which this window's place and zoom are remembered")
-                .flag("no-sound", "use no sound device")
-                .value("seed", "N", "seed of everything random, for runs that repeat")
-                .value(
-                        "log-level",
-                        "LEVEL",
-                        "off, error, warning, info, debug or trace; the log goes to standard error");
     }
 }

@@ -10,9 +10,15 @@ import org.junit.jupiter.api.Test;
 
 class CommandTableTest {
     private final List<String> performed = new ArrayList<>();
-    private final CommandTable<List<String>> table = new CommandTable<List<String>>()
-            .add("dial", "NUMBER", "calls the number", (list, command) -> list.add("dial " + command.rest()))
-            .add("answer", "", "answers the call that rings", (list, command) -> list.add("answer"));
+    private final CommandTable<List<String>> table = new CommandTable<List<String>>(HelpRow.parse("""
+            dial NUMBER
+                calls the number
+                es: llama al número
+            answer
+                answers the call that rings
+            """))
+            .add("dial", (list, command) -> list.add("dial " + command.rest()))
+            .add("answer", (list, command) -> list.add("answer"));
 
     private void perform(String line) throws CommandException {
         table.perform(performed, ConsoleCommand.parse(line));
@@ -39,21 +45,23 @@ class CommandTableTest {
     }
 
     @Test
-    void aNameStandsOnceOnly() {
-        assertThrows(IllegalArgumentException.class, () -> table.add("dial", "", "", (list, command) -> {}));
+    void aCommandHasOneRowAndOneAction() {
+        assertThrows(IllegalArgumentException.class, () -> table.add("dial", (list, command) -> {}));
+        assertThrows(IllegalArgumentException.class, () -> table.add("hold", (list, command) -> {}));
     }
 
     @Test
     void theReferenceNamesEachCommandItsArgumentsAndWhatItDoes() {
-        List<String> lines = table.reference().lines().toList();
+        List<String> lines = table.reference(false).lines().toList();
         assertEquals("  dial NUMBER                 calls the number", lines.get(0));
         assertEquals("  answer                      answers the call that rings", lines.get(1));
         assertTrue(lines.get(2).startsWith("  wait EVENT [key=value...] [SECONDS]"), lines.get(2));
+        assertTrue(table.reference(true).startsWith("  dial NUMBER                 llama al número\n"));
     }
 
     @Test
     void theHelpOfAProgramEndsWithItsConsoleCommands() {
-        String help = new Options("usage", "summary").commands(table).help();
-        assertTrue(help.endsWith("\nConsole commands, with --headless:\n" + table.reference()), help);
+        String help = new Options("usage", "summary").commands(table).help(false);
+        assertTrue(help.endsWith("\nConsole commands, with --headless:\n" + table.reference(false)), help);
     }
 }

@@ -16,11 +16,20 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class OptionsTest {
-    private final Options options = Program.commonOptions("java -jar x.jar [options]", "Does x.")
-            .value("center", "HOST:PORT", "where the centre is")
-            .value("port", "N", "TCP port")
-            .value("speed", "N", "pace")
-            .collecting("robot", "NAME=NUMBER", "a robot");
+    private final Options options = new Options("java -jar x.jar [options]", "Does x.").rows("""
+            include common
+            --center HOST:PORT
+                where the centre is
+                es: la dirección de la central
+            --port N
+                TCP port
+            --speed N
+                pace
+            --trace [FILE]
+                a trace
+            --robot NAME=NUMBER ...
+                a robot
+            """);
 
     private Arguments parse(String... words) throws UsageException {
         return options.parse(List.of(words));
@@ -105,10 +114,34 @@ class OptionsTest {
 
     @Test
     void helpNamesEveryOption() {
-        String help = options.help();
+        String help = options.help(false);
         for (String option : List.of("--center HOST:PORT", "--robot NAME=NUMBER", "--headless", "-h, --help", "-V")) {
             assertTrue(help.contains(option), option);
         }
+    }
+
+    @Test
+    void helpIsInSpanishWhereARowHasASpanishText() {
+        String help = options.help(true);
+        assertTrue(help.startsWith("Uso: java -jar x.jar [options]\n\nDoes x.\n\nOpciones:\n"), help);
+        assertTrue(help.contains("\n      --center HOST:PORT      la dirección de la central\n"), help);
+        assertTrue(help.contains("\n      --port N                TCP port\n"), help);
+    }
+
+    @Test
+    void theDotsOfARepeatableOptionAreNotInTheHelp() {
+        assertTrue(options.help(false).contains("\n      --robot NAME=NUMBER     a robot\n"));
+    }
+
+    @Test
+    void aValueInBracketsMayBeLeftOut() throws Exception {
+        assertEquals(Optional.of(""), parse("--trace", "--headless").text("trace"));
+        assertEquals(Optional.of("f"), parse("--trace", "f").text("trace"));
+    }
+
+    @Test
+    void anOptionHasOneRowOnly() {
+        assertThrows(IllegalArgumentException.class, () -> options.rows("--port N"));
     }
 
     private int status(String word, Program.Body body) {

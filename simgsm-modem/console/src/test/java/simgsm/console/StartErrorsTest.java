@@ -71,7 +71,7 @@ class StartErrorsTest {
     }
 
     private Program program() {
-        Options options = Program.commonOptions("robot", "A robot.").value("batch", "N", "runs");
+        Options options = new Options("robot", "A robot.").rows("include common\n--batch N");
         return new Program("robot", options)
                 .showingErrors((program, text, arguments) -> shown.add(program + ": " + text), "headless", "batch");
     }

@@ -8,35 +8,14 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
-import simgsm.console.Options;
 import simgsm.console.UsageException;
 import simgsm.dtmf.DtmfReceiver;
 
 /** {@code decode FILE...}: the DTMF keys in sound files, a line per file. */
 final class DecodeTool {
-    static final Tool TOOL = new Tool(
-            "decode",
-            new Options(
-                            "java -jar simgsm-modem.jar decode FILE.wav... [options]",
-                            "Prints path, TAB, the keys found, TAB, when each was decided (milliseconds from the file's start).\n"
-                                    + "Reads any rate, up to 256 channels (mixed) and any sample format of WAV, AU and AIFF files, and\n"
-                                    + "GSM 06.10 (.gsm, WAV); - is the standard input.\n"
-                                    + "Ends with 1 if a file is no audio or shorter than its header says, with 74 if one cannot be read.")
-                    .flag(
-                            "explain",
-                            "after each file's line one for each candidate: key, from and to in ms, finding, reason")
-                    .value(
-                            "receiver",
-                            "likelihood|classic",
-                            "the modem's own receiver, or eight Goertzel filters as in textbooks")
-                    .value("block", "102|205", "samples in a block of the classic receiver (102)")
-                    .value("limit", "X", "log odds above which tones are a key, 0 to 100 (3.5); not with classic")
-                    .arguments(Integer.MAX_VALUE),
-            DecodeTool::run);
-
     private DecodeTool() {}
 
-    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+    static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
         List<String> names = arguments.rest();
         if (names.isEmpty()) {
             throw new UsageException("missing FILE.wav");

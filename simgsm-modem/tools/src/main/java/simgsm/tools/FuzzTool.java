@@ -9,7 +9,6 @@ import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
-import simgsm.console.Options;
 import simgsm.console.UnavailableException;
 import simgsm.tools.fuzz.CenterFuzz;
 import simgsm.tools.fuzz.CodecFuzz;
@@ -23,23 +22,9 @@ final class FuzzTool {
 
     private static final int OCTETS_PER_KIB = 1024;
 
-    static final Tool TOOL = new Tool(
-            "fuzz",
-            "error",
-            new Options(
-                            "java -jar simgsm-modem.jar fuzz [--frames N] [--seed S] [--center HOST:PORT]",
-                            "Mutates recorded frames and gives them to every decoder; with --center, 16 stations use a running\n"
-                                    + "centre, and their frames are mutated. Prints one line; ends with 1, and the frame, when something\n"
-                                    + "failed, with 69 if there is no centre. Without --center the same seed repeats the run.")
-                    .value("frames", "N", "mutated frames; for a centre all frames sent (1000000)")
-                    .value("seed", "S", "seed of everything random; printed if not given")
-                    .value("center", "HOST:PORT", "address of the centre")
-                    .value("log-level", "LEVEL", "off, error, warning, info, debug or trace (error)"),
-            FuzzTool::run);
-
     private FuzzTool() {}
 
-    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+    static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
         long frames = arguments.integer("frames", 1_000_000, 1, MOST_FRAMES);
         long seed = arguments.integer("seed", new Random().nextInt(Integer.MAX_VALUE), Long.MIN_VALUE, Long.MAX_VALUE);
         Optional<HostPort> center = arguments.hostPort("center");

@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
-import simgsm.console.Options;
 import simgsm.console.UsageException;
 import simgsm.file.FileErrors;
 import simgsm.octets.Octets;
@@ -22,18 +21,9 @@ import simgsm.tools.audio.SpeechFile;
 final class GsmTool {
     private static final SpeechCodec.Kind CODEC = SpeechCodec.Kind.GSM_FULL_RATE;
 
-    static final Tool TOOL = new Tool(
-            "gsm",
-            new Options(
-                            "java -jar simgsm-modem.jar gsm encode IN.wav OUT.gsm | gsm decode IN.gsm OUT.wav",
-                            "Encodes or decodes speech with GSM 06.10 full rate, 33 octets per frame of 20 ms.\n"
-                                    + "An incomplete last frame is padded with silence.")
-                    .arguments(3),
-            GsmTool::run);
-
     private GsmTool() {}
 
-    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+    static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
         if (arguments.rest().isEmpty()) {
             throw new UsageException("missing encode or decode");
         }

@@ -7,7 +7,6 @@ import java.net.Socket;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
-import simgsm.console.Options;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.tools.load.LoadGenerator;
@@ -19,30 +18,9 @@ final class LoadTool {
     private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
     private static final int CONNECT_MILLIS = 5_000;
 
-    static final Tool TOOL = new Tool(
-            "load",
-            new Options(
-                            "java -jar simgsm-modem.jar load --center HOST:PORT --phones N --calls M --sms K --seconds S",
-                            "Attaches N phones to a running centre, sends K short messages from each to the next, then holds M\n"
-                                    + "calls with speech for S seconds, and prints what was measured in one line.\n"
-                                    + "Ends with 69 if there is no centre, with 1 if a phone, a call or a message failed\n"
-                                    + "or a call ended before its time.")
-                    .value("center", "HOST:PORT", "address of the centre (" + DEFAULT_CENTER + ")")
-                    .value("phones", "N", "phones to attach, 1 to " + LoadPlan.MOST_PHONES + " (100)")
-                    .value("calls", "M", "calls at the same time, at most half as many as phones (0)")
-                    .value("sms", "K", "short messages in all, 0 to " + LoadPlan.MOST_MESSAGES + " (0)")
-                    .value("seconds", "S", "duration of the calls, and least time that the phones stay attached (10)")
-                    .value(
-                            "answer-after",
-                            "MILLIS",
-                            "how long a called phone rings, 0 to " + LoadPlan.MOST_RINGING_MILLIS + " (0)")
-                    .value("first-number", "N", "the first phone's number; the others count up from it (7000000)")
-                    .value("log-level", "LEVEL", "off, error, warning, info, debug or trace (warning)"),
-            LoadTool::run);
-
     private LoadTool() {}
 
-    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+    static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
         LoadPlan plan = plan(arguments);
         requireCenter(plan.center());
         LoadResult result = new LoadGenerator(plan).run();

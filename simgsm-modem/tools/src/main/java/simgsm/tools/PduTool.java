@@ -6,7 +6,6 @@ import simgsm.air.Direction;
 import simgsm.air.ProtocolViolation;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
-import simgsm.console.Options;
 import simgsm.console.UsageException;
 import simgsm.octets.OctetString;
 import simgsm.octets.Octets;
@@ -18,19 +17,9 @@ import simgsm.trace.TpduText;
 
 /** {@code pdu encode TEXT} and {@code pdu decode HEX}: short messages as octets and back. */
 final class PduTool {
-    static final Tool TOOL = new Tool(
-            "pdu",
-            new Options(
-                            "java -jar simgsm-modem.jar pdu encode [--ref HH] TEXT | pdu decode HEX",
-                            "encode: one user part of the short message a line, as udhi,dcs,udl,ud-hex.\n"
-                                    + "decode: a SUBMIT, DELIVER or STATUS-REPORT in words, with or without its SMSC's address before it.")
-                    .value("ref", "HH", "encode: reference of a message of several parts, hexadecimal (00)")
-                    .arguments(2),
-            PduTool::run);
-
     private PduTool() {}
 
-    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws UsageException {
+    static int run(Arguments arguments, PrintStream out, PrintStream err) throws UsageException {
         if (arguments.rest().size() < 2) {
             throw new UsageException("expected encode TEXT or decode HEX");
         }

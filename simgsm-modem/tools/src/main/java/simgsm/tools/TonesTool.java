@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import simgsm.console.Arguments;
 import simgsm.console.ExitStatus;
-import simgsm.console.Options;
 import simgsm.console.UsageException;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
@@ -25,34 +24,9 @@ final class TonesTool {
     private static final double MOST_NOISE = 60;
     private static final int MOST_SAMPLES = 1 << 29;
 
-    static final Tool TOOL = new Tool(
-            "tones",
-            new Options(
-                            "java -jar simgsm-modem.jar tones KEYS OUT.wav [options]",
-                            "Writes keys (0-9 * # A-D, blanks ignored) as DTMF audio: WAV, 8 kHz, 16 bit, mono.")
-                    .value("tone-ms", "N", "length of each tone, 1 to 60000 (100)")
-                    .value("pause-ms", "N", "silence after each tone, 0 to 60000 (100)")
-                    .value(
-                            "ramp",
-                            "MILLIS",
-                            "raised-cosine rise and fall of each tone, 0 to 10; lengths count at half amplitude (2)")
-                    .value("level", "DBM0", "mean level of the two tones of a key, -100 to 3.14 (-10)")
-                    .value(
-                            "twist",
-                            "DB",
-                            "how much louder the high tone of each key is than the low one, half added to it and half taken"
-                                    + " from the low one, -20 to 20 (0)")
-                    .value(
-                            "noise",
-                            "DB",
-                            "add white noise this much weaker than a key's two tones together, -20 to 60; else none")
-                    .value("seed", "N", "seed of the noise (1)")
-                    .arguments(2),
-            TonesTool::run);
-
     private TonesTool() {}
 
-    private static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
+    static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
         List<String> rest = arguments.rest();
         if (rest.size() < 2) {
             throw new UsageException(rest.isEmpty() ? "missing KEYS and OUT.wav" : "missing OUT.wav");

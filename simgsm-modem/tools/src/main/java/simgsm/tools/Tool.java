@@ -6,23 +6,27 @@ import simgsm.console.Arguments;
 import simgsm.console.Options;
 
 /**
- * One tool of the command line: {@code simgsm-modem.jar WORD ...}.
+ * One tool of the command line: {@code simgsm-modem.jar WORD ...}. The resource {@code WORD.txt} has its options.
  *
  * @param logLevel in force without {@code --log-level}
+ * @param arguments most arguments other than options
  */
-record Tool(String word, String logLevel, Options options, Body body) {
+record Tool(String word, String logLevel, int arguments, Body body) {
     /** In the order of the help. */
-    static final List<Tool> ALL =
-            List.of(TonesTool.TOOL, DecodeTool.TOOL, GsmTool.TOOL, PduTool.TOOL, LoadTool.TOOL, FuzzTool.TOOL);
-
-    private static final String LOG_LEVEL = "warning";
+    static final List<Tool> ALL = List.of(
+            new Tool("tones", "warning", 2, TonesTool::run),
+            new Tool("decode", "warning", Integer.MAX_VALUE, DecodeTool::run),
+            new Tool("gsm", "warning", 3, GsmTool::run),
+            new Tool("pdu", "warning", 2, PduTool::run),
+            new Tool("load", "warning", 0, LoadTool::run),
+            new Tool("fuzz", "error", 0, FuzzTool::run));
 
     /** Does the work. Returns the exit status. */
     interface Body {
         int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception;
     }
 
-    Tool(String word, Options options, Body body) {
-        this(word, LOG_LEVEL, options, body);
+    Options options() {
+        return Options.read(Tool.class.getResourceAsStream(word + ".txt")).arguments(arguments);
     }
 }

@@ -42,7 +42,7 @@ public final class ToolsMain {
     private static Options overview() {
         StringBuilder usage = new StringBuilder();
         for (Tool tool : Tool.ALL) {
-            String[] lines = tool.options().help().split("\n");
+            String[] lines = tool.options().help(false).split("\n");
             usage.append(usage.length() == 0 ? "" : "\n       ").append(lines[0].replace("Usage: ", ""));
         }
         return new Options(

@@ -17,33 +17,22 @@ import simgsm.console.Event;
 /** The console commands of the cells. */
 public final class CellsCommands implements Console.Commands {
     /** All commands, for the console and for the reference. */
-    public static final CommandTable<CellsCommands> COMMANDS = new CommandTable<CellsCommands>()
+    public static final CommandTable<CellsCommands> COMMANDS = new CommandTable<CellsCommands>(
+                    CellsCommands.class.getResourceAsStream("commands.txt"))
             .add(
                     "cells",
-                    "",
-                    "lists the cells, their places and free traffic channels",
                     (to, command) -> to.list(
                             command, network -> network.towers().stream().map(CellsEventPrinter::of)))
             .add(
                     "mobiles",
-                    "",
-                    "lists the phones and robots, their places, cells and levels",
                     (to, command) -> to.list(
                             command,
                             network -> network.mobiles().stream().map(mobile -> CellsEventPrinter.of(mobile, network))))
-            .add("place", "NUMBER X Y", "puts a phone or robot at a place, in metres", CellsCommands::place)
-            .add(
-                    "walk",
-                    "NUMBER X Y METRES_PER_SECOND",
-                    "lets a phone or robot go to a place and stop there",
-                    CellsCommands::walk)
-            .add("tower", "NAME on|off", "switches a tower", CellsCommands::tower)
-            .add("reports", "on|off", "prints measurement reports, or stops that", CellsCommands::reports)
-            .add(
-                    "handover",
-                    "ALGORITHM[,NAME=N]...",
-                    "tells the window what the controller is set to, as --handover does",
-                    CellsCommands::handover);
+            .add("place", CellsCommands::place)
+            .add("walk", CellsCommands::walk)
+            .add("tower", CellsCommands::tower)
+            .add("reports", CellsCommands::reports)
+            .add("handover", CellsCommands::handover);
 
     private static final double FASTEST_METRES_PER_SECOND = 1_000;
     private static final double FARTHEST_METRES = 1e6;

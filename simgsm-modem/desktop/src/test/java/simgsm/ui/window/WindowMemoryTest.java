@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.console.Arguments;
-import simgsm.console.Program;
+import simgsm.console.Options;
 
 class WindowMemoryTest {
     private static final List<WindowPlace> SCREEN = List.of(new WindowPlace(0, 0, 1920, 1080));
@@ -135,6 +135,6 @@ class WindowMemoryTest {
     }
 
     private static Arguments given(String... words) throws Exception {
-        return Program.commonOptions("robot", "A robot.").parse(List.of(words));
+        return new Options("robot", "A robot.").rows("include common").parse(List.of(words));
     }
 }

@@ -19,10 +19,6 @@ public enum AtProfile {
             "+CFUN: 1",
             "+CPIN: READY");
 
-    /** Of the programs' option {@code --at-profile plain|sim800}. */
-    public static final String HELP =
-            "forms of the AT answers: TS 27.007's, or the SIM800's with its boot codes (plain)";
-
     public final String manufacturer;
     public final String revision;
     /** Charging state and percent; the manual's form also has millivolts. */
