@@ -1,5 +1,5 @@
-/** M1, the handset and its window. */
-module simgsm.phone {
+/** M1, the handset and its window. Open, because the lines of events are read from their records. */
+open module simgsm.phone {
     requires simgsm.station;
     requires simgsm.console;
     requires simgsm.desktop;

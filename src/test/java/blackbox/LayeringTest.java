@@ -26,13 +26,14 @@ class LayeringTest {
      * the packages have no circles.
      */
     private static final Map<String, Set<String>> MAY_USE = rows("""
+            simgsm.event             :
             simgsm.file              :
             simgsm.octets            :
             simgsm.state             :
             simgsm.timer             :
             simgsm.net               : simgsm.timer
             vericommand              : simgsm.state
-            simgsm.air               : simgsm.octets
+            simgsm.air               : simgsm.event simgsm.octets
             simgsm.abis              : simgsm.octets simgsm.timer simgsm.net simgsm.air
             simgsm.rr                : simgsm.octets simgsm.air
             simgsm.abis.rsl          : simgsm.octets simgsm.air
@@ -44,7 +45,7 @@ class LayeringTest {
             simgsm.tone              : simgsm.speech
             simgsm.dtmf              : simgsm.speech simgsm.tone
             simgsm.scope             : simgsm.tone simgsm.dtmf
-            simgsm.console           : simgsm.file
+            simgsm.console           : simgsm.event simgsm.file
             simgsm.lesson            : simgsm.file simgsm.console
             simgsm.web               : simgsm.console
             simgsm.audio             : simgsm.speech
@@ -55,7 +56,7 @@ class LayeringTest {
             simgsm.ui.lesson         : simgsm.file simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.file simgsm.ui.pane
             simgsm.ui.scope          : simgsm.console simgsm.tone simgsm.dtmf simgsm.speech simgsm.scope simgsm.draw simgsm.ui simgsm.ui.lesson
             simgsm.ui.window         : simgsm.file simgsm.console simgsm.lesson simgsm.draw simgsm.ui simgsm.ui.file simgsm.ui.lesson
-            simgsm.station.context   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
+            simgsm.station.context   : simgsm.event simgsm.sms simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
             simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context
             simgsm.station.call      : simgsm.ss simgsm.state simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility
             simgsm.station.sms       : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.station.context simgsm.station.mobility
@@ -72,9 +73,9 @@ class LayeringTest {
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load simgsm.tools.fuzz
-            simgsm.phone.store       : simgsm.air simgsm.sim simgsm.station.context
+            simgsm.phone.store       : simgsm.event simgsm.air simgsm.sim simgsm.station.context
             simgsm.phone.screen      : simgsm.air simgsm.sim simgsm.ss simgsm.dtmf simgsm.speech simgsm.draw simgsm.station.context simgsm.phone.store
-            simgsm.phone.handset     : simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
+            simgsm.phone.handset     : simgsm.event simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
             simgsm.phone.ui          : simgsm.ss simgsm.air simgsm.sms simgsm.tone simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.store simgsm.phone.screen simgsm.phone.handset
             simgsm.phone             : simgsm.file simgsm.octets simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.store simgsm.phone.screen simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim simgsm.ss
@@ -104,11 +105,11 @@ class LayeringTest {
             simgsm.cells.radio       : simgsm.cells.town
             simgsm.cells.snapshot    : simgsm.cells.town
             simgsm.cells.ui          : simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot
-            simgsm.cells.tower       : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.abis.rsl simgsm.rr simgsm.cells.town
-            simgsm.cells.mobile      : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower
+            simgsm.cells.tower       : simgsm.event simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.abis.rsl simgsm.rr simgsm.cells.town
+            simgsm.cells.mobile      : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower
             simgsm.cells.network     : simgsm.octets simgsm.timer simgsm.air simgsm.rr simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile
             simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.town simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
-            simgsm.cells.app         : simgsm.console simgsm.air simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
+            simgsm.cells.app         : simgsm.event simgsm.console simgsm.air simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
             simrobot.behaviour       :
             simrobot.world           : simgsm.file

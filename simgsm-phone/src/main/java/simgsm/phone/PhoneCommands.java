@@ -124,13 +124,7 @@ final class PhoneCommands implements Console.Commands {
         // Printed by the owner thread, so that a message received meanwhile is not printed within the list.
         run(handset -> {
             List<StoredMessage> messages = handset.readInbox();
-            for (StoredMessage message : messages) {
-                console.emit(Event.of("message")
-                        .with("from", message.party())
-                        .with("text", message.text())
-                        .with("read", message.read()));
-            }
-            console.emit(Event.of("end").with("of", "inbox").with("count", messages.size()));
+            console.emitList("inbox", messages.stream().map(Event::from).toList());
         });
     }
 

@@ -118,8 +118,10 @@ abstract class ThreePhones {
                 told.add("refused " + end.error().map(error -> error.code()).orElse(-1));
             } else if (event instanceof StationEvent.CallHeld held) {
                 told.add("held " + held.peer().orElseThrow());
-            } else if (event instanceof StationEvent.HeldByPeer peer) {
-                isOnHold = peer.onHold();
+            } else if (event instanceof StationEvent.HeldByPeer) {
+                isOnHold = true;
+            } else if (event instanceof StationEvent.RetrievedByPeer) {
+                isOnHold = false;
             } else if (event instanceof StationEvent.CallRetrieved retrieved) {
                 isOnHold = false;
                 told.add("retrieved " + retrieved.peer().orElseThrow());

@@ -2,11 +2,18 @@ package simgsm.air;
 
 import java.util.Arrays;
 import java.util.Optional;
+import simgsm.event.EventValue;
 
 /** A value of a message's field that has a code on the wire. */
-public interface Coded {
+public interface Coded extends EventValue {
     /** The value on the wire. */
     int code();
+
+    /** The code. */
+    @Override
+    default Object eventValue() {
+        return code();
+    }
 
     /** The value with this code, if there is one. */
     static <V extends Coded> Optional<V> find(V[] values, int code) {

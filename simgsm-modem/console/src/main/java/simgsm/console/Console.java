@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import simgsm.event.EventForm;
 
 /**
  * The headless console: commands in, events out, a line each. Any thread may emit; one thread runs the commands.
@@ -106,6 +107,13 @@ public final class Console implements AutoCloseable {
         }
         log.add(event);
         printer.accept(event);
+    }
+
+    /** Prints the event of a record; nothing if its class declares no line. */
+    public void tell(Object record) {
+        if (EventForm.of(record).isPresent()) {
+            emit(Event.from(record));
+        }
     }
 
     /** Prints the rows of a list and {@code end of= count=}. */

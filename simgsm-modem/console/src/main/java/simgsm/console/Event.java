@@ -3,6 +3,7 @@ package simgsm.console;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import simgsm.event.EventForm;
 
 /**
  * One event line: a name, then fields in order.
@@ -26,6 +27,24 @@ public record Event(String name, Map<String, String> fields) {
     /** An event without fields, to which {@link #with} adds. */
     public static Event of(String name) {
         return new Event(name, Map.of());
+    }
+
+    /**
+     * The event of a record that declares its line.
+     *
+     * @param given values by key that replace those of the record
+     * @throws IllegalArgumentException if its class declares no line
+     */
+    public static Event from(Object record, Map<String, ?> given) {
+        EventForm form = EventForm.of(record).orElseThrow(() -> new IllegalArgumentException("no line: " + record));
+        Map<String, String> fields = new LinkedHashMap<>();
+        form.values(record, given).forEach((key, value) -> fields.put(key, EventForm.text(value)));
+        return new Event(form.name(), fields);
+    }
+
+    /** The event of a record that has all values of its line. */
+    public static Event from(Object record) {
+        return from(record, Map.of());
     }
 
     /** The same event with a further field; the value is converted by {@code toString}. */

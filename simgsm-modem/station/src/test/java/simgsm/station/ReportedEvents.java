@@ -54,8 +54,10 @@ final class ReportedEvents implements Consumer<StationEvent> {
             lines.add("held over " + ended.cause().code());
         } else if (event instanceof StationEvent.HoldRefused) {
             lines.add("hold refused");
-        } else if (event instanceof StationEvent.HeldByPeer peer) {
-            lines.add(peer.onHold() ? "on hold" : "on hold over");
+        } else if (event instanceof StationEvent.HeldByPeer) {
+            lines.add("on hold");
+        } else if (event instanceof StationEvent.RetrievedByPeer) {
+            lines.add("on hold over");
         } else if (event instanceof StationEvent.Released released) {
             lines.add("released " + released.cause().code());
         } else if (event instanceof StationEvent.NetworkPlaysTones tones) {

@@ -3,20 +3,24 @@ package simgsm.phone.handset;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.dtmf.DtmfKey;
+import simgsm.event.EventLine;
 import simgsm.station.context.StationEvent;
 
 /** What a handset adds to the events of its station. */
 public sealed interface HandsetEvent extends StationEvent.OfTerminal {
     /** The last tone of these keys has been sent. @param keys as they were pressed, without blanks */
+    @EventLine("sent keys=")
     record KeysSent(String keys) implements HandsetEvent {}
 
     /** The network refuses signalled keys. @param keys those that were not sent */
     record KeysNotSent(String keys, Cause cause) implements HandsetEvent {}
 
     /** The user has keyed the code that shows the equipment's identity. @param imei 15 digits */
+    @EventLine("imei number=imei")
     record ImeiShown(String imei) implements HandsetEvent {}
 
     /** The last sample of a played sound has been sent. */
+    @EventLine("played millis=")
     record SoundPlayed(int millis) implements HandsetEvent {}
 
     /**
@@ -24,6 +28,7 @@ public sealed interface HandsetEvent extends StationEvent.OfTerminal {
      *
      * @param meaning the key of its meaning as a robot's reply
      */
+    @EventLine("tone key=key.symbol meaning=")
     record ToneHeard(DtmfKey key, Optional<String> meaning) implements HandsetEvent {
         /** A robot's. */
         public ToneHeard(DtmfKey key) {

@@ -5,10 +5,13 @@ import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import simgsm.air.Coded;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
+import simgsm.event.EventForm;
 import simgsm.phone.screen.ServiceWords;
 import simgsm.phone.screen.Words;
 import simgsm.station.context.StationEvent;
@@ -66,91 +69,40 @@ public final class HandsetLog {
         }
     }
 
-    /** Adds what the user is to know of the event. */
+    /** Adds the event if the user is told of it. */
     void accept(StationEvent event) {
-        if (event instanceof StationEvent.StationRegistered registered) {
-            add("log.registered", registered.number().digits());
-        } else if (event instanceof StationEvent.StationUnregistered) {
-            add("log.unregistered");
-        } else if (event instanceof StationEvent.OfCall call) {
-            acceptCall(call);
-        } else if (event instanceof HandsetEvent ofHandset) {
-            acceptHandset(ofHandset);
-        } else if (event instanceof StationEvent.OfSubmittedMessage message) {
-            acceptSubmitted(message);
-        } else if (event instanceof StationEvent.ShortMessageReceived message) {
-            add("log.message", names.apply(message.from()), message.text());
-        } else if (event instanceof StationEvent.BroadcastReceived broadcast) {
-            add("log.broadcast", String.valueOf(broadcast.channel()), broadcast.text());
-        } else if (event instanceof StationEvent.OfUssd ofUssd) {
-            acceptUssd(ofUssd);
-        }
-    }
-
-    private void acceptCall(StationEvent.OfCall event) {
-        if (event instanceof StationEvent.Calling calling) {
-            add("log.calling", names.apply(calling.number().toString()));
-        } else if (event instanceof StationEvent.CalledPartyAlerted) {
-            add("lcd.call.alerting");
-        } else if (event instanceof StationEvent.Ringing ringing) {
-            add("log.ringing", party(ringing.from()));
-        } else if (event instanceof StationEvent.Connected connected) {
-            add("log.connected", party(connected.peer()));
-        } else if (event instanceof StationEvent.CallWaits waits) {
-            add("lcd.waiting", party(waits.from()));
-        } else if (event instanceof StationEvent.WaitingCallEnded) {
-            add("log.waiting_over");
-        } else if (event instanceof StationEvent.CallHeld held) {
-            add("lcd.held", party(held.peer()));
-        } else if (event instanceof StationEvent.CallRetrieved retrieved) {
-            add("log.retrieved", party(retrieved.peer()));
-        } else if (event instanceof StationEvent.HeldCallEnded) {
-            add("log.held_over");
-        } else if (event instanceof StationEvent.HeldByPeer peer) {
-            add(peer.onHold() ? "lcd.on_hold_by_peer" : "log.on_hold_over");
-        } else if (event instanceof StationEvent.HoldRefused) {
+        if (event instanceof StationEvent.HoldRefused) {
             add("note.refused");
-        } else if (event instanceof StationEvent.Released released) {
-            add("log.released", released.cause());
-        }
-    }
-
-    private Object party(Optional<Msisdn> number) {
-        return number.<Object>map(it -> names.apply(it.toString())).orElse(Words.of("lcd.unknown"));
-    }
-
-    private void acceptHandset(HandsetEvent event) {
-        if (event instanceof HandsetEvent.KeysNotSent refused) {
+        } else if (event instanceof HandsetEvent.KeysNotSent refused) {
             add("note.keys_refused", String.valueOf(refused.cause().code()));
-        } else if (event instanceof HandsetEvent.ImeiShown shown) {
-            add("log.imei", shown.imei());
         } else if (event instanceof HandsetEvent.ToneHeard heard) {
             String key = String.valueOf(heard.key().symbol());
             heard.meaning()
                     .ifPresentOrElse(
                             meaning -> add("log.tone", key, Words.of(meaning)), () -> add("log.tone.plain", key));
-        }
-    }
-
-    private void acceptSubmitted(StationEvent.OfSubmittedMessage event) {
-        if (event instanceof StationEvent.MessageSent sent) {
-            add("log.message.sent", names.apply(sent.to().toString()));
-        } else if (event instanceof StationEvent.MessageFailed failed) {
-            add("log.message.failed", names.apply(failed.to().toString()), failed.cause());
-        } else if (event instanceof StationEvent.MessageDelivered delivered) {
-            add("log.message.delivered", names.apply(delivered.to().toString()));
-        } else if (event instanceof StationEvent.MessageUndelivered lost) {
-            add("log.message.undelivered", names.apply(lost.to().toString()));
-        }
-    }
-
-    private void acceptUssd(StationEvent.OfUssd event) {
-        if (event instanceof StationEvent.UssdReceived text) {
-            add("log.network", text.text());
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
+            add("log.sms", names.apply(message.from()), message.text());
         } else if (event instanceof StationEvent.ServiceAnswered answer) {
             add("log.service", ServiceWords.title(answer.status()), ServiceWords.state(answer.status()));
         } else if (event instanceof StationEvent.UssdEnded end) {
-            ServiceWords.noteOf(end).ifPresent(note -> add("log.service.none", note));
+            ServiceWords.noteOf(end).ifPresent(note -> add("log.ussd-failed", note));
+        } else if (!(event instanceof HandsetEvent.KeysSent || event instanceof HandsetEvent.SoundPlayed)) {
+            EventForm.of(event)
+                    .ifPresent(form -> add(
+                            "log." + form.name(),
+                            form.values(event, Map.of()).values().stream()
+                                    .map(this::argument)
+                                    .toArray()));
         }
+    }
+
+    /** Numbers are replaced by names; causes are put into words when they are shown. */
+    private Object argument(Object value) {
+        if (value instanceof Msisdn number) {
+            return names.apply(number.toString());
+        } else if (value instanceof Coded.Titled) {
+            return value;
+        }
+        return value == Optional.empty() ? Words.of("lcd.unknown") : EventForm.text(value);
     }
 }

@@ -45,8 +45,10 @@ final class PhoneCall {
             park(digits(held.peer()));
         } else if (event instanceof StationEvent.CallRetrieved retrieved) {
             retrieve(digits(retrieved.peer()));
-        } else if (event instanceof StationEvent.HeldByPeer peer) {
-            call = call.withOnHold(peer.onHold());
+        } else if (event instanceof StationEvent.HeldByPeer) {
+            call = call.withOnHold(true);
+        } else if (event instanceof StationEvent.RetrievedByPeer) {
+            call = call.withOnHold(false);
         } else if (event instanceof StationEvent.HeldCallEnded) {
             call = call.withHeld(Optional.empty());
         } else if (event instanceof StationEvent.Released released) {

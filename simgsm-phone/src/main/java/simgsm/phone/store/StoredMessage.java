@@ -3,6 +3,7 @@ package simgsm.phone.store;
 import java.time.Instant;
 import java.util.Optional;
 import simgsm.air.RpCause;
+import simgsm.event.EventLine;
 
 /**
  * A message in one of the phone's folders.
@@ -14,6 +15,7 @@ import simgsm.air.RpCause;
  * @param parts number of short messages or pages
  * @param cause of a failure
  */
+@EventLine("message from=party text= read=")
 public record StoredMessage(
         int serial,
         String party,

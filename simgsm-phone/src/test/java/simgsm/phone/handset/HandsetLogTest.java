@@ -48,13 +48,13 @@ class HandsetLogTest {
         assertEquals(
                 List.of(
                         "log.calling Robot",
-                        "lcd.call.alerting",
+                        "log.alerting",
                         "log.connected Robot",
                         "log.tone 1 tone.1",
                         "log.keys **#**20**",
                         "log.tone 6 tone.6",
                         "log.tone.plain 9",
-                        "log.released NORMAL_CALL_CLEARING"),
+                        "log.released NORMAL_CALL_CLEARING normal call clearing"),
                 logged(bench));
     }
 
@@ -94,7 +94,7 @@ class HandsetLogTest {
         Bench bench = new Bench();
         bench.handset.accept(new StationEvent.ShortMessageReceived("5550200", "3 Done"));
         bench.handset.accept(new StationEvent.UssdReceived("your number: 5550100", false));
-        assertEquals(List.of("log.message 5550200 3 Done", "log.network your number: 5550100"), logged(bench));
+        assertEquals(List.of("log.sms 5550200 3 Done", "log.ussd your number: 5550100"), logged(bench));
     }
 
     @Test
@@ -109,10 +109,10 @@ class HandsetLogTest {
         bench.handset.accept(new StationEvent.UssdEnded(UssdEnding.NO_ANSWER, Optional.empty()));
         assertEquals(
                 List.of(
-                        "log.service.none Note[kind=USSD_UNKNOWN, detail=]",
-                        "log.service.none Note[kind=USSD_REFUSED, detail=16]",
-                        "log.service.none Note[kind=USSD_NO_SERVICE, detail=]",
-                        "log.service.none Note[kind=USSD_NO_ANSWER, detail=]"),
+                        "log.ussd-failed Note[kind=USSD_UNKNOWN, detail=]",
+                        "log.ussd-failed Note[kind=USSD_REFUSED, detail=16]",
+                        "log.ussd-failed Note[kind=USSD_NO_SERVICE, detail=]",
+                        "log.ussd-failed Note[kind=USSD_NO_ANSWER, detail=]"),
                 logged(bench));
     }
 
@@ -133,6 +133,6 @@ class HandsetLogTest {
         }
         List<String> log = logged(bench);
         assertEquals(HandsetLog.CAPACITY, log.size());
-        assertEquals("log.message 5550200 1", log.get(0));
+        assertEquals("log.sms 5550200 1", log.get(0));
     }
 }

@@ -19,15 +19,12 @@ public final class CellsCommands implements Console.Commands {
     /** All commands, for the console and for the reference. */
     public static final CommandTable<CellsCommands> COMMANDS = new CommandTable<CellsCommands>(
                     CellsCommands.class.getResourceAsStream("commands.txt"))
-            .add(
-                    "cells",
-                    (to, command) -> to.list(
-                            command, network -> network.towers().stream().map(CellsEventPrinter::of)))
+            .add("cells", (to, command) -> to.list(command, network -> network.towers().stream()))
             .add(
                     "mobiles",
                     (to, command) -> to.list(
                             command,
-                            network -> network.mobiles().stream().map(mobile -> CellsEventPrinter.of(mobile, network))))
+                            network -> network.mobiles().stream().map(mobile -> MobileRow.of(mobile, network))))
             .add("place", CellsCommands::place)
             .add("walk", CellsCommands::walk)
             .add("tower", CellsCommands::tower)
@@ -52,8 +49,8 @@ public final class CellsCommands implements Console.Commands {
         COMMANDS.performAsking(this, command);
     }
 
-    private void list(ConsoleCommand command, Function<CellNetwork, Stream<Event>> question) {
-        List<Event> rows = cells.ask(network -> question.apply(network).toList());
+    private void list(ConsoleCommand command, Function<CellNetwork, Stream<?>> question) {
+        List<Event> rows = cells.ask(network -> question.apply(network).map(Event::from).toList());
         console.emitList(command.name(), rows);
     }
 

@@ -3,7 +3,6 @@ package simgsm.cells.app;
 import java.util.function.Consumer;
 import simgsm.cells.mobile.MobileEvent;
 import simgsm.console.Console;
-import simgsm.console.Event;
 
 /** Prints what happens to mobiles on the console; reports only if they are asked for. */
 public final class CellsEvents implements Consumer<MobileEvent> {
@@ -21,10 +20,7 @@ public final class CellsEvents implements Consumer<MobileEvent> {
     @Override
     public void accept(MobileEvent event) {
         if (!(event instanceof MobileEvent.Reported) || areReportsShown) {
-            Event line = CellsEventPrinter.of(event);
-            if (line != null) {
-                console.emit(line);
-            }
+            console.tell(event);
         }
     }
 }

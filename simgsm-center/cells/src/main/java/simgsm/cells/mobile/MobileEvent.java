@@ -1,8 +1,8 @@
 package simgsm.cells.mobile;
 
 import java.util.List;
-import java.util.OptionalInt;
 import simgsm.cells.snapshot.PassingStep;
+import simgsm.event.EventLine;
 
 /** What happens to a mobile. */
 public sealed interface MobileEvent {
@@ -10,27 +10,43 @@ public sealed interface MobileEvent {
     Mobile mobile();
 
     /** Chose a cell. */
+    @EventLine("camped number=mobile.number cell= c2=:0")
     record Camped(Mobile mobile, String cell, double c2) implements MobileEvent {}
 
     /** No cell is good enough any more. */
     record CellLost(Mobile mobile, String cell) implements MobileEvent {}
 
     /** The network has accepted a location update in this area. */
+    @EventLine("location-update number=mobile.number lac=area")
     record LocationUpdated(Mobile mobile, int area) implements MobileEvent {}
 
-    /** @param level RXLEV */
-    record NeighbourLevel(String cell, int level) {}
+    /** The level of a cell at the mobile. @param rxlev TS 45.008, 8.1.4 */
+    record CellLevel(String cell, int rxlev) {
+        @Override
+        public String toString() {
+            return cell + ":" + rxlev;
+        }
+    }
 
-    /** Sent a MEASUREMENT REPORT. @param level RXLEV of the serving cell */
-    record Reported(Mobile mobile, int number, String cell, int level, List<NeighbourLevel> neighbours)
-            implements MobileEvent {}
+    /** Sent a MEASUREMENT REPORT. @param number the report's, from 0 */
+    @EventLine("report number=mobile.number nr=number serving= neighbours=")
+    record Reported(Mobile mobile, int number, CellLevel serving, List<CellLevel> neighbours) implements MobileEvent {}
 
-    /** A handover has ended. @param cause RR cause of HANDOVER FAILURE; empty for a success */
-    record HandedOver(Mobile mobile, String from, String to, OptionalInt cause) implements MobileEvent {}
+    /** The end of a handover. */
+    enum HandoverResult {
+        SUCCESS,
+        FAILURE
+    }
+
+    /** A handover has ended. @param cause RR cause of HANDOVER FAILURE; 0 for a success */
+    @EventLine("handover number=mobile.number from= to= result= cause=")
+    record HandedOver(Mobile mobile, String from, String to, HandoverResult result, int cause) implements MobileEvent {}
 
     /** The terminal received no speech for this time across a handover. */
+    @EventLine("speech-gap number=mobile.number millis=")
     record SpeechGap(Mobile mobile, int millis) implements MobileEvent {}
 
+    @EventLine("radio-link-failure number=mobile.number")
     record RadioLinkFailed(Mobile mobile) implements MobileEvent {}
 
     /** One step of signalling, for the window. @param to the new cell of a handover, else empty */

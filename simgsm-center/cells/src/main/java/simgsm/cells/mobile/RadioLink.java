@@ -124,10 +124,9 @@ final class RadioLink {
             network.happened(new MobileEvent.Reported(
                     mobile,
                     sent,
-                    mobile.nameOf(tower),
-                    level,
+                    new MobileEvent.CellLevel(mobile.nameOf(tower), level),
                     neighbours.stream()
-                            .map(each -> new MobileEvent.NeighbourLevel(
+                            .map(each -> new MobileEvent.CellLevel(
                                     mobile.nameOf(each),
                                     RadioScale.rxlev(reception.levelsDbm()[each])))
                             .toList()));

@@ -21,6 +21,7 @@ import simgsm.air.IdentityElements;
 import simgsm.air.MobileIdentity;
 import simgsm.air.ProtocolViolation;
 import simgsm.cells.town.Tower;
+import simgsm.event.EventLine;
 import simgsm.octets.OctetString;
 import simgsm.rr.ImmediateAssignment;
 import simgsm.rr.ImmediateAssignmentReject;
@@ -32,6 +33,8 @@ import simgsm.timer.Timers;
  * One tower with one transceiver, as a deterministic core: answers the controller's RSL (TS 48.058) and carries it to the
  * mobiles of its cell. While it is off or without a controller, no mobile hears it.
  */
+@EventLine("cell name=tower.name arfcn=tower.arfcn bsic=tower.bsic lac=area x=tower.place.xMetres:1"
+        + " y=tower.place.yMetres:1 state= free=freeTrafficChannels")
 public final class BaseStation {
     private static final System.Logger LOG = System.getLogger(BaseStation.class.getName());
     private static final ChannelNumber RACH = ChannelNumber.of(Kind.RACH, 0);
@@ -97,6 +100,11 @@ public final class BaseStation {
     /** Whether mobiles can use the cell. */
     public boolean isInService() {
         return isOn && port != null && cell.isPresent();
+    }
+
+    /** {@code off}, {@code on}, or {@code searching} for a controller. */
+    public String state() {
+        return !isOn() ? "off" : isInService() ? "on" : "searching";
     }
 
     /** Location area code: the controller's, else the town's. */

@@ -11,7 +11,6 @@ import static simgsm.cells.network.TownScene.TCH;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -275,7 +274,7 @@ class CellNetworkTest {
         assertEquals("051b", scene.east.expectLayer3());
         assertEquals("east", terminal.mobile.cell());
         assertTrue(scene.events.contains(
-                new MobileEvent.HandedOver(terminal.mobile, "west", "east", OptionalInt.empty())));
+                new MobileEvent.HandedOver(terminal.mobile, "west", "east", MobileEvent.HandoverResult.SUCCESS, 0)));
         terminal.expectNothing();
     }
 

@@ -196,7 +196,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         }
         boolean isNew = onHold ? heldByPeer.add(own) : heldByPeer.remove(own);
         if (isNew && has(received)) {
-            report(new StationEvent.HeldByPeer(onHold));
+            report(onHold ? new StationEvent.HeldByPeer() : new StationEvent.RetrievedByPeer());
         }
     }
 
@@ -211,7 +211,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         peer = party.number();
         fire(party.isHeld() ? MobileCallEvent.CALL_RETRIEVED : MobileCallEvent.ANSWER_WAITING);
         if (heldByPeer.contains(transaction)) {
-            report(new StationEvent.HeldByPeer(true));
+            report(new StationEvent.HeldByPeer());
         }
     }
 

@@ -6,7 +6,9 @@ import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
+import simgsm.event.EventLine;
 import simgsm.octets.OctetString;
+import simgsm.sms.DeliveryStatus;
 import simgsm.ss.ServiceStatus;
 import simgsm.ss.SsError;
 import simgsm.ss.SsOperation;
@@ -19,9 +21,11 @@ public sealed interface StationEvent {
     /** An event that a phone or a modem adds to those of its station. */
     non-sealed interface OfTerminal extends StationEvent {}
 
+    @EventLine("registered number=")
     record StationRegistered(Msisdn number) implements StationEvent {}
 
     /** At each loss of service and at each new cause, not at every further attempt. @param cause if the network refused */
+    @EventLine("unregistered [cause=]")
     record StationUnregistered(Optional<RejectCause> cause) implements StationEvent {}
 
     /** The snapshot has changed. */
@@ -44,41 +48,56 @@ public sealed interface StationEvent {
     sealed interface OfCall extends StationEvent {}
 
     /** An originated call begins. */
+    @EventLine("calling number=")
     record Calling(Msisdn number) implements OfCall {}
 
     /** The called terminal rings. */
+    @EventLine("alerting")
     record CalledPartyAlerted() implements OfCall {}
 
     /** @param from empty if the network does not say */
+    @EventLine("ringing from=")
     record Ringing(Optional<Msisdn> from) implements OfCall {}
 
     /** A time that was requested with {@link simgsm.station.MobileStation#remindToAnswer} is over; the call still rings. */
     record AnswerDue() implements OfCall {}
 
     /** A second call waits; {@link Ringing} follows when the first has ended. */
+    @EventLine("waiting from=")
     record CallWaits(Optional<Msisdn> from) implements OfCall {}
 
     /** The active call is held; there is no current call for now. */
+    @EventLine("held number=peer")
     record CallHeld(Optional<Msisdn> peer) implements OfCall {}
 
     /** The held call is the current one, and active again. */
+    @EventLine("retrieved number=peer")
     record CallRetrieved(Optional<Msisdn> peer) implements OfCall {}
 
     /** The held call has ended. */
+    @EventLine("held-over cause=")
     record HeldCallEnded(Cause cause) implements OfCall {}
 
-    /** The other party holds the current call, or has taken it back. */
-    record HeldByPeer(boolean onHold) implements OfCall {}
+    /** The other party holds the current call. */
+    @EventLine("on-hold")
+    record HeldByPeer() implements OfCall {}
+
+    /** The other party has retrieved the current call. */
+    @EventLine("on-hold-over")
+    record RetrievedByPeer() implements OfCall {}
 
     /** The network does not hold the call, or does not give it back. */
     record HoldRefused() implements OfCall {}
 
     /** The waiting call has ended before the first. */
+    @EventLine("waiting-over")
     record WaitingCallEnded() implements OfCall {}
 
+    @EventLine("connected number=peer")
     record Connected(Optional<Msisdn> peer) implements OfCall {}
 
     /** Once for each call, at the first clearing message sent or received. The user's own hang-up is cause 16. */
+    @EventLine("released cause= text=cause.title")
     record Released(Cause cause) implements OfCall {}
 
     /**
@@ -117,11 +136,14 @@ public sealed interface StationEvent {
     }
 
     /** The network has acknowledged all parts. */
+    @EventLine("sms-sent to= parts= id=reference")
     record MessageSent(int id, Msisdn to, int parts) implements OfSubmittedMessage {}
 
+    @EventLine("sms-failed to= cause= text=cause.title")
     record MessageFailed(int id, Msisdn to, RpCause cause) implements OfSubmittedMessage {}
 
     /** A status report says that the last part has been delivered. */
+    @EventLine("sms-delivered to= id=reference")
     record MessageDelivered(int id, Msisdn to) implements OfSubmittedMessage {}
 
     /**
@@ -129,11 +151,19 @@ public sealed interface StationEvent {
      *
      * @param status TP-ST, see {@link simgsm.sms.DeliveryStatus}
      */
-    record MessageUndelivered(int id, Msisdn to, int status) implements OfSubmittedMessage {}
+    @EventLine("sms-undelivered to= id=reference status= text=")
+    record MessageUndelivered(int id, Msisdn to, int status) implements OfSubmittedMessage {
+        /** The status in words. */
+        public String text() {
+            return DeliveryStatus.title(status);
+        }
+    }
 
     /** A whole message, without duplicates. @param from a number, or an alphanumeric address */
+    @EventLine("sms from= text=")
     record ShortMessageReceived(String from, String text) implements OfMessage {}
 
+    @EventLine("broadcast channel= pages= text=")
     record BroadcastReceived(int channel, int pages, String text) implements OfMessage {}
 
     /** USSD (TS 24.090). */
@@ -144,13 +174,27 @@ public sealed interface StationEvent {
      *
      * @param replyExpected whether the network waits for a reply; else the dialogue is over, or the text is for information
      */
-    record UssdReceived(String text, boolean replyExpected) implements OfUssd {}
+    @EventLine("ussd text= [reply=]")
+    record UssdReceived(String text, boolean replyExpected) implements OfUssd {
+        /** The word {@code expected} if a reply is. */
+        public Optional<String> reply() {
+            return replyExpected ? Optional.of("expected") : Optional.empty();
+        }
+    }
 
     /** The network has performed an operation on a supplementary service. @param status how the service stands now */
+    @EventLine(
+            "service code=status.service.typed state=status.state [to=status.forwardedTo] [seconds=status.noReplySeconds]")
     record ServiceAnswered(SsOperation operation, ServiceStatus status) implements OfUssd {}
 
     /** A dialogue has ended without a last text. @param error if the network refused with one that is known */
-    record UssdEnded(UssdEnding how, Optional<SsError> error) implements OfUssd {}
+    @EventLine("ussd-failed [cause=error] text=")
+    record UssdEnded(UssdEnding how, Optional<SsError> error) implements OfUssd {
+        /** The error's name, or the way in which the dialogue has ended. */
+        public String text() {
+            return error.map(SsError::title).orElse(how.title());
+        }
+    }
 
     /**
      * What the network has delivered, part by part as it came and without duplicates; the events above follow from it.
