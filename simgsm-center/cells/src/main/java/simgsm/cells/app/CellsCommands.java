@@ -50,7 +50,8 @@ public final class CellsCommands implements Console.Commands {
     }
 
     private void list(ConsoleCommand command, Function<CellNetwork, Stream<?>> question) {
-        List<Event> rows = cells.ask(network -> question.apply(network).map(Event::from).toList());
+        List<Event> rows =
+                cells.ask(network -> question.apply(network).map(Event::from).toList());
         console.emitList(command.name(), rows);
     }
 

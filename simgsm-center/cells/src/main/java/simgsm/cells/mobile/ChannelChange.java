@@ -222,7 +222,8 @@ final class ChannelChange {
         target.establish(mobile.user(), null);
         target.send(0, encoded(new RadioResource.HandoverComplete(RadioResource.NORMAL_EVENT)));
         mobile.passed(PassingStep.Kind.HANDOVER_COMPLETE, from, mobile.cell(), 0);
-        network.happened(new MobileEvent.HandedOver(mobile, from, mobile.cell(), MobileEvent.HandoverResult.SUCCESS, 0));
+        network.happened(
+                new MobileEvent.HandedOver(mobile, from, mobile.cell(), MobileEvent.HandoverResult.SUCCESS, 0));
         end();
     }
 
@@ -237,7 +238,8 @@ final class ChannelChange {
         }
         old.send(0, encoded(new RadioResource.HandoverFailure(cause)));
         mobile.passed(PassingStep.Kind.HANDOVER_FAILURE, mobile.cell(), to, cause);
-        network.happened(new MobileEvent.HandedOver(mobile, mobile.cell(), to, MobileEvent.HandoverResult.FAILURE, cause));
+        network.happened(
+                new MobileEvent.HandedOver(mobile, mobile.cell(), to, MobileEvent.HandoverResult.FAILURE, cause));
         end();
     }
 

@@ -15,8 +15,8 @@ final class PassingSteps {
             return Optional.of(
                     new PassingStep(nanos, number, passed.step(), passed.from(), passed.to(), passed.figure()));
         } else if (event instanceof MobileEvent.Reported reported) {
-            return Optional.of(
-                    new PassingStep(nanos, number, PassingStep.Kind.REPORT, reported.serving().cell(), "", reported.number()));
+            return Optional.of(new PassingStep(
+                    nanos, number, PassingStep.Kind.REPORT, reported.serving().cell(), "", reported.number()));
         } else if (event instanceof MobileEvent.Camped camped) {
             return Optional.of(new PassingStep(nanos, number, PassingStep.Kind.RESELECTION, camped.cell(), "", 0));
         } else if (event instanceof MobileEvent.LocationUpdated updated) {
