@@ -3,7 +3,7 @@ package simrobot.ui;
 import java.util.Objects;
 import simgsm.dtmf.ToneTrace;
 import simgsm.station.StationSnapshot;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import vericommand.VeriCommandSnapshot;
 
 /**

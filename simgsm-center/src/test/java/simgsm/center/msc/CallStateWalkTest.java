@@ -19,7 +19,7 @@ import simgsm.air.Cause;
 import simgsm.air.RadioResource;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.call.CallLeg;
-import simgsm.center.msc.call.NetworkCallState;
+import simgsm.center.msc.call.NetworkCallTable.NetworkCallState;
 import simgsm.center.msc.link.TerminalAccess;
 
 /**

@@ -25,7 +25,7 @@ import simgsm.air.RadioResource;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.msc.call.CallProgress;
-import simgsm.center.msc.call.NetworkCallState;
+import simgsm.center.msc.call.NetworkCallTable.NetworkCallState;
 import simgsm.center.subscriber.HomeRegister;
 
 class CallTest {

@@ -24,7 +24,7 @@ import simgsm.station.call.MobileCall;
 import simgsm.station.call.MobileCallMessages;
 import simgsm.station.context.StationContext;
 import simgsm.station.mobility.MobileRegistration;
-import simgsm.station.mobility.MobileRegistrationEvent;
+import simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationEvent;
 import simgsm.station.mobility.MobilityMessages;
 import simgsm.station.mobility.ServiceRequests;
 import simgsm.station.sms.ShortMessages;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.speech.SpeechCodec;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 
 /**
  * The state of a station, immutable.

@@ -22,7 +22,7 @@ import simgsm.air.CallControl.StopDtmfAcknowledge;
 import simgsm.air.Cause;
 import simgsm.air.TransactionIdentifier;
 import simgsm.dtmf.DtmfKey;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 
 /** Keys as messages: START DTMF, STOP DTMF, and the network's answers (TS 24.008, 5.5.7). */
 class KeySignallingTest {

@@ -34,7 +34,7 @@ import simgsm.air.RejectCause;
 import simgsm.air.TransactionIdentifier;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 
 class MobileCallTest {
     /** As our own messages carry it, and as the network answers. */

@@ -22,7 +22,7 @@ import simgsm.air.Cause;
 import simgsm.air.CauseLocation;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 
 /** A network that lets its own tones be heard (TS 24.008, 5.5.1 and 5.4.4.1.1.1). */
 class NetworkTonesTest {

@@ -39,7 +39,7 @@ import simgsm.ss.Component;
 import simgsm.ss.ComponentCodec;
 import simgsm.ss.SsOperation;
 import simgsm.ss.UssdText;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 
 /** A network that sends whatever it likes, a user who does whatever he likes, and time. */
 class RandomPeerTest {

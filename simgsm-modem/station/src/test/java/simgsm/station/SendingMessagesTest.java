@@ -30,7 +30,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationEvent;
 
 /** What a station hands in. */

@@ -11,20 +11,20 @@ import java.util.Queue;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import simgsm.state.StateTable;
-import simgsm.station.call.KeySignallingEvent;
-import simgsm.station.call.KeySignallingState;
 import simgsm.station.call.KeySignallingTable;
-import simgsm.station.call.MobileCallAction;
-import simgsm.station.call.MobileCallEvent;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.KeySignallingTable.KeySignallingEvent;
+import simgsm.station.call.KeySignallingTable.KeySignallingState;
 import simgsm.station.call.MobileCallTable;
-import simgsm.station.mobility.MobileRegistrationEvent;
-import simgsm.station.mobility.MobileRegistrationState;
+import simgsm.station.call.MobileCallTable.MobileCallAction;
+import simgsm.station.call.MobileCallTable.MobileCallEvent;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.mobility.MobileRegistrationTable;
-import simgsm.station.sms.OutgoingMessageAction;
-import simgsm.station.sms.OutgoingMessageEvent;
-import simgsm.station.sms.OutgoingMessageState;
+import simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationEvent;
+import simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationState;
 import simgsm.station.sms.OutgoingMessageTable;
+import simgsm.station.sms.OutgoingMessageTable.OutgoingMessageAction;
+import simgsm.station.sms.OutgoingMessageTable.OutgoingMessageEvent;
+import simgsm.station.sms.OutgoingMessageTable.OutgoingMessageState;
 
 /** Walks all states of each machine with all events. */
 class TablesTest {

@@ -14,7 +14,7 @@ import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationCommands;
 import simgsm.station.StationSnapshot;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
 

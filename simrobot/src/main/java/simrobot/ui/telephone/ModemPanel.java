@@ -11,7 +11,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 import simgsm.station.StationSnapshot;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.tone.ToneExperiment;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;

@@ -22,7 +22,7 @@ import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationSnapshot;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Keycaps;
 import simgsm.ui.Lamp;

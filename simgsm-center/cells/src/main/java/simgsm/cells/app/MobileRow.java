@@ -1,7 +1,7 @@
 package simgsm.cells.app;
 
 import simgsm.cells.mobile.Mobile;
-import simgsm.cells.mobile.MobileRadioState;
+import simgsm.cells.mobile.MobileRadioTable.MobileRadioState;
 import simgsm.cells.network.CellNetwork;
 import simgsm.cells.radio.RadioScale;
 import simgsm.cells.town.TownPlace;

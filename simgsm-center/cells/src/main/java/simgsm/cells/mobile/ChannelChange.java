@@ -12,6 +12,7 @@ import simgsm.air.RadioResource.AssignmentCommand;
 import simgsm.air.RadioResource.CellDescription;
 import simgsm.air.RadioResource.ChannelModeModify;
 import simgsm.air.RadioResource.HandoverCommand;
+import simgsm.cells.mobile.MobileRadioTable.MobileRadioEvent;
 import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.tower.TowerChannel;
 import simgsm.octets.OctetString;

@@ -1,8 +1,8 @@
 package simgsm.cells.mobile;
 
-import static simgsm.cells.mobile.MobileRadioAction.*;
-import static simgsm.cells.mobile.MobileRadioEvent.*;
-import static simgsm.cells.mobile.MobileRadioState.*;
+import static simgsm.cells.mobile.MobileRadioTable.MobileRadioAction.*;
+import static simgsm.cells.mobile.MobileRadioTable.MobileRadioEvent.*;
+import static simgsm.cells.mobile.MobileRadioTable.MobileRadioState.*;
 
 import java.util.EnumSet;
 import java.util.Set;
@@ -10,6 +10,62 @@ import simgsm.state.StateTable;
 
 /** How a mobile comes onto a channel, changes it and leaves it (TS 44.018, 3.3, 3.4 and 3.5). */
 public final class MobileRadioTable {
+    /** What the radio part of a mobile does (TS 44.018, 3). */
+    public enum MobileRadioState {
+        /** On no channel. */
+        IDLE,
+        /** CHANNEL REQUEST is sent. */
+        ACCESS,
+        /** On a channel. */
+        DEDICATED,
+        /** Between two channels of a cell; layer 3 waits. */
+        ASSIGNMENT,
+        /** Between two cells; layer 3 waits. */
+        HANDOVER
+    }
+
+    /** Events of {@link MobileRadioTable}. */
+    public enum MobileRadioEvent {
+        /** The terminal has a first message. */
+        FIRST_MESSAGE,
+        /** IMMEDIATE ASSIGNMENT. */
+        GRANTED,
+        /** No answer to the last CHANNEL REQUEST, or no cell. */
+        ACCESS_FAILED,
+        ASSIGNMENT_COMMAND,
+        HANDOVER_COMMAND,
+        /** The link layer is established on the new channel. */
+        ARRIVED,
+        /** The new channel cannot be used. */
+        CHANGE_FAILED,
+        /** The terminal leaves the channel. */
+        LEFT,
+        /** The controller or the tower has taken the channel away. */
+        CHANNEL_LOST,
+        /** The radio link counter is 0. */
+        LINK_FAILED,
+        /** The terminal is gone. */
+        TERMINAL_LOST
+    }
+
+    /** Actions of {@link MobileRadioTable}. */
+    public enum MobileRadioAction {
+        REQUEST_CHANNEL,
+        END_ACCESS,
+        ESTABLISH,
+        BEGIN_ASSIGNMENT,
+        COMPLETE_ASSIGNMENT,
+        FAIL_ASSIGNMENT,
+        BEGIN_HANDOVER,
+        COMPLETE_HANDOVER,
+        FAIL_HANDOVER,
+        SEND_HELD,
+        LEAVE_CHANNEL,
+        FORSAKE_CHANNEL,
+        RELEASE_TERMINAL,
+        FORGET
+    }
+
     public static final StateTable<MobileRadioState, MobileRadioEvent, MobileRadioAction> TABLE =
             new StateTable<>("mobile radio", IDLE);
 

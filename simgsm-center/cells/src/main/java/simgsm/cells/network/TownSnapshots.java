@@ -8,7 +8,7 @@ import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import simgsm.cells.mobile.IdleSelection;
 import simgsm.cells.mobile.Mobile;
-import simgsm.cells.mobile.MobileRadioState;
+import simgsm.cells.mobile.MobileRadioTable.MobileRadioState;
 import simgsm.cells.radio.RadioField;
 import simgsm.cells.radio.RadioScale;
 import simgsm.cells.snapshot.CellState;

@@ -37,7 +37,7 @@ import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.Tmsi;
 import simgsm.cells.mobile.IdleSelection;
 import simgsm.cells.mobile.MobileEvent;
-import simgsm.cells.mobile.MobileRadioState;
+import simgsm.cells.mobile.MobileRadioTable.MobileRadioState;
 import simgsm.cells.town.TownPlace;
 import simgsm.octets.OctetString;
 import simgsm.rr.ImmediateAssignmentReject;

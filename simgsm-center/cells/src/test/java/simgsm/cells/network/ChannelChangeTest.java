@@ -21,7 +21,7 @@ import simgsm.air.RadioResource.AssignmentCommand;
 import simgsm.air.RadioResource.CellDescription;
 import simgsm.air.RadioResource.ChannelModeModify;
 import simgsm.air.RadioResource.HandoverCommand;
-import simgsm.cells.mobile.MobileRadioState;
+import simgsm.cells.mobile.MobileRadioTable.MobileRadioState;
 import simgsm.octets.OctetString;
 
 /** Channels that end, are taken or do not fit while a mobile changes to them or from them. */

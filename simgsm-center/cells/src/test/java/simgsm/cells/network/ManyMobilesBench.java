@@ -25,7 +25,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.cells.mobile.Mobile;
 import simgsm.cells.mobile.MobilePort;
-import simgsm.cells.mobile.MobileRadioState;
+import simgsm.cells.mobile.MobileRadioTable.MobileRadioState;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.SpeechSocket;
 import simgsm.cells.tower.TowerPort;

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.air.Cause;
 import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.call.NetworkCallTable.NetworkCallState;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.msc.link.RadioAccess.SpeechNeed;

@@ -1,11 +1,14 @@
 package simgsm.center.msc.call;
 
-import static simgsm.center.msc.call.NetworkCallAction.*;
-import static simgsm.center.msc.call.NetworkCallEvent.*;
-import static simgsm.center.msc.call.NetworkCallState.*;
+import static simgsm.center.msc.call.NetworkCallTable.NetworkCallAction.*;
+import static simgsm.center.msc.call.NetworkCallTable.NetworkCallEvent.*;
+import static simgsm.center.msc.call.NetworkCallTable.NetworkCallState.*;
 
+import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.Optional;
 import java.util.Set;
+import simgsm.center.msc.link.NetworkTimer;
 import simgsm.state.StateTable;
 
 /**
@@ -13,6 +16,162 @@ import simgsm.state.StateTable;
  * without a row is ignored.
  */
 public final class NetworkCallTable {
+    /**
+     * States of a call leg on the network side (TS 24.008, 5.1.1.2). N8 (connect request) and N11 (disconnect request) do not
+     * occur, because CONNECT and DISCONNECT are answered at once.
+     */
+    public enum NetworkCallState {
+        /** N0: no call. */
+        NULL(0),
+        /** N0.1: the called mobile is being paged. */
+        MM_CONNECTION_PENDING(2),
+        /** N1: the mobile has sent SETUP. */
+        CALL_INITIATED(1),
+        /** N3: CALL PROCEEDING is sent. */
+        CALL_PROCEEDING(3),
+        /** N4: ALERTING is sent to the caller. */
+        CALL_DELIVERED(4),
+        /** N6: SETUP is sent to the called mobile. */
+        CALL_PRESENT(6, NetworkTimer.T303),
+        /** N7: the called mobile alerts. */
+        CALL_RECEIVED(7, NetworkTimer.T301),
+        /** N9: the called mobile has confirmed SETUP. */
+        CALL_CONFIRMED(9, NetworkTimer.T310),
+        /** N10: connected. */
+        ACTIVE(10),
+        /** N12: DISCONNECT is sent. */
+        DISCONNECT_INDICATION(12, NetworkTimer.T305),
+        /** N19: RELEASE is sent. */
+        RELEASE_REQUEST(19, NetworkTimer.T308),
+        /** N28: CONNECT is sent to the caller. */
+        CONNECT_INDICATION(28, NetworkTimer.T313);
+
+        private final int code;
+        private final NetworkTimer guard;
+
+        NetworkCallState(int code) {
+            this(code, null);
+        }
+
+        NetworkCallState(int code, NetworkTimer guard) {
+            this.code = code;
+            this.guard = guard;
+        }
+
+        /** The call state of STATUS (TS 24.008, 10.5.4.6). */
+        public int code() {
+            return code;
+        }
+
+        /**
+         * The timer that runs in this state.
+         *
+         * @param withTone whether the network plays a tone to the mobile in it
+         */
+        Optional<NetworkTimer> guard(boolean withTone) {
+            return Optional.ofNullable(withTone && this == DISCONNECT_INDICATION ? NetworkTimer.T306 : guard);
+        }
+
+        /** Whether speech passes: from CONNECT on, so that none is lost before its acknowledgement. */
+        boolean speaks() {
+            return this == ACTIVE || this == CONNECT_INDICATION;
+        }
+
+        /**
+         * Whether a tower gives the mobile a traffic channel: from CALL PROCEEDING or CALL CONFIRMED on, so that it is there when the
+         * called party answers.
+         */
+        boolean needsSpeechPath() {
+            return this == CALL_PROCEEDING || this == CALL_CONFIRMED || mayHear();
+        }
+
+        /** Whether the mobile may hear something: from alerting to the end of clearing. */
+        boolean mayHear() {
+            return this == CALL_DELIVERED || this == CALL_RECEIVED || this == DISCONNECT_INDICATION || speaks();
+        }
+
+        boolean isClearing() {
+            return this == NULL || this == DISCONNECT_INDICATION || this == RELEASE_REQUEST;
+        }
+    }
+
+    /** Events of a call leg on the network side. */
+    public enum NetworkCallEvent {
+        // From the mobile.
+        SETUP_RECEIVED,
+        CALL_CONFIRMED_RECEIVED,
+        ALERTING_RECEIVED,
+        CONNECT_RECEIVED,
+        CONNECT_ACKNOWLEDGE_RECEIVED,
+        DISCONNECT_RECEIVED,
+        RELEASE_RECEIVED,
+        RELEASE_COMPLETE_RECEIVED,
+        /** STATUS with call state 0: the mobile has no such call (TS 24.008, 8.4). */
+        STATUS_NULL_RECEIVED,
+
+        // From the call.
+        PAGE,
+        PROCEED,
+        ALERT,
+        ANSWER,
+        CLEAR,
+
+        // From the link.
+        RADIO_CONNECTED,
+        PAGING_FAILED,
+        LINK_LOST,
+
+        T301_EXPIRED(NetworkTimer.T301),
+        T303_EXPIRED(NetworkTimer.T303),
+        T305_EXPIRED(NetworkTimer.T305),
+        T306_EXPIRED(NetworkTimer.T306),
+        T308_EXPIRED(NetworkTimer.T308),
+        /** T308 after the repeated RELEASE. */
+        T308_EXPIRED_AGAIN,
+        T310_EXPIRED(NetworkTimer.T310),
+        T313_EXPIRED(NetworkTimer.T313);
+
+        private final NetworkTimer timer;
+
+        NetworkCallEvent() {
+            this(null);
+        }
+
+        NetworkCallEvent(NetworkTimer timer) {
+            this.timer = timer;
+        }
+
+        /** The expiry of a call control timer. */
+        static NetworkCallEvent expiryOf(NetworkTimer timer) {
+            return Arrays.stream(values())
+                    .filter(event -> event.timer == timer)
+                    .findFirst()
+                    .orElseThrow();
+        }
+    }
+
+    /** Actions of a call leg on the network side. */
+    public enum NetworkCallAction {
+        SEND_SETUP,
+        SEND_CALL_PROCEEDING,
+        SEND_ALERTING,
+        SEND_CONNECT,
+        SEND_CONNECT_ACKNOWLEDGE,
+        SEND_DISCONNECT,
+        SEND_RELEASE,
+        SEND_RELEASE_COMPLETE,
+        /** Restarts the timer of the state, which was not left. */
+        START_T308,
+        /** Plays the network's tone if the message before has announced one. */
+        PLAY_TONE,
+        // To the call, and through it to the other leg.
+        TELL_OFFERED,
+        TELL_ALERTING,
+        TELL_ANSWERED,
+        TELL_ACTIVE,
+        TELL_CLEARED
+    }
+
     /** From the first message over the air to the clearing. */
     private static final Set<NetworkCallState> LIVE = EnumSet.of(
             CALL_INITIATED,

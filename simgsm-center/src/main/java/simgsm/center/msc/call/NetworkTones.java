@@ -6,6 +6,7 @@ import java.util.concurrent.TimeUnit;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RtpPacket;
 import simgsm.air.Cause;
+import simgsm.center.msc.call.NetworkCallTable.NetworkCallState;
 import simgsm.center.msc.link.Link;
 import simgsm.speech.SpeechCodec;
 import simgsm.timer.Timer;

@@ -12,6 +12,9 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import simgsm.center.msc.call.NetworkCallTable.NetworkCallAction;
+import simgsm.center.msc.call.NetworkCallTable.NetworkCallEvent;
+import simgsm.center.msc.call.NetworkCallTable.NetworkCallState;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.state.StateTable;
 

@@ -21,7 +21,7 @@ import simgsm.modem.client.ModemServiceTable.ServiceEvent;
 import simgsm.modem.client.ModemServiceTable.ServiceState;
 import simgsm.state.StateMachine;
 import simgsm.station.StationSnapshot;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationEvent;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;

@@ -8,6 +8,7 @@ import simgsm.state.StateMachine;
 import simgsm.station.call.CallHoldTable.CallHoldAction;
 import simgsm.station.call.CallHoldTable.CallHoldEvent;
 import simgsm.station.call.CallHoldTable.CallHoldState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationTimer;

@@ -1,14 +1,58 @@
 package simgsm.station.call;
 
-import static simgsm.station.call.KeySignallingAction.*;
-import static simgsm.station.call.KeySignallingEvent.*;
-import static simgsm.station.call.KeySignallingState.*;
+import static simgsm.station.call.KeySignallingTable.KeySignallingAction.*;
+import static simgsm.station.call.KeySignallingTable.KeySignallingEvent.*;
+import static simgsm.station.call.KeySignallingTable.KeySignallingState.*;
 
 import java.util.EnumSet;
 import simgsm.state.StateTable;
 
 /** Signalling of keys by the mobile (TS 24.008, 5.5.7). A refused key makes those after it meaningless: all are dropped. */
 public final class KeySignallingTable {
+    /** How far the signalling of one key is (TS 24.008, 5.5.7); independent of the call's state. */
+    public enum KeySignallingState {
+        IDLE,
+        /** START DTMF is sent. */
+        START_PENDING,
+        /** START DTMF is acknowledged: the network plays the tone. */
+        SOUNDING,
+        /** STOP DTMF is sent. */
+        STOP_PENDING,
+        /** The least pause before the next tone. */
+        PAUSING
+    }
+
+    /** Events of {@link KeySignallingTable}. */
+    public enum KeySignallingEvent {
+        NEXT,
+        START_ACKNOWLEDGED,
+        START_REJECTED,
+        /** The tone has had its length and the key is not held. */
+        RELEASED,
+        STOP_ACKNOWLEDGED,
+        PAUSE_ENDED,
+        T336_EXPIRED,
+        T337_EXPIRED,
+        CALL_ENDED
+    }
+
+    /** What {@link KeySignalling} does on a transition. */
+    public enum KeySignallingAction {
+        SEND_START,
+        SEND_STOP,
+        START_T336,
+        START_T337,
+        START_TONE,
+        START_PAUSE,
+        STOP_TIMERS,
+        REPORT_STARTED,
+        REPORT_STOPPING,
+        REPORT_COMPLETED,
+        REPORT_REFUSED,
+        DROP_ALL,
+        SEND_NEXT
+    }
+
     public static final StateTable<KeySignallingState, KeySignallingEvent, KeySignallingAction> TABLE =
             new StateTable<>("key signalling", IDLE);
 

@@ -11,6 +11,8 @@ import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.TransactionIdentifier;
 import simgsm.ss.HoldNotification;
+import simgsm.station.call.MobileCallTable.MobileCallEvent;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationContext;
 
 /** Passes the network's call control messages to the call or the waiting call; answers those of other transactions. */

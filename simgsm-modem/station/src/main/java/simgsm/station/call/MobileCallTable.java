@@ -1,8 +1,8 @@
 package simgsm.station.call;
 
-import static simgsm.station.call.MobileCallAction.*;
-import static simgsm.station.call.MobileCallEvent.*;
-import static simgsm.station.call.MobileCallState.*;
+import static simgsm.station.call.MobileCallTable.MobileCallAction.*;
+import static simgsm.station.call.MobileCallTable.MobileCallEvent.*;
+import static simgsm.station.call.MobileCallTable.MobileCallState.*;
 
 import java.util.EnumSet;
 import java.util.Set;
@@ -10,6 +10,125 @@ import simgsm.state.StateTable;
 
 /** Call control of the mobile (TS 24.008, 5.2 and 5.4). */
 public final class MobileCallTable {
+    /** The mobile's call states (TS 24.008, 5.1.2.1), with the codes that STATUS carries (10.5.4.6). */
+    public enum MobileCallState {
+        NULL("U0", 0),
+        MM_CONNECTION_PENDING("U0.1", 0),
+        CALL_INITIATED("U1", 1),
+        MO_CALL_PROCEEDING("U3", 3),
+        CALL_DELIVERED("U4", 4),
+        CALL_PRESENT("U6", 6),
+        CALL_RECEIVED("U7", 7),
+        CONNECT_REQUEST("U8", 8),
+        MT_CALL_CONFIRMED("U9", 9),
+        ACTIVE("U10", 10),
+        DISCONNECT_REQUEST("U11", 11),
+        DISCONNECT_INDICATION("U12", 12),
+        RELEASE_REQUEST("U19", 19);
+
+        private final String shortName;
+        private final int code;
+
+        MobileCallState(String shortName, int code) {
+            this.shortName = shortName;
+            this.code = code;
+        }
+
+        /** As the standard's tables write it, "U10". */
+        public String shortName() {
+            return shortName;
+        }
+
+        /** Call state value of STATUS, 0 to 63. */
+        public int code() {
+            return code;
+        }
+    }
+
+    /** Events of {@link MobileCallTable}: commands of the user, the radio connection, messages of the network, timers. */
+    public enum MobileCallEvent {
+        DIAL,
+        ANSWER,
+        CLEAR,
+        POWER_OFF,
+
+        MM_CONNECTED,
+        MM_REFUSED,
+        RADIO_LOST,
+
+        SETUP,
+        /** A waiting call, already alerted, becomes the call. */
+        TAKE_WAITING,
+        /** A waiting call becomes the call and is answered at once. */
+        ANSWER_WAITING,
+        /** The network holds the active call: another one may be the current one now. */
+        CALL_HELD,
+        /** The network gives the held call back. */
+        CALL_RETRIEVED,
+        /** The offered call is for speech, as all are here. */
+        COMPATIBLE,
+        /** The terminal rings. */
+        USER_ALERTED,
+        CALL_PROCEEDING,
+        PROGRESS,
+        ALERTING,
+        CONNECT,
+        CONNECT_ACKNOWLEDGE,
+        DISCONNECT,
+        /** DISCONNECT without in-band tones: the call is released at once. */
+        NO_TONES_ANNOUNCED,
+        /** DISCONNECT with in-band tones: they are heard first. */
+        TONES_ANNOUNCED,
+        RELEASE,
+        RELEASE_COMPLETE,
+        /** STATUS: the network is in state N0. */
+        STATUS_NULL,
+
+        T303_EXPIRED,
+        T305_EXPIRED,
+        T308_EXPIRED,
+        /** The second time. */
+        T308_EXPIRED_AGAIN,
+        T310_EXPIRED,
+        T313_EXPIRED
+    }
+
+    /** What {@link MobileCall} does on a transition. */
+    public enum MobileCallAction {
+        REQUEST_CONNECTION,
+        RELEASE_CONNECTION,
+        SEND_SETUP,
+        SEND_CALL_CONFIRMED,
+        SEND_ALERTING,
+        SEND_CONNECT,
+        SEND_CONNECT_ACKNOWLEDGE,
+        SEND_DISCONNECT,
+        SEND_RELEASE,
+        SEND_RELEASE_COMPLETE,
+        START_T303,
+        START_T305,
+        START_T308,
+        START_T308_AGAIN,
+        START_T310,
+        START_T313,
+        STOP_TIMERS,
+        /** If the message announces tones of the network, opens the speech path for them (5.5.1). */
+        ATTACH_USER,
+        START_SPEECH,
+        STOP_SPEECH,
+        REPORT_CALLING,
+        REPORT_ALERTED,
+        REPORT_RINGING,
+        REPORT_CONNECTED,
+        REPORT_HELD,
+        REPORT_RETRIEVED,
+        REPORT_RELEASED,
+        CHECK_COMPATIBILITY,
+        ALERT_USER,
+        /** Fires TONES_ANNOUNCED or NO_TONES_ANNOUNCED. */
+        CHECK_TONES
+    }
+
     /** From the first message of a call until its clearing begins. */
     static final Set<MobileCallState> SET_UP = EnumSet.of(
             CALL_INITIATED,

@@ -6,6 +6,7 @@ import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 

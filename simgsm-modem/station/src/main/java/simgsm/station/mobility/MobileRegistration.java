@@ -19,6 +19,9 @@ import simgsm.state.StateMachine;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationTimer;
+import simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationAction;
+import simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationEvent;
+import simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationState;
 
 /** Registers the station and keeps it registered; runs by {@link MobileRegistrationTable}. */
 public final class MobileRegistration {

@@ -1,14 +1,67 @@
 package simgsm.station.mobility;
 
-import static simgsm.station.mobility.MobileRegistrationAction.*;
-import static simgsm.station.mobility.MobileRegistrationEvent.*;
-import static simgsm.station.mobility.MobileRegistrationState.*;
+import static simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationAction.*;
+import static simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationEvent.*;
+import static simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationState.*;
 
 import java.util.EnumSet;
 import simgsm.state.StateTable;
 
 /** How a mobile registers, stays registered and leaves (TS 24.008, 4.4.4, 4.3.4 and 4.2.2). */
 public final class MobileRegistrationTable {
+    /** Mobility management states of a mobile, as far as one cell needs them (TS 24.008, 4.1.2.1). */
+    public enum MobileRegistrationState {
+        /** Switched off. */
+        NULL,
+        /** No link to a centre, or to one that has not identified itself. */
+        NO_CELL_AVAILABLE,
+        LOCATION_UPDATING_INITIATED,
+        /** Refused or not answered; the next attempt follows after a pause. */
+        ATTEMPTING_TO_UPDATE,
+        /** Refused for good: the next attempt follows only after power on or with another cell. */
+        LIMITED_SERVICE,
+        /** Registered. */
+        NORMAL_SERVICE,
+        IMSI_DETACH_INITIATED
+    }
+
+    /** Events of {@link MobileRegistrationTable}. */
+    public enum MobileRegistrationEvent {
+        POWER_ON,
+        POWER_OFF,
+        CELL_FOUND,
+        LINK_LOST,
+        LOCATION_UPDATING_ACCEPTED,
+        LOCATION_UPDATING_REJECTED,
+        /** As before, with a cause that a further attempt would meet again. */
+        LOCATION_UPDATING_FORBIDDEN,
+        AUTHENTICATION_REJECTED,
+        /** A service was refused because the network has lost the registration. */
+        FORGOTTEN_BY_NETWORK,
+        /** The cell belongs to another location area. */
+        NEW_AREA,
+        CHANNEL_RELEASED,
+        T3210_EXPIRED,
+        T3211_EXPIRED,
+        T3212_EXPIRED,
+        T3220_EXPIRED
+    }
+
+    /** What {@link MobileRegistration} does on a transition. */
+    public enum MobileRegistrationAction {
+        SEARCH_CELL,
+        SEND_LOCATION_UPDATING_REQUEST,
+        TAKE_NEW_IDENTITY,
+        FORGET_IDENTITY,
+        SEND_IMSI_DETACH,
+        RELEASE_CHANNEL,
+        /** Waits before the next attempt, longer after each failure. */
+        PAUSE,
+        STOP_TIMERS,
+        REPORT_REGISTERED,
+        REPORT_UNREGISTERED
+    }
+
     public static final StateTable<MobileRegistrationState, MobileRegistrationEvent, MobileRegistrationAction> TABLE =
             new StateTable<>("mobile registration", NULL);
 

@@ -13,6 +13,7 @@ import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.RejectCause;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationTimer;
+import simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationEvent;
 
 /** Mobility management connections for calls and short messages: one request at a time (TS 24.008, 4.5.1). */
 public final class ServiceRequests {

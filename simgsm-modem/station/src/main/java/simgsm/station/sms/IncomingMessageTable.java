@@ -1,14 +1,46 @@
 package simgsm.station.sms;
 
-import static simgsm.station.sms.IncomingMessageAction.*;
-import static simgsm.station.sms.IncomingMessageEvent.*;
-import static simgsm.station.sms.IncomingMessageState.*;
+import static simgsm.station.sms.IncomingMessageTable.IncomingMessageAction.*;
+import static simgsm.station.sms.IncomingMessageTable.IncomingMessageEvent.*;
+import static simgsm.station.sms.IncomingMessageTable.IncomingMessageState.*;
 
 import java.util.EnumSet;
 import simgsm.state.StateTable;
 
 /** How a mobile takes what the network delivers (TS 24.011, 5.3 and 6.3): each CP-DATA is answered at once. */
 public final class IncomingMessageTable {
+    /** SMC of the mobile for the answer to one incoming message (TS 24.011, 5.2). */
+    public enum IncomingMessageState {
+        IDLE,
+        /** CP-DATA with the answer is sent. */
+        WAIT_FOR_CP_ACK
+    }
+
+    /** Events of {@link IncomingMessageTable}. */
+    public enum IncomingMessageEvent {
+        CP_DATA,
+        /** The CP-DATA that has been answered already. */
+        CP_DATA_REPEATED,
+        CP_ACK,
+        CP_ERROR,
+        TC1_EXPIRED,
+        /** After the last retransmission. */
+        TC1_EXPIRED_FINALLY,
+        RADIO_LOST
+    }
+
+    /** What {@link MessageReceiver} does on a transition. */
+    public enum IncomingMessageAction {
+        SEND_CP_ACK,
+        /** Takes or refuses the message and prepares the answer. */
+        TAKE_MESSAGE,
+        SEND_ANSWER,
+        START_TC1,
+        STOP_TC1,
+        /** The network may not have the answer: it may deliver the message again. */
+        EXPECT_DUPLICATE
+    }
+
     public static final StateTable<IncomingMessageState, IncomingMessageEvent, IncomingMessageAction> TABLE =
             new StateTable<>("incoming short message", IDLE);
 

@@ -22,6 +22,9 @@ import simgsm.state.StateMachine;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationTimer;
+import simgsm.station.sms.IncomingMessageTable.IncomingMessageAction;
+import simgsm.station.sms.IncomingMessageTable.IncomingMessageEvent;
+import simgsm.station.sms.IncomingMessageTable.IncomingMessageState;
 
 /** Takes what the network delivers; runs by {@link IncomingMessageTable}. */
 final class MessageReceiver {

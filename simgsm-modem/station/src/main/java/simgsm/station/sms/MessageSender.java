@@ -23,6 +23,9 @@ import simgsm.state.StateMachine;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationTimer;
 import simgsm.station.mobility.ServiceRequests;
+import simgsm.station.sms.OutgoingMessageTable.OutgoingMessageAction;
+import simgsm.station.sms.OutgoingMessageTable.OutgoingMessageEvent;
+import simgsm.station.sms.OutgoingMessageTable.OutgoingMessageState;
 
 /** Sends queued messages, one part after the other; runs by {@link OutgoingMessageTable}. */
 final class MessageSender implements ServiceRequests.ServiceUser {

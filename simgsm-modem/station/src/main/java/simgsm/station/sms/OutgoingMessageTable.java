@@ -1,8 +1,8 @@
 package simgsm.station.sms;
 
-import static simgsm.station.sms.OutgoingMessageAction.*;
-import static simgsm.station.sms.OutgoingMessageEvent.*;
-import static simgsm.station.sms.OutgoingMessageState.*;
+import static simgsm.station.sms.OutgoingMessageTable.OutgoingMessageAction.*;
+import static simgsm.station.sms.OutgoingMessageTable.OutgoingMessageEvent.*;
+import static simgsm.station.sms.OutgoingMessageTable.OutgoingMessageState.*;
 
 import java.util.EnumSet;
 import java.util.Set;
@@ -10,6 +10,56 @@ import simgsm.state.StateTable;
 
 /** How a mobile sends one short message (TS 24.011, 5.3 and 6.3). */
 public final class OutgoingMessageTable {
+    /** SMC and SMR of the mobile for one outgoing message, in one machine (TS 24.011, 5.2 and 6.2). */
+    public enum OutgoingMessageState {
+        IDLE,
+        MM_CONNECTION_PENDING,
+        WAIT_FOR_CP_ACK,
+        /** CP-ACK has arrived, RP-ACK has not. */
+        WAIT_FOR_RP_ACK
+    }
+
+    /** Events of {@link OutgoingMessageTable}. */
+    public enum OutgoingMessageEvent {
+        SEND,
+        MM_CONNECTED,
+        MM_REFUSED,
+        CP_ACK,
+        CP_ERROR,
+        RP_ACK,
+        RP_ERROR,
+        TC1_EXPIRED,
+        /** After the last retransmission. */
+        TC1_EXPIRED_FINALLY,
+        TR1M_EXPIRED,
+        /** No registration in time. */
+        WAIT_EXPIRED,
+        RADIO_LOST,
+        /** The radio connection was lost more often than a message is repeated. */
+        RADIO_LOST_FINALLY,
+        POWER_OFF
+    }
+
+    /** What {@link MessageSender} does on a transition. */
+    public enum OutgoingMessageAction {
+        REQUEST_CONNECTION,
+        RELEASE_CONNECTION,
+        /** Ends the current connection; a request for the next one stays. */
+        COMPLETE_CONNECTION,
+        SEND_CP_DATA,
+        SEND_CP_ACK,
+        START_WAIT,
+        START_TC1,
+        START_TR1M,
+        STOP_TC1,
+        STOP_TIMERS,
+        /** The network may have the message: a repetition is marked (TP-RD). */
+        MARK_REPEATED,
+        REPORT_SENT,
+        REPORT_FAILED,
+        SEND_NEXT
+    }
+
     private static final Set<OutgoingMessageState> IN_DIALOGUE = EnumSet.of(WAIT_FOR_CP_ACK, WAIT_FOR_RP_ACK);
     private static final Set<OutgoingMessageState> BUSY = EnumSet.complementOf(EnumSet.of(IDLE));
 

@@ -21,7 +21,7 @@ import simgsm.sms.SmsAddress;
 import simgsm.sms.Timestamp;
 import simgsm.sms.TpduCodec;
 import simgsm.station.StationSnapshot;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 
 class AttachedModemTest {
     private final ModemBench bench = new ModemBench();

@@ -11,7 +11,7 @@ import simgsm.modem.at.AddressType;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.KeyRun;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationEvent;
 import simgsm.timer.Timer;
 

@@ -7,7 +7,7 @@ import simgsm.air.Imsi;
 import simgsm.air.LocationArea;
 import simgsm.station.ServingCell;
 import simgsm.station.StationSnapshot;
-import simgsm.station.call.MobileCallState;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 
 /** Registration and indicators, and their unsolicited codes +CREG and +CIEV. */
 final class NetworkCodes {
