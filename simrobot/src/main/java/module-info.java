@@ -6,6 +6,7 @@ module simrobot {
     requires simgsm.station;
     requires simgsm.console;
     requires simgsm.desktop;
+    requires simgsm.web;
     requires vericommand;
     requires java.compiler;
     requires java.management;

@@ -2,6 +2,7 @@
 module simgsm.desktop {
     requires transitive java.desktop;
     requires transitive simgsm.console;
+    requires transitive simgsm.lesson;
     requires transitive simgsm.sound;
     requires simgsm.base;
 
@@ -9,6 +10,7 @@ module simgsm.desktop {
     exports simgsm.draw;
     exports simgsm.ui;
     exports simgsm.ui.file;
+    exports simgsm.ui.glossary;
     exports simgsm.ui.lesson;
     exports simgsm.ui.pane;
     exports simgsm.ui.scope;

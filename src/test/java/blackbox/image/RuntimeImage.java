@@ -18,9 +18,12 @@ import simgsm.console.QuickStart;
  * holds a path, so the image can be moved.
  */
 final class RuntimeImage {
-    /** Modules that nothing requires by name: compiler of behaviours, random numbers on 17, Spanish numbers and dates. */
+    /** Modules of the JDK that nothing requires by name: compiler of behaviours, random numbers on 17, Spanish numbers and dates. */
     private static final List<String> FURTHER_MODULES =
             List.of("jdk.compiler", "jdk.zipfs", "jdk.random", "jdk.localedata");
+
+    /** Provides the centre's launcher. */
+    private static final String CLASSROOM = "simgsm.classroom";
 
     /** Caches of linked classes; older JDKs have archives of classes only. */
     private static final boolean HAS_CACHES = Runtime.version().feature() >= 25;
@@ -38,6 +41,7 @@ final class RuntimeImage {
     /** Links the programs' modules with those of the JDK that they require. */
     void link(Path dist, List<ImageProgram> programs) throws IOException, InterruptedException {
         List<String> modules = new ArrayList<>(ImageProgram.modules(programs));
+        modules.add(CLASSROOM);
         FURTHER_MODULES.stream()
                 .filter(name ->
                         ModuleLayer.boot().configuration().findModule(name).isPresent()

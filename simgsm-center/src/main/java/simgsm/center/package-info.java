@@ -1,5 +1,5 @@
 /**
- * M3, the SMS/Phone centre, as a program: command line, console, data directory, demo.
+ * M3, the SMS/Phone centre, as a program: command line, console, data directory, window.
  *
  * <p>Packages, arrows point down only:
  *
@@ -17,7 +17,7 @@
  *   timer
  * </pre>
  *
- * <p>Read first: {@link simgsm.center.CenterMain}, then {@code Center}; for what the centre does, {@link
+ * <p>Read first: {@link simgsm.center.app.Center}; for what the centre does, {@link
  * simgsm.center.msc.Exchange}.
  */
 package simgsm.center;

@@ -4,6 +4,7 @@ import java.io.BufferedInputStream;
 import java.io.BufferedOutputStream;
 import java.io.BufferedReader;
 import java.io.DataInputStream;
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
@@ -14,9 +15,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Semaphore;
-import simgsm.center.demo.DemoPrograms;
+import java.util.stream.Stream;
 import simgsm.center.smpp.pdu.SmppAddress;
 import simgsm.center.smpp.pdu.SmppCodec;
 import simgsm.center.smpp.pdu.SmppCommand;
@@ -96,7 +98,9 @@ public final class KannelBench {
             kannel(folder, messages, rounds);
             centre(folder, messages, rounds);
         } finally {
-            DemoPrograms.remove(folder);
+            try (Stream<Path> files = Files.walk(folder)) {
+                files.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
+            }
         }
     }
 

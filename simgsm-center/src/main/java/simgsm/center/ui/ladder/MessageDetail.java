@@ -15,7 +15,7 @@ import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
-import simgsm.ui.lesson.GlossaryNote;
+import simgsm.ui.glossary.GlossaryNote;
 import simgsm.ui.pane.ScrolledColumn;
 
 /**

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.abis.RslMessage;
 import simgsm.air.Layer3Type;
-import simgsm.lesson.Glossary;
+import simgsm.ui.glossary.Glossary;
 
 /** Each name that the ladder can show is explained. */
 class MessageNamesTest {

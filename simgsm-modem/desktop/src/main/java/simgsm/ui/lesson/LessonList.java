@@ -20,6 +20,8 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.glossary.GlossaryText;
+import simgsm.ui.pane.WrappedColumn;
 
 /** All lessons with title, minutes, a button that opens one, and one that shows the teacher's sheet. Needs no display. */
 public final class LessonList extends JPanel {
@@ -48,7 +50,7 @@ public final class LessonList extends JPanel {
         }
         JPanel column = Arrange.column(Theme.GRID, rows.toArray(Component[]::new));
         column.setBorder(Theme.padding(12));
-        JScrollPane scroll = new JScrollPane(new LessonColumn(column));
+        JScrollPane scroll = new JScrollPane(new WrappedColumn(column));
         scroll.setBorder(null);
         scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         add(scroll, BorderLayout.CENTER);

@@ -9,6 +9,7 @@ import javax.swing.ScrollPaneConstants;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
+import simgsm.ui.glossary.GlossaryText;
 
 /** A teacher's sheet of a lesson: time, course, steps, answers, what goes wrong. Needs no display. */
 public final class SheetPanel extends JPanel {

@@ -1,4 +1,2 @@
-/**
- * Lessons and the glossary in windows. Read {@link simgsm.ui.lesson.LessonPanel} first. Arrows: ui.lesson -&gt; lesson, ui.
- */
+/** The list of lessons and their teachers' sheets, which the help of each window shows. Read {@link simgsm.ui.lesson.LessonList} first. */
 package simgsm.ui.lesson;

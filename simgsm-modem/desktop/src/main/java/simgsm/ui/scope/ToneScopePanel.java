@@ -27,7 +27,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
-import simgsm.ui.lesson.TermPanel;
+import simgsm.ui.glossary.TermPanel;
 
 /**
  * The tone scope of phone and modem: tools above the picture; below it the question of a prediction, the receivers with their

@@ -35,7 +35,7 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
-import simgsm.ui.lesson.GlossaryList;
+import simgsm.ui.glossary.GlossaryList;
 import simgsm.ui.lesson.LessonList;
 import simgsm.ui.lesson.SheetPanel;
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Font;
 import org.junit.jupiter.api.Test;
+import simgsm.ui.glossary.GlossaryText;
 
 class SheetHtmlTest {
     private static String html(String markdown) {
@@ -36,5 +37,25 @@ class SheetHtmlTest {
         assertTrue(html.contains("<p><tt>java -jar x.jar</tt></p>"), html);
         assertTrue(html.contains("<p>See Console.</p>"), html);
         assertFalse(html.contains("all lessons"), html);
+    }
+
+    @Test
+    void aSheetKeepsTablesAndStarsInCode() {
+        String html = SheetHtml.of(
+                "# A <b>\n\n**Time** 5 of *x*, [a link](b.md)\n\n| `a` | c |\n|---|---|\n| `**#*0` | **d** |\n",
+                "#ffffff",
+                "#1b1f24",
+                GlossaryText.font(false));
+        assertTrue(html.contains("color:#1b1f24"), html);
+        assertTrue(html.contains("<h1>A &lt;b></h1>"), html);
+        assertTrue(html.contains("<p><b>Time</b> 5 of <i>x</i>, a link</p>"), html);
+        assertTrue(html.contains("<tt>**#*0</tt></td><td valign='top'><b>d</b>"), html);
+    }
+
+    @Test
+    void anOrderAtTheBeginningOfALineIsNoHeading() {
+        String html =
+                SheetHtml.of("Then press\n#**20 and\n#*0\n\n## Next\n", "#ffffff", "#1b1f24", GlossaryText.font(false));
+        assertTrue(html.contains("<p>Then press #**20 and #*0</p><h2>Next</h2>"), html);
     }
 }

@@ -39,7 +39,6 @@ import simgsm.dtmf.KeyCandidate;
 import simgsm.dtmf.ToneShape;
 import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
-import simgsm.lesson.Glossary;
 import simgsm.speech.SpeechCodec;
 import simgsm.tone.ToneExperiment;
 import simgsm.ui.ComponentNames;
@@ -47,7 +46,8 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Painted;
 import simgsm.ui.Slider;
 import simgsm.ui.Theme;
-import simgsm.ui.lesson.TermPanel;
+import simgsm.ui.glossary.Glossary;
+import simgsm.ui.glossary.TermPanel;
 
 /** The tone scope, painted without a display. */
 class ToneScopeTest {

@@ -1,0 +1,133 @@
+package simgsm.classroom;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalInt;
+import simgsm.center.CenterLauncher;
+import simgsm.center.app.Center;
+import simgsm.center.app.CenterCommands;
+import simgsm.center.app.CenterEventPrinter;
+import simgsm.center.app.CenterSettings;
+import simgsm.center.app.CenterWindow;
+import simgsm.center.app.DataDirectory;
+import simgsm.center.app.NewSims;
+import simgsm.classroom.demo.ClassDemo;
+import simgsm.classroom.demo.HeadlessDemo;
+import simgsm.classroom.demo.QuickDemo;
+import simgsm.classroom.demo.WindowedDemo;
+import simgsm.classroom.lesson.LessonCheck;
+import simgsm.classroom.lesson.WindowedLesson;
+import simgsm.console.Arguments;
+import simgsm.console.Console;
+import simgsm.console.ExitStatus;
+import simgsm.console.Options;
+import simgsm.console.Program;
+import simgsm.console.UnavailableException;
+import simgsm.console.UsageException;
+import simgsm.ui.window.Display;
+import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.StartErrorWindow;
+import simgsm.ui.window.WindowMemory;
+
+/** Reads the centre's command line and runs the centre, the demo, a class or a lesson. */
+public final class SuiteLauncher implements CenterLauncher {
+    @Override
+    public void launch(String... args) {
+        OptionalInt status = QuickDemo.run(args);
+        if (status.isPresent()) {
+            System.exit(status.getAsInt());
+        }
+        new Program(Center.NAME, options())
+                .showingErrors(StartErrorWindow::show, windowless(args))
+                .checking(ProgramWindow::check)
+                .runAndExit(args, SuiteLauncher::run);
+    }
+
+    /** Options without a window; {@code --lessons} with {@code --demo} has windows. */
+    private static String[] windowless(String... args) {
+        return QuickDemo.isDemo(args)
+                ? new String[] {"headless", "new-sim", "check"}
+                : new String[] {"headless", "new-sim", "check", "lessons"};
+    }
+
+    private static Options options() {
+        return Options.read(SuiteLauncher.class.getResourceAsStream("options.txt"))
+                .commands(CenterCommands.COMMANDS);
+    }
+
+    private static int run(Arguments given) throws Exception {
+        if (given.has("new-sim")) {
+            return NewSims.make(given);
+        }
+        if (given.has("lessons") && !given.has("lesson") && !given.has("demo")) {
+            return LessonCheck.list(given);
+        }
+        requireTogether(given, "class", "demo");
+        requireTogether(given, "check", "lesson");
+        requireTogether(given, "result", "check");
+        if (given.has("check")) {
+            return LessonCheck.run(given);
+        }
+        if (given.has("lesson") && given.has("headless")) {
+            throw new UsageException("--lesson with --headless needs --check");
+        }
+        if (given.has("lesson") && given.has("demo") && !Display.isAvailable()) {
+            throw new UnavailableException(
+                    "no display is available; without one --lesson NAME --check FILE plays a solution");
+        }
+        Arguments arguments = WindowMemory.recall(given, given.has("demo") ? WindowedDemo.CENTER : "center");
+        CenterSettings settings = CenterSettings.read(arguments);
+        boolean isHeadless = arguments.has("headless");
+        if (arguments.has("demo")) {
+            if (arguments.has("class")) {
+                return ClassDemo.run(arguments, settings, given.has("zoom"));
+            }
+            if (!arguments.has("lesson") && (isHeadless || !Display.isAvailable())) {
+                return HeadlessDemo.run(arguments, settings);
+            }
+            return lessons(
+                    arguments,
+                    given.has("zoom"),
+                    arguments.has("lesson")
+                            ? arguments.text("lesson")
+                            : WindowedDemo.run(arguments, settings, given.has("zoom")));
+        }
+        requireTogether(arguments, "lesson", "demo");
+        Optional<ProgramWindow> window =
+                isHeadless ? Optional.empty() : Optional.of(ProgramWindow.of(arguments, Optional.empty()));
+        Path data = settings.data().orElseGet(() -> DataDirectory.defaultPath(System.getenv(), System.getProperties()));
+        Optional<String> chosen;
+        try (Center center = Center.open(settings, data, settings.port().orElse(CenterSettings.DEFAULT_PORT))) {
+            if (window.isEmpty()) {
+                return runConsole(center, arguments, settings);
+            }
+            chosen = CenterWindow.run(center, arguments, settings, null, window.get(), CenterWindow.Watch.NONE);
+        }
+        return lessons(arguments, given.has("zoom"), chosen);
+    }
+
+    /** Opens the lesson that was chosen, and those that are chosen in its windows. */
+    private static int lessons(Arguments arguments, boolean isZoomGiven, Optional<String> first) throws Exception {
+        Optional<String> next = first;
+        while (next.isPresent()) {
+            next = WindowedLesson.run(
+                    arguments.without("remember-as", "window").with("lesson", next.get()), isZoomGiven);
+        }
+        return ExitStatus.OK;
+    }
+
+    private static void requireTogether(Arguments arguments, String option, String needed) throws UsageException {
+        if (arguments.has(option) && !arguments.has(needed)) {
+            throw new UsageException("--" + option + " needs --" + needed);
+        }
+    }
+
+    private static int runConsole(Center center, Arguments arguments, CenterSettings settings) throws Exception {
+        try (Console console = Console.onStandardOutput()) {
+            center.start(event -> console.emit(CenterEventPrinter.of(event)));
+            console.ready(CenterEventPrinter.ready(center));
+            Program.runConsole(console, arguments, new CenterCommands(center, console));
+            return console.exitStatus();
+        }
+    }
+}

@@ -1,0 +1,192 @@
+package simgsm.classroom.demo;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalLong;
+import java.util.concurrent.TimeUnit;
+import simgsm.classroom.ui.ClassView;
+import simgsm.console.Event;
+
+/**
+ * The results of a class: each student's orders, and when the robot stood at the goal. Events and their times
+ * come in; one thread at a time.
+ */
+final class ClassBoard {
+    /** A robot whose middle is nearer stands at the goal. */
+    static final double GOAL_RADIUS_METERS = 0.5;
+
+    private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
+
+    private final double goalX;
+    private final double goalY;
+    private final Map<String, Result> results = new LinkedHashMap<>();
+    private ClassView.Phase phase = ClassView.Phase.FREE;
+    private long startedNanos;
+    private long stoppedNanos;
+
+    /** The goal in metres. */
+    ClassBoard(double goalX, double goalY) {
+        this.goalX = goalX;
+        this.goalY = goalY;
+    }
+
+    /**
+     * A student's result; seconds to the goal from the beginning of the challenge, without one from the first key or message; not
+     * a number before the goal.
+     */
+    static final class Result {
+        final String phone;
+        final String number;
+        private int keys;
+        private int orders;
+        private int collisions;
+        private long beganNanos = -1;
+        /** Whether keys or messages have come since the beginning. */
+        private boolean hasPlayed;
+
+        private double seconds = Double.NaN;
+
+        private Result(String phone, String number) {
+            this.phone = phone;
+            this.number = number;
+        }
+
+        private void begin(long nowNanos) {
+            beganNanos = nowNanos;
+            hasPlayed = false;
+            keys = 0;
+            orders = 0;
+            collisions = 0;
+            seconds = Double.NaN;
+        }
+
+        boolean isAtGoal() {
+            return !Double.isNaN(seconds);
+        }
+
+        /** Phone, robot, orders, keys, collisions, seconds. */
+        List<String> cells() {
+            return List.of(
+                    phone,
+                    number,
+                    Integer.toString(orders),
+                    Integer.toString(keys),
+                    Integer.toString(collisions),
+                    isAtGoal() ? String.format(Locale.ROOT, "%.1f", seconds) : "");
+        }
+
+        Event event() {
+            List<String> cells = cells();
+            return Event.of("result")
+                    .with("number", phone)
+                    .with("robot", number)
+                    .with("orders", cells.get(2))
+                    .with("keys", cells.get(3))
+                    .with("collisions", cells.get(4))
+                    .with("seconds", cells.get(5));
+        }
+    }
+
+    /** @param robot name of the student's robot; @param phone the student's number; @param number the robot's */
+    void add(String robot, String phone, String number) {
+        results.put(robot, new Result(phone, number));
+    }
+
+    /** An event of SimRobot. What comes after the goal does not count. @return whether a result has changed */
+    boolean event(Event event, long nowNanos) {
+        Result result = results.get(event.fields().getOrDefault("robot", ""));
+        if (result == null || result.isAtGoal() || phase == ClassView.Phase.STOPPED) {
+            return false;
+        }
+        switch (event.name()) {
+            case "keys" -> {
+                begin(result, nowNanos);
+                result.keys += event.fields().getOrDefault("keys", "").length();
+            }
+            case "sms" -> begin(result, nowNanos);
+            case "order" -> result.orders += "accepted".equals(event.fields().get("verdict")) ? 1 : 0;
+            case "status" ->
+                result.collisions += "Collision".equals(event.fields().get("value")) ? 1 : 0;
+            case "pose" -> pose(result, event, nowNanos);
+            default -> {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static void begin(Result result, long nowNanos) {
+        result.hasPlayed = true;
+        if (result.beganNanos < 0) {
+            result.beganNanos = nowNanos;
+        }
+    }
+
+    private void pose(Result result, Event event, long nowNanos) {
+        double x = Double.parseDouble(event.fields().getOrDefault("x", "NaN"));
+        double y = Double.parseDouble(event.fields().getOrDefault("y", "NaN"));
+        if (result.beganNanos >= 0 && Math.hypot(x - goalX, y - goalY) <= GOAL_RADIUS_METERS) {
+            result.seconds = (nowNanos - result.beganNanos) / NANOS_PER_SECOND;
+        }
+    }
+
+    /** A challenge begins: all results are set back, and the time runs for all. */
+    void start(long nowNanos) {
+        phase = ClassView.Phase.RUNNING;
+        startedNanos = nowNanos;
+        results.values().forEach(result -> result.begin(nowNanos));
+    }
+
+    /** The challenge ends; what comes afterwards does not count. */
+    void stop(long nowNanos) {
+        if (phase == ClassView.Phase.RUNNING) {
+            phase = ClassView.Phase.STOPPED;
+            stoppedNanos = nowNanos;
+        }
+    }
+
+    ClassView.Phase phase() {
+        return phase;
+    }
+
+    /** Whole seconds of the challenge; 0 before the first. */
+    long seconds(long nowNanos) {
+        return switch (phase) {
+            case FREE -> 0;
+            case RUNNING -> TimeUnit.NANOSECONDS.toSeconds(nowNanos - startedNanos);
+            case STOPPED -> TimeUnit.NANOSECONDS.toSeconds(stoppedNanos - startedNanos);
+        };
+    }
+
+    /** When a student's run began; empty before. */
+    OptionalLong beganNanos(String phone) {
+        return results.values().stream()
+                .filter(result -> result.phone.equals(phone) && result.beganNanos >= 0)
+                .mapToLong(result -> result.beganNanos)
+                .findFirst();
+    }
+
+    /** For the window: {@link #ranked} with the first marked if it is at the goal. */
+    List<ClassView.Row> rows() {
+        List<ClassView.Row> rows = new ArrayList<>();
+        for (Result result : ranked()) {
+            rows.add(new ClassView.Row(result.cells(), rows.isEmpty() && result.isAtGoal()));
+        }
+        return rows;
+    }
+
+    /** The best first: results at the goal by their time; then by whether keys were pressed, by collisions and by keys. */
+    List<Result> ranked() {
+        List<Result> ranked = new ArrayList<>(results.values());
+        ranked.sort(Comparator.<Result>comparingDouble(
+                        result -> result.isAtGoal() ? result.seconds : Double.POSITIVE_INFINITY)
+                .thenComparing(result -> !result.hasPlayed)
+                .thenComparingInt(result -> result.collisions)
+                .thenComparingInt(result -> result.keys));
+        return ranked;
+    }
+}

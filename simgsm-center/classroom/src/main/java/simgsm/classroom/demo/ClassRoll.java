@@ -1,0 +1,79 @@
+package simgsm.classroom.demo;
+
+import java.net.SocketException;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import simgsm.air.Msisdn;
+import simgsm.center.app.CenterSettings;
+import simgsm.console.HostPort;
+import simgsm.console.UsageException;
+
+/** The students of a class, counted from 0: their numbers, their robots, and what their machines start. */
+final class ClassRoll {
+    private static final long FIRST_PHONE = Long.parseLong(DemoPrograms.PHONE_NUMBER);
+    private static final long FIRST_ROBOT = Long.parseLong(DemoPrograms.ROBOT_NUMBER);
+
+    private final int students;
+    private final CenterSettings settings;
+    private final List<String> hosts;
+
+    ClassRoll(int students, CenterSettings settings) throws SocketException {
+        this.students = students;
+        this.settings = settings;
+        hosts = ClassAddresses.of(settings.address());
+    }
+
+    int students() {
+        return students;
+    }
+
+    String name(int student) {
+        return "robot" + (student + 1);
+    }
+
+    String phone(int student) {
+        return Long.toString(FIRST_PHONE + student);
+    }
+
+    /** The teacher's own phone has the number after the last student's. */
+    String teacher() {
+        return phone(students);
+    }
+
+    String robot(int student) {
+        return Long.toString(FIRST_ROBOT + student);
+    }
+
+    /** Of all students, then of all robots. */
+    Stream<String> numbers() {
+        return Stream.concat(
+                IntStream.range(0, students).mapToObj(this::phone),
+                IntStream.range(0, students).mapToObj(this::robot));
+    }
+
+    /** A closed network must list the SIMs of all students and robots. */
+    void requireCards() throws UsageException {
+        if (!settings.home().isClosed()) {
+            return;
+        }
+        List<String> missing = numbers()
+                .filter(number -> !settings.home().numbers().contains(new Msisdn(number)))
+                .toList();
+        if (!missing.isEmpty()) {
+            throw new UsageException("--class: expected SIMs of " + String.join(", ", missing) + " in "
+                    + settings.home().file().get());
+        }
+    }
+
+    /** The addresses of the centre, the likeliest first. */
+    List<String> hosts() {
+        return hosts;
+    }
+
+    /** What a student's machine starts. */
+    String command(String number, String host, int port) {
+        String card = settings.home().isClosed() ? " --sim " + number + ".sim" : "";
+        return "java -jar simgsm-phone.jar --number " + number + " --center " + new HostPort(host, port) + card;
+    }
+}

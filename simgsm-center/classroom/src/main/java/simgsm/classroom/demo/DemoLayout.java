@@ -1,0 +1,110 @@
+package simgsm.classroom.demo;
+
+import java.util.OptionalInt;
+import simgsm.ui.window.SuiteWindow;
+import simgsm.ui.window.WindowPlace;
+
+/**
+ * The demo's three windows on one screen: the phone at the left in its own size, SimRobot at its right, the centre below
+ * SimRobot. No window meets another, none leaves the screen, and the world takes at least a fifth of the screen.
+ */
+public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center, int zoomPercent) {
+    private static final System.Logger LOG = System.getLogger(DemoLayout.class.getName());
+    /** What the windows fill comfortably at 100 %; a larger screen gets a larger zoom. */
+    private static final int COMFORTABLE_WIDTH = 1_340;
+
+    private static final int COMFORTABLE_HEIGHT = 900;
+    private static final int LEAST_ZOOM_PERCENT = 50;
+    private static final int NORMAL_ZOOM_PERCENT = 100;
+    private static final int MOST_ZOOM_PERCENT = 200;
+    private static final int ZOOM_STEP_PERCENT = 5;
+
+    private static final double CENTER_SHARE_OF_HEIGHT = 0.42;
+    private static final double WORLD_SHARE_OF_SCREEN = 0.2;
+
+    // What SimRobot's frame, margins, tools, modem and VeriCommand take of its window, in units.
+    private static final int MARGINS_WIDTH = 20;
+    private static final int TOOLS_HEIGHT = 114;
+    private static final int COLUMN_WIDTH = 320;
+    private static final int ROW_HEIGHT = 166;
+
+    /**
+     * Places the windows.
+     *
+     * @param area usable area of the screen
+     * @param wantedPercent the zoom that was asked for; where it does not fit, the largest one below it that does
+     */
+    public static DemoLayout of(WindowPlace area, OptionalInt wantedPercent) {
+        int wanted = wantedPercent.orElse(comfortablePercent(area));
+        int zoom = wanted;
+        while (zoom > LEAST_ZOOM_PERCENT && !fits(area, zoom)) {
+            zoom = Math.max(LEAST_ZOOM_PERCENT, (zoom - 1) / ZOOM_STEP_PERCENT * ZOOM_STEP_PERCENT);
+        }
+        return at(area, zoom);
+    }
+
+    /** Warns if the command line's zoom did not fit. @return this layout */
+    public DemoLayout saying(boolean isZoomGiven, OptionalInt wantedPercent) {
+        if (isZoomGiven && zoomPercent < wantedPercent.getAsInt()) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "zoom {0} leaves no room for three windows on this screen; {1} is used",
+                    wantedPercent.getAsInt(),
+                    zoomPercent);
+        }
+        return this;
+    }
+
+    private static int comfortablePercent(WindowPlace area) {
+        int percent = Math.min(area.width() * 100 / COMFORTABLE_WIDTH, area.height() * 100 / COMFORTABLE_HEIGHT);
+        int step = percent / ZOOM_STEP_PERCENT * ZOOM_STEP_PERCENT;
+        return Math.max(NORMAL_ZOOM_PERCENT, Math.min(MOST_ZOOM_PERCENT, step));
+    }
+
+    private static boolean fits(WindowPlace area, int zoom) {
+        DemoLayout layout = at(area, zoom);
+        return pixels(SuiteWindow.PHONE.heightUnits(), zoom) <= area.height()
+                && holds(layout.robot, SuiteWindow.ROBOT, zoom)
+                && holds(layout.center, SuiteWindow.CENTER, zoom)
+                && worldPixels(layout.robot, zoom) >= WORLD_SHARE_OF_SCREEN * area.width() * area.height();
+    }
+
+    private static boolean holds(WindowPlace place, SuiteWindow window, int zoom) {
+        return place.width() >= pixels(window.widthUnits(), zoom)
+                && place.height() >= pixels(window.heightUnits(), zoom);
+    }
+
+    private static DemoLayout at(WindowPlace area, int zoom) {
+        int left = pixels(SuiteWindow.PHONE.widthUnits(), zoom);
+        int width = Math.max(1, area.width() - left);
+        int least = pixels(SuiteWindow.CENTER.heightUnits(), zoom);
+        int centerHeight = Math.max(least, (int) (area.height() * CENTER_SHARE_OF_HEIGHT));
+        if (robotPixels(area, width, centerHeight, zoom) < WORLD_SHARE_OF_SCREEN * area.width() * area.height()) {
+            centerHeight = least;
+        }
+        int robotHeight = Math.max(1, area.height() - centerHeight);
+        int x = area.x() + left;
+        return new DemoLayout(
+                new WindowPlace(area.x(), area.y(), 0, 0),
+                new WindowPlace(x, area.y(), width, robotHeight),
+                new WindowPlace(x, area.y() + robotHeight, width, Math.max(1, area.height() - robotHeight)),
+                zoom);
+    }
+
+    private static double robotPixels(WindowPlace area, int width, int centerHeight, int zoom) {
+        return worldPixels(new WindowPlace(0, 0, width, Math.max(1, area.height() - centerHeight)), zoom);
+    }
+
+    /** The world's area in SimRobot's window, with modem and VeriCommand at its right or below it. */
+    private static double worldPixels(WindowPlace robot, int zoom) {
+        double width = robot.width() - pixels(MARGINS_WIDTH, zoom);
+        double height = robot.height() - pixels(TOOLS_HEIGHT, zoom);
+        double atRight = (width - pixels(COLUMN_WIDTH, zoom)) * height;
+        double below = width * (height - pixels(ROW_HEIGHT, zoom));
+        return Math.max(atRight, below);
+    }
+
+    private static int pixels(int units, int zoom) {
+        return (int) Math.ceil(units * zoom / 100.0);
+    }
+}

@@ -1,0 +1,98 @@
+package simgsm.classroom.demo;
+
+import java.lang.ProcessBuilder.Redirect;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import simgsm.center.app.CenterSettings;
+import simgsm.center.app.CenterWindow;
+import simgsm.console.Arguments;
+import simgsm.console.UsageException;
+import simgsm.ui.window.Display;
+import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowMemory;
+import simgsm.ui.window.WindowPlace;
+
+/** The demo with a display: three windows that do not cover each other, ready to dial; closing the centre's window ends all. */
+public final class WindowedDemo {
+    /** The name under which the centre's window is remembered, and those of phone and robot. */
+    public static final String CENTER = "demo-center";
+
+    private static final String PHONE = "demo-phone";
+    private static final String ROBOT = "demo-robot";
+
+    private WindowedDemo() {}
+
+    /**
+     * @param isZoomGiven on the command line; a remembered zoom is reduced without a notice
+     * @return the lesson that the user has chosen in one of the windows, if any
+     */
+    public static Optional<String> run(Arguments arguments, CenterSettings settings, boolean isZoomGiven)
+            throws Exception {
+        OptionalInt wanted = ProgramWindow.zoomPercent(arguments);
+        // Centre and desktop libraries load at the same time; the other programs start before the centre's window. The
+        // thread that loads the desktop must be the main one: X11 desktops group windows by its class (WM_CLASS).
+        FutureTask<DemoPrograms> opening = new FutureTask<>(() -> DemoPrograms.open(arguments, settings));
+        new Thread(opening, "opening of the demo").start();
+        WindowPlace screen = Display.usableArea();
+        try (DemoPrograms programs = result(opening)) {
+            Optional<DemoLayout> left = asLeft(arguments);
+            DemoLayout layout = left.isPresent() ? left.get() : DemoLayout.of(screen, wanted);
+            layout.saying(isZoomGiven, wanted);
+            String zoom = String.valueOf(layout.zoomPercent());
+            LessonChoice choice = new LessonChoice();
+            choice.listenTo(programs.startPhone(
+                    Redirect.PIPE,
+                    "--console",
+                    "--remember-as",
+                    PHONE,
+                    "--zoom",
+                    zoom,
+                    "--window",
+                    layout.phone().toString()));
+            // On one machine each tone is heard once, from the phone.
+            choice.listenTo(programs.startRobot(
+                    Redirect.PIPE,
+                    "--no-sound",
+                    "--unfocused",
+                    "--console",
+                    "--remember-as",
+                    ROBOT,
+                    "--zoom",
+                    zoom,
+                    "--window",
+                    layout.robot().toString()));
+            // The phone has the keyboard: the user dials first.
+            ProgramWindow window = ProgramWindow.of(
+                    arguments
+                            .with("unfocused", "")
+                            .with("zoom", zoom)
+                            .with("window", layout.center().toString()),
+                    Optional.empty());
+            choice.onChosen(window::close);
+            Optional<String> chosen = CenterWindow.run(
+                    programs.center(), arguments, settings, programs.children(), window, CenterWindow.Watch.NONE);
+            return chosen.or(choice::chosen);
+        }
+    }
+
+    private static DemoPrograms result(FutureTask<DemoPrograms> opening) throws Exception {
+        try {
+            return opening.get();
+        } catch (ExecutionException e) {
+            throw e.getCause() instanceof Exception cause ? cause : e;
+        }
+    }
+
+    /** The windows as the last demo left them, if all three are remembered on these screens and at one zoom. */
+    private static Optional<DemoLayout> asLeft(Arguments arguments) throws UsageException {
+        Optional<WindowPlace> phone = WindowMemory.place(arguments, PHONE);
+        Optional<WindowPlace> robot = WindowMemory.place(arguments, ROBOT);
+        Optional<WindowPlace> center = WindowMemory.place(arguments, CENTER);
+        OptionalInt zoom = ProgramWindow.zoomPercent(arguments);
+        return phone.isPresent() && robot.isPresent() && center.isPresent() && zoom.isPresent()
+                ? Optional.of(new DemoLayout(phone.get(), robot.get(), center.get(), zoom.getAsInt()))
+                : Optional.empty();
+    }
+}

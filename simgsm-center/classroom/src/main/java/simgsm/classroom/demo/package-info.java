@@ -1,0 +1,4 @@
+/**
+ * The demo: starts centre, phone and SimRobot as processes and plays a session. Read {@link simgsm.classroom.demo.HeadlessDemo}.
+ */
+package simgsm.classroom.demo;

@@ -1,0 +1,163 @@
+package simgsm.classroom.lesson;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import simgsm.classroom.demo.DemoPrograms;
+import simgsm.console.Arguments;
+import simgsm.console.Event;
+import simgsm.console.ExitStatus;
+import simgsm.console.Program;
+import simgsm.console.UsageException;
+import simgsm.file.FileErrors;
+import simgsm.lesson.Lesson;
+import simgsm.lesson.LessonException;
+import simgsm.lesson.LessonLibrary;
+import simgsm.lesson.LessonProgram;
+import simgsm.lesson.LessonRun;
+import simgsm.lesson.LessonStep;
+import simgsm.lesson.LessonTexts;
+
+/** {@code --lessons}, and {@code --lesson NAME --check SOLUTION}: a lesson without windows, and its marks. */
+public final class LessonCheck {
+    private static final System.Logger LOG = System.getLogger(LessonCheck.class.getName());
+    /** The seed of a student's numbers without {@code --seed}. */
+    static final long FIRST_SEED = 1;
+    /** The trace is read ten times a second. */
+    private static final long SETTLE_MILLIS = 250;
+
+    private static final String UNSEEN_SPEED = "25";
+
+    private LessonCheck() {}
+
+    /** Prints the lessons; what cannot be read in a teacher's own, an error each, on standard error. */
+    public static int list(Arguments arguments) throws UsageException {
+        LessonLibrary library = LessonLibrary.of(arguments);
+        PrintStream out = Program.standardOutput();
+        int status = ExitStatus.OK;
+        for (String name : library.names()) {
+            try {
+                Lesson lesson = read(library, name);
+                out.print(Event.of("lesson")
+                                .with("name", name)
+                                .with(
+                                        "title",
+                                        library.texts(lesson, arguments.language())
+                                                .of("title"))
+                                .with("minutes", lesson.minutes())
+                        + "\n");
+            } catch (LessonException e) {
+                System.err.println("simgsm-center: " + e.getMessage());
+                status = ExitStatus.FAILED;
+            }
+        }
+        out.flush();
+        return status;
+    }
+
+    /** A lesson whose computed values can be computed. */
+    private static Lesson read(LessonLibrary library, String name) throws LessonException {
+        Lesson lesson = library.lesson(name);
+        try {
+            new LessonRun(lesson, FIRST_SEED, new LessonFigures());
+        } catch (IllegalArgumentException e) {
+            throw new LessonException(e.getMessage());
+        }
+        return lesson;
+    }
+
+    /** Plays a solution and prints a line for each step, then the score. */
+    public static int run(Arguments arguments)
+            throws UsageException, IOException, LessonException, InterruptedException {
+        LessonLibrary library = LessonLibrary.of(arguments);
+        Lesson lesson = lesson(library, arguments);
+        LessonTexts texts = texts(library, lesson, arguments.language());
+        Solution solution =
+                Solution.of(library, lesson.name(), arguments.text("check").orElseThrow());
+        Optional<Path> result = arguments.path("result");
+        if (result.isPresent()) {
+            FileErrors.requireWritable(result.get());
+        }
+        Path folder = LessonNetwork.newFolder();
+        LessonRun run = new LessonRun(lesson, seed(arguments), new LessonFigures());
+        try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {
+            LessonSession session = new LessonSession(
+                    run, programs, folder, library.folder(lesson.name()), LessonCheck::options, arguments.language());
+            play(session, solution, programs);
+            session.events().withRun(each -> print(each, texts));
+            if (result.isPresent()) {
+                session.events().withRun(each -> write(result.get(), LessonResult.text(each, "", Instant.now())));
+            }
+        } finally {
+            DemoPrograms.remove(folder);
+        }
+        return run.score() == lesson.steps().size() ? ExitStatus.OK : ExitStatus.FAILED;
+    }
+
+    /** Without a window the robot may drive faster than at the pace of a class. */
+    private static List<String> options(LessonProgram program) {
+        return program.jar().equals("simrobot")
+                ? List.of("--headless", "--no-sound", "--speed", UNSEEN_SPEED)
+                : List.of("--headless", "--no-sound");
+    }
+
+    static Lesson lesson(LessonLibrary library, Arguments arguments) throws UsageException {
+        try {
+            return read(library, arguments.text("lesson").orElseThrow());
+        } catch (LessonException e) {
+            throw new UsageException("--lesson: " + e.getMessage());
+        }
+    }
+
+    static LessonTexts texts(LessonLibrary library, Lesson lesson, Locale language) throws UsageException {
+        try {
+            return library.texts(lesson, language);
+        } catch (LessonException e) {
+            throw new UsageException("--lesson: " + e.getMessage());
+        }
+    }
+
+    static long seed(Arguments arguments) throws UsageException {
+        return arguments.integer("seed", FIRST_SEED, Long.MIN_VALUE, Long.MAX_VALUE);
+    }
+
+    private static void play(LessonSession session, Solution solution, DemoPrograms programs)
+            throws IOException, InterruptedException {
+        programs.center().publishSnapshots(session.trace());
+        programs.center().start(session.centerEvents());
+        try {
+            session.start();
+            solution.play(session);
+            Thread.sleep(SETTLE_MILLIS);
+        } catch (LessonFailure e) {
+            LOG.log(System.Logger.Level.WARNING, e.getMessage());
+        }
+    }
+
+    private static void print(LessonRun run, LessonTexts texts) {
+        PrintStream out = Program.standardOutput();
+        for (LessonStep step : run.lesson().steps()) {
+            out.print(Event.of("check")
+                            .with("step", step.name())
+                            .with("result", run.isDone(step.name()) ? "pass" : "fail")
+                            .with("text", run.shown(texts.of("step " + step.name())))
+                    + "\n");
+        }
+        out.print("score=" + run.score() + " of=" + run.lesson().steps().size() + "\n");
+        out.flush();
+    }
+
+    private static void write(Path file, String text) {
+        try {
+            Files.writeString(file, text);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+package simgsm.classroom.lesson;
+
+import java.util.List;
+import java.util.Map;
+import simgsm.console.Event;
+import simgsm.console.TextBundle;
+
+/** What tools of a lesson have found, in words for the student. */
+final class ToolTexts {
+    private ToolTexts() {}
+
+    /** A tool's event in words; empty where it has nothing to say. */
+    static String of(Event event, TextBundle words) {
+        Map<String, String> fields = event.fields();
+        String output = fields.getOrDefault("output", "");
+        if (!fields.getOrDefault("status", "0").equals("0")) {
+            return event.name() + ": " + complaint(output);
+        }
+        return switch (event.name()) {
+            case "decode" -> decoded(fields, words);
+            case "drive" ->
+                words.of(
+                        "lesson.told.drive",
+                        fields.get("name"),
+                        fields.get("travelled"),
+                        fields.get("collisions"),
+                        fields.get("near"),
+                        fields.get("far"));
+            case "pdu" -> output;
+            case "java" -> output;
+            default -> "";
+        };
+    }
+
+    private static String decoded(Map<String, String> fields, TextBundle words) {
+        String path = fields.getOrDefault(LessonTools.OPTIONS, "").replace('\\', '/');
+        String file = path.substring(path.lastIndexOf('/') + 1);
+        return fields.get("count").equals("0")
+                ? words.of("lesson.told.none", file)
+                : words.of("lesson.told.keys", file, fields.get("count"), fields.get("keys"));
+    }
+
+    /** The lines in which a program complains, without its name; all lines of a program that does not give it. */
+    private static String complaint(String output) {
+        List<String> own = output.lines()
+                .filter(line -> line.matches("(simgsm-[a-z]+|simrobot): .*"))
+                .map(line -> line.substring(line.indexOf(' ') + 1)
+                        .replaceFirst("; see --help$", "")
+                        .replaceFirst("^--[a-z-]+:? ", ""))
+                .toList();
+        return own.isEmpty() ? output : String.join("\n", own);
+    }
+}

@@ -1,0 +1,59 @@
+package simgsm.classroom.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
+import java.util.List;
+import javax.swing.JPanel;
+import javax.swing.JTextArea;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+
+/** What the students' machines start, in letters as large as the window has room for. Needs no display. */
+final class ClassCommands extends JPanel {
+    private static final int MARGIN_UNITS = 24;
+    private static final int MOST_UNITS = 56;
+    private static final int LEAST_UNITS = 13;
+
+    private final JTextArea text = new JTextArea();
+
+    /** @param rows phones and their robots */
+    ClassCommands(TextBundle words, String pattern, List<ClassView.Row> rows) {
+        super(new BorderLayout());
+        StringBuilder all = new StringBuilder(pattern).append("\n\n");
+        rows.stream()
+                .sorted((a, b) -> a.phone().compareTo(b.phone()))
+                .forEach(row -> all.append(words.of(
+                                "class.number", row.phone(), row.cells().get(1)))
+                        .append('\n'));
+        text.setText(all.toString().strip());
+        text.setEditable(false);
+        text.setLineWrap(true);
+        text.setWrapStyleWord(true);
+        text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+        ComponentNames.name(text, "class.large.text", words.of("class.commands"));
+        setBorder(Theme.padding(MARGIN_UNITS));
+        add(text, BorderLayout.CENTER);
+        setBackground(Theme.color(Ink.CARD));
+        text.setBackground(Theme.color(Ink.CARD));
+        text.setForeground(Theme.color(Ink.TEXT));
+    }
+
+    @Override
+    public void doLayout() {
+        int width = getWidth() - getInsets().left - getInsets().right;
+        int height = getHeight() - getInsets().top - getInsets().bottom;
+        for (int units = MOST_UNITS; units >= LEAST_UNITS; units--) {
+            text.setFont(Theme.mono().deriveFont(Theme.exact(units)));
+            text.setSize(width, Short.MAX_VALUE);
+            Dimension needed = text.getPreferredSize();
+            if (needed.height <= height && needed.width <= width) {
+                break;
+            }
+        }
+        super.doLayout();
+    }
+}

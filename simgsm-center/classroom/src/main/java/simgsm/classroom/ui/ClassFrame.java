@@ -1,0 +1,108 @@
+package simgsm.classroom.ui;
+
+import java.awt.Component;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.KeyStroke;
+import simgsm.console.TextBundle;
+import simgsm.file.FileReplacement;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.SnapshotPoller;
+import simgsm.ui.Symbol;
+import simgsm.ui.UserAction;
+import simgsm.ui.file.SaveDialog;
+import simgsm.ui.window.WindowIcon;
+import simgsm.ui.window.WindowKeys;
+
+/** The window of a class. */
+public final class ClassFrame {
+    private final JFrame frame = new JFrame();
+    private final ClassActs acts;
+    private ClassPanel panel;
+    private Optional<ClassView> newest = Optional.empty();
+
+    private ClassFrame(ClassActs acts) {
+        this.acts = acts;
+    }
+
+    /** Opens the window, which is closed with the program's other windows only; on the event thread. The place is in pixels of the screen. */
+    public static ClassFrame open(
+            Locale language, int x, int y, int width, int height, ClassActs acts, Supplier<ClassView> source) {
+        ClassFrame opened = new ClassFrame(acts);
+        JFrame frame = opened.frame;
+        opened.speak(language);
+        // The results last as long as the class: there is no other way back to them.
+        frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                frame.setExtendedState(JFrame.ICONIFIED);
+            }
+        });
+        frame.setBounds(x, y, width, height);
+        frame.setIconImages(WindowIcon.images(Symbol.PERSON));
+        frame.setVisible(true);
+        new SnapshotPoller<>(source, opened::show).start();
+        return opened;
+    }
+
+    private void show(ClassView view) {
+        newest = Optional.of(view);
+        panel.show(view);
+    }
+
+    /** Shows the class in a language; on the event thread. */
+    public void speak(Locale language) {
+        panel = new ClassPanel(language, acts, new Frames(DesktopTexts.in(language)));
+        frame.setTitle(DesktopTexts.in(language).of("class.title"));
+        frame.setContentPane(panel);
+        WindowKeys.install(frame.getRootPane(), language);
+        newest.ifPresent(panel::show);
+        frame.validate();
+    }
+
+    private record Frames(TextBundle words) implements ClassPanel.Frames {
+        @Override
+        public void save(Component owner, String csv) throws IOException {
+            SaveDialog.Replacing replacing = new SaveDialog.Replacing(
+                    name -> words.of("class.save.replace", name),
+                    words.of("class.save"),
+                    words.of("class.save.yes"),
+                    words.of("class.save.cancel"));
+            Optional<Path> file = SaveDialog.ask(
+                    owner,
+                    Path.of("class.csv"),
+                    List.of(new SaveDialog.Kind(words.of("class.save.kind"), "csv")),
+                    UnaryOperator.identity(),
+                    replacing);
+            if (file.isPresent()) {
+                FileReplacement.write(file.get(), csv.getBytes(StandardCharsets.UTF_8));
+            }
+        }
+
+        /** Fills the screen with a content; Escape closes it. */
+        @Override
+        public void openLarge(Component beside, String title, JComponent content) {
+            JFrame frame = new JFrame(title, beside.getGraphicsConfiguration());
+            frame.setContentPane(content);
+            frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
+            new UserAction("class.large.close", title, frame::dispose)
+                    .bindInWindow(frame.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+            frame.setIconImages(WindowIcon.images(Symbol.PERSON));
+            frame.setBounds(beside.getGraphicsConfiguration().getBounds());
+            frame.setExtendedState(JFrame.MAXIMIZED_BOTH);
+            frame.setVisible(true);
+        }
+    }
+}

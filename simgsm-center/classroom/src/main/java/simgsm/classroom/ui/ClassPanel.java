@@ -1,0 +1,268 @@
+package simgsm.classroom.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.DefaultTableModel;
+import simgsm.console.Program;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.CopiedText;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.Symbol;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+import simgsm.ui.glossary.GlossaryText;
+
+/**
+ * A class: the challenge with its clock, the results, the best first, and what the students' machines start. Needs no display.
+ */
+public final class ClassPanel extends JPanel {
+    private static final List<String> COLUMNS = List.of("phone", "robot", "orders", "keys", "collisions", "seconds");
+    /** Numbers of seven digits have to be seen whole. */
+    private static final int[] WIDTHS_UNITS = {72, 72, 62, 52, 68, 86};
+
+    private static final int ROW_UNITS = 26;
+    private static final int CLOCK_UNITS = 22;
+    private static final int SECONDS_PER_MINUTE = 60;
+
+    private final TextBundle words;
+    private final ClassActs acts;
+    private final Frames frames;
+    private final DefaultTableModel model;
+    private final JTable table;
+    private final JLabel clock = new JLabel("00:00");
+    private final JLabel best = new JLabel(" ");
+    private final JTextArea command = new JTextArea();
+    private final GlossaryText notice = new GlossaryText("class.notice", Optional.empty(), term -> {});
+    private final UserAction start;
+    private final UserAction stop;
+    private final UserAction replay;
+    private List<ClassView.Row> rows = List.of();
+
+    /** What the panel opens. */
+    public interface Frames {
+        /** Asks where to save and does it. */
+        void save(Component owner, String csv) throws IOException;
+
+        /** Fills the screen with a content. */
+        void openLarge(Component beside, String title, JComponent content);
+    }
+
+    public ClassPanel(Locale language, ClassActs acts, Frames frames) {
+        super(new BorderLayout());
+        this.acts = acts;
+        this.frames = frames;
+        words = DesktopTexts.in(language);
+        model = new DefaultTableModel(
+                COLUMNS.stream().map(column -> words.of("class." + column)).toArray(), 0);
+        table = ComponentNames.name(new JTable(model), "class.table", words.of("class.title"));
+        table.setDefaultEditor(Object.class, null);
+        table.setDefaultRenderer(Object.class, new Cell());
+        table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        table.getSelectionModel().addListSelectionListener(event -> chosen());
+        start = action("start", Symbol.PLAY, acts::start);
+        stop = action("stop", Symbol.BRAKE, acts::stop);
+        replay = action("replay", Symbol.PLAY, this::replay);
+        UserAction save = action("save", Symbol.SAVE, this::save);
+        UserAction copy = action("copy", Symbol.LIST, this::copy);
+        UserAction large = action("large", Symbol.FIT, this::showLarge);
+        ComponentNames.name(clock, "class.clock", words.of("class.clock"));
+        ComponentNames.name(best, "class.best", words.of("class.best.name"));
+        ComponentNames.name(command, "class.command", words.of("class.commands"));
+        command.setEditable(false);
+        command.setLineWrap(true);
+        command.setWrapStyleWord(true);
+        command.setText(acts.pattern());
+        GlossaryText about = new GlossaryText("class.about", Optional.empty(), term -> {});
+        about.show(words.of("class.about"));
+        add(
+                Arrange.column(
+                        Theme.GRID,
+                        about,
+                        Arrange.row(Theme.GRID, button(start), button(stop), Arrange.spring(), clock),
+                        best,
+                        Arrange.growing(new JScrollPane(table)),
+                        // The table makes room for a notice, so that no button moves.
+                        notice,
+                        Arrange.row(Theme.GRID, button(replay), button(save), Arrange.spring()),
+                        new JLabel(words.of("class.commands")),
+                        command,
+                        Arrange.row(Theme.GRID, button(copy), button(large), Arrange.spring())),
+                BorderLayout.CENTER);
+        acts.warning().ifPresent(notice::show);
+        notice.setVisible(acts.warning().isPresent());
+        dress();
+        show(new ClassView(List.of(), ClassView.Phase.FREE, 0, Optional.empty()));
+    }
+
+    private UserAction action(String id, Symbol symbol, Runnable task) {
+        return new UserAction("class." + id, words.of("class." + id), task)
+                .described(words.of("class." + id + ".why"))
+                .with(symbol.icon());
+    }
+
+    private static JButton button(UserAction action) {
+        return ComponentNames.name(new JButton(action), action.id(), action.name());
+    }
+
+    /** Shows the newest results; the chosen student stays chosen. */
+    public void show(ClassView view) {
+        clock.setText(String.format(
+                Locale.ROOT, "%02d:%02d", view.seconds() / SECONDS_PER_MINUTE, view.seconds() % SECONDS_PER_MINUTE));
+        start.setEnabled(view.phase() != ClassView.Phase.RUNNING);
+        stop.setEnabled(view.phase() == ClassView.Phase.RUNNING);
+        view.notice().ifPresent(this::tell);
+        if (!view.rows().equals(rows)) {
+            Optional<String> chosen = chosenPhone();
+            rows = view.rows();
+            model.setRowCount(0);
+            rows.forEach(row -> model.addRow(row.cells().toArray()));
+            chosen.ifPresent(this::choose);
+            best.setText(rows.stream()
+                    .filter(ClassView.Row::isBest)
+                    .findFirst()
+                    .map(row -> words.of(
+                            "class.best",
+                            row.phone(),
+                            row.cells().get(5),
+                            row.cells().get(3),
+                            row.cells().get(4)))
+                    .orElse(words.of("class.best.none")));
+        }
+        chosen();
+    }
+
+    private void choose(String phone) {
+        for (int i = 0; i < rows.size(); i++) {
+            if (rows.get(i).phone().equals(phone)) {
+                table.setRowSelectionInterval(i, i);
+            }
+        }
+    }
+
+    private Optional<String> chosenPhone() {
+        int row = table.getSelectedRow();
+        return row < 0 || row >= rows.size()
+                ? Optional.empty()
+                : Optional.of(rows.get(row).phone());
+    }
+
+    /** The command of the chosen student, or the pattern for all. */
+    private void chosen() {
+        Optional<String> phone = chosenPhone();
+        replay.setEnabled(phone.isPresent());
+        String shown = phone.flatMap(number -> acts.commands().stream()
+                        .filter(line -> line.contains("--number " + number + " "))
+                        .findFirst())
+                .orElse(acts.pattern());
+        if (!shown.equals(command.getText())) {
+            command.setText(shown);
+            revalidate();
+        }
+    }
+
+    private void replay() {
+        chosenPhone().ifPresent(phone -> {
+            try {
+                acts.replay(phone);
+            } catch (IOException e) {
+                tell(words.of("class.replay.failed", e.getMessage()));
+            }
+        });
+    }
+
+    private void tell(String what) {
+        notice.show(what);
+        notice.setVisible(true);
+        revalidate();
+    }
+
+    /** All commands, a line each. */
+    private void copy() {
+        boolean isCopied = CopiedText.copy(String.join("\n", acts.commands()) + "\n");
+        tell(isCopied ? words.of("class.copied", acts.commands().size()) : words.of("clipboard.busy"));
+    }
+
+    private void showLarge() {
+        frames.openLarge(this, words.of("class.commands"), large());
+    }
+
+    ClassCommands large() {
+        return new ClassCommands(words, acts.pattern(), rows);
+    }
+
+    private void save() {
+        try {
+            frames.save(this, csv());
+        } catch (IOException e) {
+            tell(words.of("class.save.failed", Program.describe(e)));
+        }
+    }
+
+    /** The results with a header of the columns' names. */
+    String csv() {
+        List<String> lines = new ArrayList<>();
+        lines.add(String.join(",", COLUMNS));
+        rows.stream().map(ClassView.Row::line).forEach(lines::add);
+        return String.join("\r\n", lines) + "\r\n";
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (table != null) {
+            table.setDefaultRenderer(Object.class, new Cell());
+            dress();
+        }
+    }
+
+    private void dress() {
+        setBorder(Theme.padding(12));
+        setBackground(Theme.color(Ink.SURFACE));
+        table.setRowHeight(Theme.px(ROW_UNITS));
+        for (int column = 0; column < WIDTHS_UNITS.length; column++) {
+            table.getColumnModel().getColumn(column).setPreferredWidth(Theme.px(WIDTHS_UNITS[column]));
+        }
+        clock.setFont(Theme.monoStrong().deriveFont(Theme.exact(CLOCK_UNITS)));
+        best.setFont(Theme.strong());
+        command.setFont(Theme.mono());
+        command.setBackground(Theme.color(Ink.CARD));
+        command.setForeground(Theme.color(Ink.TEXT));
+        command.setBorder(Theme.padding(6));
+        Stream.of(clock, best).forEach(label -> label.setForeground(Theme.color(Ink.TEXT)));
+    }
+
+    /** The best run stands out by weight and background. */
+    private final class Cell extends DefaultTableCellRenderer {
+        @Override
+        public Component getTableCellRendererComponent(
+                JTable all, Object value, boolean selected, boolean focused, int row, int column) {
+            super.getTableCellRendererComponent(all, value, selected, focused, row, column);
+            boolean isBest = row < rows.size() && rows.get(row).isBest();
+            setFont(isBest ? Theme.strong() : Theme.base());
+            setBorder(Theme.padding(0, 6, 0, 2));
+            setToolTipText(String.valueOf(value));
+            if (!selected) {
+                setBackground(Theme.color(isBest ? Ink.ACCENT_WASH : Ink.CARD));
+            }
+            return this;
+        }
+    }
+}

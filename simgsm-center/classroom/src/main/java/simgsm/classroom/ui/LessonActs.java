@@ -1,0 +1,21 @@
+package simgsm.classroom.ui;
+
+/** What the student does in a lesson's window; called on the event thread, and returns at once. */
+public interface LessonActs {
+    void predict(String text);
+
+    void answer(String name, String text);
+
+    /** Performs an action of the lesson. @param input what the student has typed or chosen */
+    void act(String name, String input);
+
+    void startProgram(String name);
+
+    void stopProgram(String name);
+
+    /** Writes the result for the teacher. @param student the name on it */
+    void save(String student);
+
+    /** Ends this lesson and opens another one. */
+    void open(String lesson);
+}

@@ -1,0 +1,370 @@
+package simgsm.classroom.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JFileChooser;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.ScrollPaneConstants;
+import simgsm.console.TextBundle;
+import simgsm.draw.Ink;
+import simgsm.draw.StatusMark;
+import simgsm.lesson.Lesson;
+import simgsm.lesson.LessonAction;
+import simgsm.lesson.LessonProgram;
+import simgsm.lesson.LessonStep;
+import simgsm.lesson.LessonTexts;
+import simgsm.ui.Arrange;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.DesktopTexts;
+import simgsm.ui.Lamp;
+import simgsm.ui.Symbol;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+import simgsm.ui.file.OpenDialog;
+import simgsm.ui.glossary.Glossary;
+import simgsm.ui.glossary.GlossaryText;
+import simgsm.ui.pane.WrappedColumn;
+
+/**
+ * A lesson: task, prediction, steps with lamps, actions, question. The steps appear when a prediction has been typed, the
+ * question when all steps are done. Needs no display.
+ */
+public final class LessonPanel extends JPanel {
+    private static final int GAP = Theme.GRID;
+    private static final int NOTICES_UNITS = 96;
+
+    private final Lesson lesson;
+    private final List<String> all;
+    private final LessonTexts texts;
+    private final TextBundle words;
+    private final UnaryOperator<String> numbers;
+    private final Optional<Glossary> glossary;
+    private final LessonActs acts;
+    private final GlossaryText task;
+    private final GlossaryText term;
+    private final GlossaryText question;
+    private final GlossaryText notice;
+    private final JComponent work;
+    private final JTextField student = new JTextField();
+    private final List<StepRow> rows = new ArrayList<>();
+    private final List<ProgramButton> programs = new ArrayList<>();
+    private final GlossaryText score;
+    private final UserAction closeNotices;
+    private String closedNotice = "";
+
+    /**
+     * @param all names of all lessons in their order
+     * @param numbers replaces names in braces by the student's own numbers
+     * @param acts performs what the student does
+     */
+    public LessonPanel(
+            Lesson lesson,
+            LessonTexts texts,
+            List<String> all,
+            Locale language,
+            UnaryOperator<String> numbers,
+            LessonActs acts) {
+        super(new BorderLayout());
+        this.lesson = lesson;
+        this.texts = texts;
+        this.all = all;
+        this.numbers = numbers;
+        this.acts = acts;
+        words = DesktopTexts.in(language);
+        closeNotices = new UserAction("lesson.notice.close", words.of("lesson.notice.close"), this::closeNotices)
+                .with(Symbol.CLOSE.icon());
+        closeNotices.setEnabled(false);
+        glossary = Optional.of(Glossary.in(language));
+        term = text("lesson.term");
+        task = text("lesson.task");
+        question = text("lesson.question");
+        notice = text("lesson.notice");
+        score = text("lesson.score");
+        task.show(numbers.apply(texts.of("task")));
+        term.setVisible(false);
+        question.setVisible(false);
+        notice.setVisible(false);
+        work = work();
+        work.setVisible(false);
+        JPanel column = Arrange.column(GAP, heading(), task, prediction(), work, Arrange.spring());
+        column.setBorder(Theme.padding(12));
+        JScrollPane scroll = new JScrollPane(new WrappedColumn(column));
+        scroll.setBorder(null);
+        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        // A bar that comes and goes would break all texts anew, below the student's pointer.
+        scroll.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
+        add(scroll, BorderLayout.CENTER);
+        add(notices(), BorderLayout.SOUTH);
+        setBackground(Theme.color(Ink.SURFACE));
+    }
+
+    /** Notice and term have a place of one height, always in view, so that neither moves a button. */
+    private JComponent notices() {
+        JPanel texts = Arrange.column(Theme.HALF, notice, term);
+        texts.setBorder(Theme.padding(8, 12, 8, 12));
+        JScrollPane place = new JScrollPane(new WrappedColumn(texts)) {
+            @Override
+            public Dimension getPreferredSize() {
+                return new Dimension(0, Theme.px(NOTICES_UNITS));
+            }
+        };
+        place.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        place.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
+        JButton close = ComponentNames.name(new JButton(closeNotices), "lesson.notice.close", closeNotices.name());
+        close.setHideActionText(true);
+        return Arrange.row(Theme.HALF, Arrange.growing(place), Arrange.column(Theme.HALF, close, Arrange.spring()));
+    }
+
+    /** A notice that was closed stays so until there is another one. */
+    private void closeNotices() {
+        closedNotice = notice.getText();
+        notice.setVisible(false);
+        term.setVisible(false);
+        closeNotices.setEnabled(false);
+        revalidate();
+    }
+
+    private GlossaryText text(String name) {
+        return new GlossaryText(
+                name,
+                name.equals("lesson.term") || name.equals("lesson.about") ? Optional.empty() : glossary,
+                this::explain);
+    }
+
+    private void explain(String name) {
+        glossary.flatMap(all -> all.find(name)).ifPresent(found -> {
+            term.show(name + ": " + found);
+            term.setVisible(true);
+            closeNotices.setEnabled(true);
+            revalidate();
+        });
+    }
+
+    private JComponent heading() {
+        GlossaryText title = text("lesson.title").bold();
+        title.show(texts.of("title"));
+        GlossaryText about = text("lesson.about");
+        about.show(words.of("lesson.about", Integer.toString(lesson.minutes())));
+        int at = all.indexOf(lesson.name());
+        JButton previous = other("lesson.previous", at > 0 ? all.get(at - 1) : "");
+        JButton next = other("lesson.next", at >= 0 && at + 1 < all.size() ? all.get(at + 1) : "");
+        JButton again = other("lesson.again", lesson.name());
+        return Arrange.column(
+                Theme.HALF, title, Arrange.row(Theme.HALF, previous, next, Arrange.spring(), again), about);
+    }
+
+    private JButton other(String key, String name) {
+        UserAction action = new UserAction(key, words.of(key), () -> acts.open(name));
+        JButton button = ComponentNames.name(new JButton(action), key, words.of(key + ".why"));
+        button.setToolTipText(words.of(key + ".why"));
+        button.setEnabled(!name.isEmpty());
+        return button;
+    }
+
+    /** Lets the student type the prediction at once. */
+    void focusFirst() {
+        ComponentNames.find(this, "lesson.predict").ifPresent(Component::requestFocusInWindow);
+    }
+
+    private static JComponent small(String text) {
+        return Theme.styled(new javax.swing.JLabel(text), label -> {
+            label.setFont(GlossaryText.font(false));
+            label.setForeground(Theme.color(Ink.QUIET));
+        });
+    }
+
+    private JComponent prediction() {
+        GlossaryText asked = text("lesson.predict.text");
+        asked.show(words.of("lesson.predict") + " " + numbers.apply(texts.of("predict")));
+        return Arrange.column(Theme.HALF, asked, field("lesson.predict", words.of("lesson.predict"), acts::predict));
+    }
+
+    /** A field with a button; Enter does the same. */
+    private JComponent field(String id, String name, java.util.function.Consumer<String> done) {
+        JTextField field = ComponentNames.name(new JTextField(), id, name);
+        UserAction give = new UserAction(id + ".give", words.of("lesson.give"), () -> {
+            if (!field.getText().isBlank()) {
+                done.accept(field.getText().strip());
+            }
+        });
+        field.addActionListener(give);
+        JButton button = ComponentNames.name(new JButton(give), id + ".give", words.of("lesson.give") + ": " + name);
+        return Arrange.row(Theme.HALF, Arrange.growing(field), button);
+    }
+
+    private JComponent work() {
+        List<Component> parts = new ArrayList<>();
+        for (LessonProgram program : lesson.programs()) {
+            ProgramButton button = new ProgramButton(program);
+            programs.add(button);
+            parts.add(button.button);
+        }
+        lesson.actions().forEach(action -> parts.add(action(action)));
+        for (LessonStep step : lesson.steps()) {
+            StepRow row = new StepRow(step);
+            rows.add(row);
+            parts.add(row.component);
+        }
+        parts.add(score);
+        parts.add(question);
+        ComponentNames.name(student, "lesson.student", words.of("lesson.student"));
+        UserAction save = new UserAction(
+                "lesson.save",
+                words.of("lesson.save"),
+                () -> acts.save(student.getText().strip()));
+        parts.add(small(words.of("lesson.student")));
+        parts.add(Arrange.row(
+                Theme.HALF,
+                Arrange.growing(student),
+                ComponentNames.name(new JButton(save), "lesson.save", words.of("lesson.save"))));
+        return Arrange.column(GAP, parts.toArray(Component[]::new));
+    }
+
+    private JComponent action(LessonAction action) {
+        String name = numbers.apply(texts.of("action " + action.name()));
+        String id = "lesson.action." + action.name();
+        if (action.input() instanceof LessonAction.Text || action.input() instanceof LessonAction.Range) {
+            GlossaryText label = text(id + ".text");
+            label.show(name);
+            return Arrange.column(Theme.HALF, label, field(id, name, input -> acts.act(action.name(), input)));
+        }
+        UserAction press = new UserAction(id, name, () -> {
+            if (action.input() instanceof LessonAction.File file) {
+                choose(action.name(), chooser(name, file.ending()));
+            } else {
+                acts.act(action.name(), "");
+            }
+        });
+        return ComponentNames.name(new WrappingButton(press), id, name);
+    }
+
+    /** Shows files with this ending first, and on demand all. */
+    JFileChooser chooser(String title, String ending) {
+        List<String> endings = ending.isEmpty() ? List.of() : List.of(ending);
+        JFileChooser chooser = OpenDialog.question(Optional.empty(), words.of("lesson.files", ending), endings);
+        chooser.setDialogTitle(title);
+        return chooser;
+    }
+
+    private void choose(String action, JFileChooser chooser) {
+        OpenDialog.ask(this, chooser)
+                .ifPresent(file -> acts.act(action, file.toAbsolutePath().toString()));
+    }
+
+    /** Shows the newest state; called on the event thread. */
+    public void show(LessonView view) {
+        work.setVisible(view.isPredicted());
+        if (view.isPredicted()) {
+            close("lesson.predict");
+        }
+        rows.forEach(row -> row.show(view.byName().get(row.step.name())));
+        programs.forEach(button -> button.show(view.running().contains(button.name)));
+        score.show(words.of(
+                "lesson.score", view.score(), Integer.toString(view.steps().size()), Long.toString(view.seed())));
+        question.show(words.of("lesson.question") + " " + numbers.apply(texts.of("question")));
+        question.setVisible(view.isDone());
+        if (!view.notice().equals(notice.getText())) {
+            closedNotice = "";
+            term.setVisible(false);
+        }
+        notice.show(view.notice());
+        notice.setVisible(!view.notice().equals(closedNotice));
+        closeNotices.setEnabled(notice.isVisible() || term.isVisible());
+        revalidate();
+        repaint();
+    }
+
+    /** What counts stays as it is. */
+    private void close(String field) {
+        ComponentNames.find(this, field).ifPresent(found -> ((JTextField) found).setEditable(false));
+        ComponentNames.find(this, field + ".give").ifPresent(button -> button.setEnabled(false));
+    }
+
+    /** Starts or stops a program that the lesson does not start itself, and starts one again whose window was closed. */
+    private final class ProgramButton {
+        private final String name;
+        private final boolean isLater;
+        private final JButton button;
+        private boolean isRunning;
+
+        ProgramButton(LessonProgram program) {
+            name = program.name();
+            isLater = program.isLater();
+            button = new WrappingButton(new UserAction("lesson.program." + name, "", () -> {
+                if (isRunning) {
+                    acts.stopProgram(name);
+                } else {
+                    acts.startProgram(name);
+                }
+            }));
+            show(false);
+        }
+
+        void show(boolean running) {
+            isRunning = running;
+            button.setVisible(isLater || !running);
+            String title = texts.find("program " + name).orElse(name);
+            String text = words.of(running ? "lesson.program.stop" : "lesson.program.start", title);
+            button.setText(text);
+            ComponentNames.name(button, "lesson.program." + name, text);
+        }
+    }
+
+    /** A step: lamp and text, the answer's field, and the hint on demand. */
+    private final class StepRow {
+        private final LessonStep step;
+        private final Lamp lamp;
+        private final JComponent component;
+
+        StepRow(LessonStep step) {
+            this.step = step;
+            String text = numbers.apply(texts.of("step " + step.name()));
+            lamp = new Lamp(text);
+            lamp.setName("lesson.lamp." + step.name());
+            GlossaryText shown = text("lesson.step." + step.name());
+            shown.show(text);
+            GlossaryText hint = text("lesson.hint." + step.name());
+            hint.show(numbers.apply(texts.of("hint " + step.name())));
+            hint.setVisible(false);
+            UserAction reveal = new UserAction("lesson.hint", words.of("lesson.hint"), () -> {
+                hint.setVisible(!hint.isVisible());
+                LessonPanel.this.revalidate();
+            });
+            JButton button = ComponentNames.name(
+                    new JButton(reveal), "lesson.hint.of." + step.name(), words.of("lesson.hint") + ": " + text);
+            List<Component> parts = new ArrayList<>(List.of(shown));
+            step.answer()
+                    .ifPresent(answer ->
+                            parts.add(field("lesson.answer." + answer, text, typed -> acts.answer(answer, typed))));
+            parts.add(Arrange.row(Theme.HALF, lamp, Arrange.spring(), button));
+            parts.add(hint);
+            component = Arrange.column(Theme.HALF, parts.toArray(Component[]::new));
+        }
+
+        void show(LessonView.StepView view) {
+            switch (view.state()) {
+                case DONE -> {
+                    lamp.show(StatusMark.DISC, Ink.GOOD, words.of("lesson.state.done"));
+                    step.answer().ifPresent(answer -> close("lesson.answer." + answer));
+                }
+                case LOST -> lamp.show(StatusMark.SLASHED_RING, Ink.DANGER, words.of("lesson.state.lost"));
+                case LATER -> lamp.show(StatusMark.RING, Ink.QUIET, words.of("lesson.state.later"));
+                default ->
+                    lamp.show(
+                            StatusMark.RING,
+                            view.tried() ? Ink.WARNING : Ink.QUIET,
+                            words.of(view.tried() ? "lesson.state.tried" : "lesson.state.open"));
+            }
+        }
+    }
+}

@@ -1,0 +1,44 @@
+package simgsm.classroom.ui;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * A lesson at one moment, with the student's own numbers in its texts.
+ *
+ * @param seed of the student's numbers
+ * @param steps in order
+ * @param running names of the programs that run
+ * @param notice what happened last, such as a failed action; empty for nothing
+ */
+public record LessonView(long seed, boolean isPredicted, List<StepView> steps, Set<String> running, String notice) {
+    public LessonView {
+        steps = List.copyOf(steps);
+        running = Set.copyOf(running);
+    }
+
+    /** Of a step that waits for others above it, waits for its events, is done, or can only be done in a new run. */
+    public enum StepState {
+        LATER,
+        OPEN,
+        DONE,
+        LOST
+    }
+
+    /** @param tried whether an answer was given */
+    public record StepView(String name, StepState state, boolean tried) {}
+
+    public boolean isDone() {
+        return steps.stream().allMatch(step -> step.state() == StepState.DONE);
+    }
+
+    public long score() {
+        return steps.stream().filter(step -> step.state() == StepState.DONE).count();
+    }
+
+    /** By name. */
+    Map<String, StepView> byName() {
+        return steps.stream().collect(java.util.stream.Collectors.toMap(StepView::name, step -> step));
+    }
+}

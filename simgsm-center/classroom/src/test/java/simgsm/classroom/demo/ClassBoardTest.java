@@ -1,0 +1,105 @@
+package simgsm.classroom.demo;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simgsm.console.CommandException;
+import simgsm.console.Event;
+
+class ClassBoardTest {
+    private final ClassBoard board = new ClassBoard(10, 5);
+
+    @BeforeEach
+    void students() {
+        board.add("a", "100", "200");
+        board.add("b", "101", "201");
+    }
+
+    private boolean event(double seconds, String line) {
+        try {
+            return board.event(Event.parse(line), (long) (seconds * 1e9));
+        } catch (CommandException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private List<String> first() {
+        return board.ranked().get(0).cells();
+    }
+
+    @Test
+    void theTimeRunsFromTheFirstKeyToTheGoal() {
+        event(1, "pose robot=a x=10.0 y=5.0");
+        event(2, "keys robot=a keys=*");
+        event(3, "keys robot=a keys=*");
+        event(4, "order robot=a verdict=accepted");
+        event(5, "pose robot=a x=9.0 y=5.0");
+        event(6.5, "pose robot=a x=9.7 y=5.2");
+        assertEquals(List.of("100", "200", "1", "2", "0", "4.5"), first());
+    }
+
+    @Test
+    void whatComesAfterTheGoalDoesNotCount() {
+        event(1, "keys robot=a keys=*");
+        event(2, "pose robot=a x=10 y=5");
+        assertFalse(event(3, "status robot=a value=Collision"));
+        assertEquals("0", first().get(4));
+    }
+
+    @Test
+    void resultsWithKeysStandBeforeAbsentStudents() {
+        board.start(0);
+        event(1, "keys robot=b keys=5");
+        event(2, "status robot=b value=Collision");
+        assertEquals("101", first().get(0));
+        board.start(3_000_000_000L);
+        assertEquals("100", first().get(0));
+        event(4, "sms robot=b from=101 text=x");
+        assertEquals("101", first().get(0));
+    }
+
+    @Test
+    void theFasterOneIsFirstThenTheOneWithFewerCollisions() {
+        event(1, "status robot=a value=Collision");
+        assertEquals("101", first().get(0));
+        event(2, "sms robot=a from=100 text=x");
+        event(9, "pose robot=a x=10 y=5");
+        assertEquals("100", first().get(0));
+        event(3, "keys robot=b keys=5");
+        event(5, "pose robot=b x=10 y=5");
+        assertEquals("101", first().get(0));
+    }
+
+    @Test
+    void aChallengeSetsResultsBackAndItsTimeRunsForAllUntilItIsStopped() {
+        event(1, "keys robot=a keys=*");
+        event(2, "pose robot=a x=10 y=5");
+        assertEquals(0, board.seconds(3_000_000_000L));
+        assertTrue(board.rows().get(0).isBest());
+
+        board.start(10_000_000_000L);
+        assertEquals(List.of("100", "200", "0", "0", "0", ""), first());
+        assertFalse(board.rows().get(0).isBest());
+        event(12, "keys robot=b keys=*");
+        event(13, "pose robot=b x=10 y=5");
+        assertEquals(List.of("101", "201", "0", "1", "0", "3.0"), first());
+        assertEquals(3, board.seconds(13_900_000_000L));
+
+        board.stop(14_000_000_000L);
+        assertFalse(event(15, "keys robot=a keys=*"));
+        assertEquals(4, board.seconds(99_000_000_000L));
+        assertEquals(10_000_000_000L, board.beganNanos("100").getAsLong());
+    }
+
+    @Test
+    void otherEventsAndRobotsChangeNothing() {
+        assertFalse(event(1, "tone robot=a key=1"));
+        assertFalse(event(1, "keys robot=c keys=1"));
+        assertTrue(event(1, "order robot=a verdict=invalid"));
+        assertEquals("0", first().get(2));
+    }
+}

@@ -1,0 +1,39 @@
+package simgsm.classroom.demo;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import simgsm.draw.Appearance;
+import simgsm.ui.Theme;
+
+/** A class's recording is shown as the teacher's windows are. */
+class ClassReplayTest {
+    @AfterEach
+    void light() {
+        Theme.install(Appearance.LIGHT);
+        Theme.zoomTo(1);
+    }
+
+    @Test
+    void theReplayHasLanguageZoomAndColoursOfTheTeachersWindows() {
+        Theme.install(Appearance.DARK);
+        Theme.zoomTo(1.2);
+        assertEquals(
+                List.of(
+                        "--replay",
+                        "class.rec",
+                        "--replay-from",
+                        "7",
+                        "--end-with-input",
+                        "--lang",
+                        "es",
+                        "--zoom",
+                        "120",
+                        "--theme",
+                        "dark"),
+                ClassDemo.replayOptions("class.rec", 7, new Locale("es")));
+    }
+}

@@ -1,0 +1,151 @@
+package simgsm.classroom.ui;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.AbstractButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTable;
+import javax.swing.JTextArea;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simgsm.draw.Appearance;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+
+/** The window of a class without a display. */
+class ClassPanelTest {
+    private static final ClassPanel.Frames NO_FRAMES = new ClassPanel.Frames() {
+        @Override
+        public void save(Component owner, String csv) {}
+
+        @Override
+        public void openLarge(Component beside, String title, JComponent content) {}
+    };
+
+    private final List<String> done = new ArrayList<>();
+
+    @BeforeEach
+    void light() {
+        Theme.install(Appearance.LIGHT);
+    }
+
+    @Test
+    void theTableOfAClassShowsTheNewestResults() {
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
+        panel.show(view(row("5550100", true)));
+        panel.show(view(row("5550101", true), row("5550100", false)));
+        JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
+        assertEquals(2, table.getRowCount());
+        assertEquals("5550101", table.getValueAt(0, 0));
+        assertEquals("5550101 leads: 12.5 s, 9 keys, 0 collisions", text(panel, "class.best"));
+        assertEquals("01:15", text(panel, "class.clock"));
+        assertEquals(List.of(), ComponentNames.unnamed(panel));
+        assertEquals(
+                "phone,robot,orders,keys,collisions,seconds\r\n5550101,5550200,1,9,0,12.5\r\n"
+                        + "5550100,5550200,1,9,0,12.5\r\n",
+                panel.csv());
+    }
+
+    @Test
+    void theTableOfAClassStartsStopsAndReplaysTheChosenStudent() {
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
+        panel.show(view(row("5550100", true), row("5550101", false)));
+        AbstractButton stop =
+                (AbstractButton) ComponentNames.find(panel, "class.stop").orElseThrow();
+        assertFalse(((AbstractButton) ComponentNames.find(panel, "class.start").orElseThrow()).isEnabled());
+        stop.doClick();
+        AbstractButton replay =
+                (AbstractButton) ComponentNames.find(panel, "class.replay").orElseThrow();
+        assertFalse(replay.isEnabled());
+        JTextArea command =
+                (JTextArea) ComponentNames.find(panel, "class.command").orElseThrow();
+        assertTrue(command.getText().contains("--number N "));
+
+        ((JTable) ComponentNames.find(panel, "class.table").orElseThrow()).setRowSelectionInterval(1, 1);
+        replay.doClick();
+        assertEquals(List.of("stop", "replay 5550101"), done);
+        assertTrue(command.getText().contains("--number 5550101 "), command.getText());
+
+        panel.show(view(row("5550101", true), row("5550100", false)));
+        assertTrue(command.getText().contains("--number 5550101 "), "the chosen student stays chosen");
+        JTextArea large = (JTextArea)
+                ComponentNames.find(panel.large(), "class.large.text").orElseThrow();
+        assertTrue(large.getText().endsWith("5550101 drives robot 5550200"), large.getText());
+    }
+
+    @Test
+    void resultsThatCannotBeSavedSayWhereAndWhy() {
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), new ClassPanel.Frames() {
+            @Override
+            public void save(Component owner, String csv) throws IOException {
+                throw new AccessDeniedException("results.csv");
+            }
+
+            @Override
+            public void openLarge(Component beside, String title, JComponent content) {}
+        });
+        ((AbstractButton) ComponentNames.find(panel, "class.save").orElseThrow()).doClick();
+        Component notice = ComponentNames.find(panel, "class.notice").orElseThrow();
+        assertTrue(notice.isVisible());
+        assertEquals(
+                "Not saved: results.csv: access denied",
+                notice.getAccessibleContext().getAccessibleName());
+    }
+
+    private static String text(ClassPanel panel, String name) {
+        return ((JLabel) ComponentNames.find(panel, name).orElseThrow()).getText();
+    }
+
+    private static ClassView.Row row(String phone, boolean isBest) {
+        return new ClassView.Row(List.of(phone, "5550200", "1", "9", "0", "12.5"), isBest);
+    }
+
+    private static ClassView view(ClassView.Row... rows) {
+        return new ClassView(List.of(rows), ClassView.Phase.RUNNING, 75, Optional.empty());
+    }
+
+    private ClassActs students() {
+        return new ClassActs() {
+            @Override
+            public void start() {
+                done.add("start");
+            }
+
+            @Override
+            public void stop() {
+                done.add("stop");
+            }
+
+            @Override
+            public void replay(String phone) {
+                done.add("replay " + phone);
+            }
+
+            @Override
+            public List<String> commands() {
+                return List.of(
+                        "x --number 5550100 --center 10.0.0.7:3003", "x --number 5550101 --center 10.0.0.7:3003");
+            }
+
+            @Override
+            public String pattern() {
+                return "x --number N --center 10.0.0.7:3003";
+            }
+
+            @Override
+            public Optional<String> warning() {
+                return Optional.empty();
+            }
+        };
+    }
+}

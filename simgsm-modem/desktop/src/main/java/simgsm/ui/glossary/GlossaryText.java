@@ -1,0 +1,205 @@
+package simgsm.ui.glossary;
+
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Insets;
+import java.awt.KeyboardFocusManager;
+import java.awt.Rectangle;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.JEditorPane;
+import javax.swing.KeyStroke;
+import javax.swing.event.HyperlinkEvent;
+import javax.swing.text.DefaultCaret;
+import simgsm.draw.Ink;
+import simgsm.draw.SvgCanvas;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
+
+/**
+ * A text that wraps, in which the terms of the glossary are links. With the keyboard: Tab to a text that has terms, the arrows to
+ * a term, Enter or Space to choose it.
+ */
+public final class GlossaryText extends JEditorPane {
+    private static final int LEAST_PIXELS = 13;
+
+    /** Steps among the terms. */
+    private static final Map<Integer, Integer> KEYS =
+            Map.of(KeyEvent.VK_RIGHT, 1, KeyEvent.VK_DOWN, 1, KeyEvent.VK_LEFT, -1, KeyEvent.VK_UP, -1);
+
+    private final Optional<Glossary> glossary;
+    private String shown = "";
+    private boolean isBold;
+    /** The term on which the keyboard is; -1 for none. */
+    private int at = -1;
+
+    /** @param glossary whose terms become links; empty for none; @param chosen receives the term that is clicked */
+    public GlossaryText(String name, Optional<Glossary> glossary, Consumer<String> chosen) {
+        this.glossary = glossary;
+        setContentType("text/html");
+        setEditable(false);
+        setOpaque(false);
+        setBorder(null);
+        putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
+        ComponentNames.name(this, name, name);
+        setFocusable(false);
+        // Else Tab would end here, as in a text that is edited.
+        setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+        KEYS.forEach((key, step) -> new UserAction("term." + key, "", () -> move(step))
+                .bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0)));
+        for (int key : new int[] {KeyEvent.VK_ENTER, KeyEvent.VK_SPACE}) {
+            new UserAction(
+                            "term." + key,
+                            "",
+                            () -> terms().skip(Math.max(0, at)).findFirst().ifPresent(chosen))
+                    .bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0));
+        }
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                move(at < 0 ? 1 : 0);
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                at = -1;
+                move(0);
+            }
+        });
+        setCaret(new DefaultCaret() {
+            @Override
+            public void setVisible(boolean visible) {
+                super.setVisible(false);
+            }
+
+            /** A new text leaves the place to which its list is scrolled. */
+            @Override
+            protected void adjustVisibility(Rectangle place) {
+                // nothing is written here that has to be followed
+            }
+        });
+        addHyperlinkListener(event -> {
+            if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED) {
+                chosen.accept(event.getDescription());
+            }
+        });
+    }
+
+    private Stream<String> terms() {
+        return parts().stream().map(Glossary.Part::term).filter(term -> !term.isEmpty());
+    }
+
+    /** Moves to another term. */
+    private void move(int step) {
+        int last = (int) terms().count() - 1;
+        at = step == 0 ? at : Math.max(0, Math.min(last, at + step));
+        super.setText(html());
+    }
+
+    /** Shows its text as a heading. */
+    public GlossaryText bold() {
+        isBold = true;
+        return this;
+    }
+
+    /** No text of a lesson is smaller than 13 pixels. */
+    public static Font font(boolean bold) {
+        Font font = bold ? Theme.strong() : Theme.base();
+        return font.deriveFont(Math.max(LEAST_PIXELS, font.getSize2D()));
+    }
+
+    @Override
+    public String getText() {
+        return shown;
+    }
+
+    public void show(String text) {
+        if (!text.equals(shown)) {
+            shown = text;
+            getAccessibleContext().setAccessibleName(text);
+            at = -1;
+            setFocusable(terms().findFirst().isPresent());
+            super.setText(html());
+            revalidate();
+        }
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setFont(font(false));
+        setForeground(Theme.color(Ink.TEXT));
+        setOpaque(false);
+        // Nimbus paints the background of a text that is not opaque, too.
+        setBackground(Theme.color(Ink.SURFACE, 0));
+        if (shown != null && !shown.isEmpty()) {
+            super.setText(html());
+        }
+    }
+
+    private static String web(Ink ink) {
+        return String.format("#%06x", Theme.color(ink).getRGB() & 0xffffff);
+    }
+
+    private List<Glossary.Part> parts() {
+        return glossary.map(all -> all.parts(shown)).orElse(List.of(Glossary.Part.plain(shown)));
+    }
+
+    private String html() {
+        StringBuilder html = new StringBuilder("<html><body style='margin:0'>");
+        html.append(isBold ? "<b>" : "");
+        String color = web(Ink.ACCENT);
+        String wash = web(Ink.ACCENT_WASH);
+        int number = 0;
+        for (Glossary.Part part : parts()) {
+            String text = escaped(part.text());
+            if (!part.term().isEmpty() && number++ == at) {
+                text = "<span style='background:" + wash + "'>" + text + "</span>";
+            }
+            html.append(
+                    part.term().isEmpty()
+                            ? text
+                            : "<a style='color:" + color + "' href='" + escaped(part.term()) + "'>" + text + "</a>");
+        }
+        return html.append("</body></html>").toString();
+    }
+
+    private static String escaped(String text) {
+        return Stream.of(text.split("\n\n", -1))
+                .map(SvgCanvas::escaped)
+                .collect(Collectors.joining("<br><br>"))
+                // Words of more than 24 characters would be cut at the edge: a path is broken behind a folder.
+                .replaceAll("([^\\s&;<>]{11,23}/)(?=[^\\s<])", "$1<br>")
+                .replaceAll("([^\\s&;<>]{24})(?=[^\\s&;<>])", "$1<br>")
+                .replace("** ", "**&nbsp;")
+                .replaceAll("(?<=[0-9]) \\*\\*", "&nbsp;**");
+    }
+
+    /** As high as its text needs at the present width. */
+    @Override
+    public Dimension getPreferredSize() {
+        int width = 0;
+        if (getParent() != null) {
+            Insets around = getParent().getInsets();
+            width = getParent().getWidth() - around.left - around.right;
+        }
+        if (width > 0) {
+            setSize(width, Short.MAX_VALUE);
+        }
+        return super.getPreferredSize();
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(1, getPreferredSize().height);
+    }
+}

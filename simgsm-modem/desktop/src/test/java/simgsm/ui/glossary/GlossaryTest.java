@@ -1,0 +1,47 @@
+package simgsm.ui.glossary;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+class GlossaryTest {
+    private final Glossary english = Glossary.in(Locale.ENGLISH);
+    private final Glossary spanish = Glossary.in(Locale.forLanguageTag("es"));
+
+    @Test
+    void bothLanguagesExplainTheSameTerms() {
+        assertEquals(english.terms(), spanish.terms());
+        assertTrue(english.terms().size() > 40);
+    }
+
+    @Test
+    void aTermIsFoundByAnyOfItsNamesInAnyLetters() {
+        assertEquals(english.find("IMEI"), english.find("tmsi"));
+        assertTrue(spanish.find("traspaso").isPresent());
+        assertEquals(Optional.empty(), english.find("nothing"));
+    }
+
+    @Test
+    void aPluralIsItsTerm() {
+        assertEquals(
+                List.of(
+                        Glossary.Part.plain("dos "),
+                        new Glossary.Part("traspasos", "handover"),
+                        Glossary.Part.plain("")),
+                spanish.parts("dos traspasos"));
+    }
+
+    @Test
+    void aTextIsSplitAtTheFirstPlaceOfEachTerm() {
+        assertEquals(
+                List.of(
+                        Glossary.Part.plain("The "),
+                        new Glossary.Part("RP-ACK", "RP-DATA"),
+                        Glossary.Part.plain(" is no paging-thing, nor RP-ACK again")),
+                english.parts("The RP-ACK is no paging-thing, nor RP-ACK again"));
+    }
+}

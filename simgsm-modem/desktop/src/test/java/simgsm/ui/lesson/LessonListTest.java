@@ -1,0 +1,75 @@
+package simgsm.ui.lesson;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JButton;
+import javax.swing.JEditorPane;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import simgsm.draw.Appearance;
+import simgsm.lesson.LessonLibrary;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Theme;
+import simgsm.ui.glossary.GlossaryList;
+
+class LessonListTest {
+    private final List<String> done = new ArrayList<>();
+
+    @BeforeEach
+    void look() {
+        Theme.install(Appearance.LIGHT);
+    }
+
+    private final LessonLibrary library = LessonLibrary.ofSuite();
+
+    private LessonList list(LessonLibrary lessons) {
+        return new LessonList(lessons, Locale.ENGLISH, new LessonList.Acts() {
+            @Override
+            public void open(String name) {
+                done.add(name);
+            }
+
+            @Override
+            public void showSheet(String title, String markdown) {
+                done.add(markdown);
+            }
+        });
+    }
+
+    private static void press(LessonList list, String name) {
+        ((JButton) ComponentNames.find(list, name).orElseThrow()).doClick();
+    }
+
+    @Test
+    void aTeachersLessonThatIsWrongStandsInTheListWithItsFault(@TempDir Path folder) throws Exception {
+        Path mine = Files.createDirectory(folder.resolve("mine"));
+        Files.writeString(mine.resolve("lesson.txt"), "minutes 5\nstep a\nwhen phone x\n");
+        LessonList list = list(LessonLibrary.with(folder));
+        JEditorPane row =
+                (JEditorPane) ComponentNames.find(list, "lessons.title.mine").orElseThrow();
+        assertTrue(
+                row.getText()
+                        .endsWith("lesson.txt, line 3: expected a source of centre, student, tool, trace; found phone"),
+                row.getText());
+        assertTrue(ComponentNames.find(list, "lessons.open.mine").isEmpty());
+    }
+
+    @Test
+    void theListsOfLessonsAndTermsAreNamed() throws Exception {
+        LessonList list = list(library);
+        assertEquals(List.of(), ComponentNames.unnamed(list));
+        press(list, "lessons.open.twelve-keys");
+        press(list, "lessons.sheet.twelve-keys");
+        assertEquals("twelve-keys", done.get(0));
+        assertTrue(done.get(1).contains("697, 770, 852, 941"), done.get(1));
+        assertEquals(List.of(), ComponentNames.unnamed(new SheetPanel(done.get(1), "Sheet")));
+        assertEquals(List.of(), ComponentNames.unnamed(new GlossaryList(Locale.forLanguageTag("es"))));
+    }
+}

@@ -1,0 +1,7 @@
+/** Pages and data over HTTP, which the programs serve read-only. */
+module simgsm.web {
+    requires simgsm.console;
+    requires transitive jdk.httpserver;
+
+    exports simgsm.web;
+}
