@@ -201,6 +201,7 @@ public final class SimRobotMain {
                 refusals.speak(chosen);
                 return SimRobotWindow.content(title, chosen, model::snapshot, model);
             });
+            model.close();
             console.ifPresent(Console::close);
         }
         return ExitStatus.OK;

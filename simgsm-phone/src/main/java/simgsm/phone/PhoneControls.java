@@ -1,23 +1,21 @@
 package simgsm.phone;
 
-import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.ObjLongConsumer;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.ui.HandsetControls;
 
 /** Runs the window's actions on the handset's thread, and notifies the handset of the time every 20 ms while needed. */
-final class PhoneControls implements HandsetControls {
+final class PhoneControls implements HandsetControls, AutoCloseable {
     private static final long TICK_MILLIS = 20;
     private static final long SOUND_CHECK_SECONDS = 1;
 
     private final Phone phone;
-    private final ScheduledExecutorService ticks = Executors.newSingleThreadScheduledExecutor(task -> {
-        Thread thread = new Thread(task, "ticks");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ScheduledExecutorService ticks =
+            new ScheduledThreadPoolExecutor(1, PhoneControls::daemon, new ThreadPoolExecutor.DiscardPolicy());
     /** Owner thread only. */
     private boolean ticking;
 
@@ -26,6 +24,12 @@ final class PhoneControls implements HandsetControls {
         perform((handset, now) -> handset.whenTimeIsWanted(this::tickWhileWanted));
         ticks.scheduleAtFixedRate(
                 () -> phone.execute(phone.handset()::checkSoundDevice), 1, SOUND_CHECK_SECONDS, TimeUnit.SECONDS);
+    }
+
+    private static Thread daemon(Runnable task) {
+        Thread thread = new Thread(task, "ticks");
+        thread.setDaemon(true);
+        return thread;
     }
 
     @Override
@@ -41,6 +45,12 @@ final class PhoneControls implements HandsetControls {
             ticking = true;
             ticks.schedule(() -> phone.execute(this::tick), TICK_MILLIS, TimeUnit.MILLISECONDS);
         }
+    }
+
+    /** Ends the clock, once the window is closed. */
+    @Override
+    public void close() {
+        ticks.shutdownNow();
     }
 
     private void tick() {

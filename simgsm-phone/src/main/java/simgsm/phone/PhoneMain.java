@@ -94,9 +94,9 @@ public final class PhoneMain {
         });
         console.ifPresent(
                 out -> window.withConsole(() -> Program.runConsole(out, arguments, new PhoneCommands(out, phone))));
-        HandsetWindow content =
-                new HandsetWindow(PhoneTexts::in, phone.handset()::snapshot, new PhoneControls(phone), window::speak);
-        window.show(content::content);
+        try (PhoneControls controls = new PhoneControls(phone)) {
+            window.show(new HandsetWindow(PhoneTexts::in, phone.handset()::snapshot, controls, window::speak)::content);
+        }
         phone.close();
         console.ifPresent(Console::close);
         return ExitStatus.OK;

@@ -10,7 +10,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -40,7 +41,7 @@ import simrobot.world.World;
 import vericommand.Pose;
 
 /** The running program as the window shows it: combines the snapshots of all threads and passes actions to their owners. */
-public final class WindowModel implements OperatorActions {
+public final class WindowModel implements OperatorActions, AutoCloseable {
     private static final Logger LOG = System.getLogger(WindowModel.class.getName());
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
@@ -55,7 +56,14 @@ public final class WindowModel implements OperatorActions {
     private final FileExports exports;
     private final RefusalTexts refusals;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
-    private final ExecutorService worker = Executors.newSingleThreadExecutor(WindowModel::daemon);
+    private final ExecutorService worker = new ThreadPoolExecutor(
+            1,
+            1,
+            0,
+            TimeUnit.SECONDS,
+            new LinkedBlockingQueue<>(),
+            WindowModel::daemon,
+            new ThreadPoolExecutor.DiscardPolicy());
     private final WorldFileWatch watch;
     private final RecentWorlds recent;
     private final DraftFiles drafts = new DraftFiles();
@@ -113,6 +121,12 @@ public final class WindowModel implements OperatorActions {
         ports.p2os().setWorldLoader(file -> read(file, ClientRequests::mayLoad, () -> {}));
         simRobot.onAdded(this::added);
         simRobot.onRemoved(this::removed);
+    }
+
+    /** Ends the worker once it has performed what was asked; the window has been closed. */
+    @Override
+    public void close() {
+        worker.shutdown();
     }
 
     private static Thread daemon(Runnable acts) {

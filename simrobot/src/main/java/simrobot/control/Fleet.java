@@ -20,6 +20,7 @@ import simrobot.pioneer.RealPioneer;
 import simrobot.pioneer.RobotParameters;
 import simrobot.process.BehaviourKind;
 import simrobot.process.Surroundings;
+import simrobot.process.WaitBudget;
 import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.RobotSnapshot;
@@ -51,6 +52,11 @@ public final class Fleet {
         @Override
         public List<Position> otherRobots() {
             return List.of();
+        }
+
+        @Override
+        public WaitBudget waitBudget() {
+            return simulation.waitBudget();
         }
     }
 

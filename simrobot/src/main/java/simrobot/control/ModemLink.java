@@ -184,11 +184,13 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         return new CallDecision(accepted, key(tone));
     }
 
-    /** Counts to the end of the current frame, which has arrived whole: later than the deciding sample. */
-    private long samplesSinceStart(DtmfDigit digit) {
-        long now = heardSamples + FRAME_SAMPLES;
-        boolean sameCount = now >= digit.decidedAtSample() && now - digit.decidedAtSample() <= FRAME_SAMPLES;
-        return Math.max(0, (sameCount ? now : digit.decidedAtSample()) - digit.startedAtSample());
+    /**
+     * Counts to the end of the current frame, which has arrived whole: later than the deciding sample. A key that a modem
+     * reports has no frame.
+     */
+    long samplesSinceStart(DtmfDigit digit) {
+        long now = digit.isMeasured() ? heardSamples + FRAME_SAMPLES : digit.decidedAtSample();
+        return Math.max(0, now - digit.startedAtSample());
     }
 
     private void callEnded(Cause cause) {

@@ -48,9 +48,13 @@ public sealed interface RobotEvent {
 
     /** A real modem's state has changed, or a modem's was queried. */
     record ModemChanged(ModemState state, String text) implements RobotEvent {
+        public String word() {
+            return state.word();
+        }
+
         @Override
         public Event line(String robot) {
-            return about(robot, "modem").with("state", state.word()).with("text", text);
+            return about(robot, "modem").with("state", word()).with("text", text);
         }
     }
 

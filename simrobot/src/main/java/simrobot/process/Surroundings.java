@@ -13,4 +13,7 @@ public interface Surroundings {
 
     /** The places of the other robots. */
     List<Position> otherRobots();
+
+    /** For a process that waits for its decisions. */
+    WaitBudget waitBudget();
 }

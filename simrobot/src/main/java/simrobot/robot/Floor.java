@@ -1,6 +1,7 @@
 package simrobot.robot;
 
 import java.util.List;
+import simrobot.process.WaitBudget;
 import simrobot.world.Cone;
 import simrobot.world.Contact;
 import simrobot.world.Position;
@@ -53,6 +54,9 @@ public interface Floor {
 
     /** The world of this floor. */
     World world();
+
+    /** What all robots may wait in a step. */
+    WaitBudget waitBudget();
 
     /** The places of the robots other than this one. */
     List<Position> others(SimulatedRobot robot);

@@ -2,6 +2,7 @@ package simrobot.robot;
 
 import java.util.List;
 import simrobot.process.Surroundings;
+import simrobot.process.WaitBudget;
 import simrobot.world.Position;
 import simrobot.world.World;
 
@@ -20,5 +21,10 @@ record FloorSurroundings(SimulatedRobot robot, Floor floor) implements Surroundi
     @Override
     public List<Position> otherRobots() {
         return floor.others(robot);
+    }
+
+    @Override
+    public WaitBudget waitBudget() {
+        return floor.waitBudget();
     }
 }

@@ -2,6 +2,7 @@ package simrobot.simulation;
 
 import java.util.Arrays;
 import java.util.List;
+import simrobot.process.WaitBudget;
 import simrobot.robot.Floor;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SimulatedRobot;
@@ -20,6 +21,7 @@ import simrobot.world.World;
 
 /** The floor with its obstacles and robots. Robots are looked up by place, so the cost per robot is constant. */
 final class SimulatedFloor implements Floor {
+    private final WaitBudget waitBudget = new WaitBudget();
     private static final double RADIUS = Pioneer2Dx.RADIUS_METERS;
 
     private static final double[][] OCTAGON = Pioneer2Dx.octagon();
@@ -92,6 +94,11 @@ final class SimulatedFloor implements Floor {
                 .toList();
     }
 
+    @Override
+    public WaitBudget waitBudget() {
+        return waitBudget;
+    }
+
     void remove(SimulatedRobot robot) {
         robots[robot.number()] = null;
         places.remove(robot.number());
@@ -131,6 +138,7 @@ final class SimulatedFloor implements Floor {
     /** A step of time begins. @param moving the robots, which have not moved yet */
     void beginStep(List<SimulatedRobot> moving) {
         steps++;
+        waitBudget.renew();
         sonarClock.begin(moving);
     }
 

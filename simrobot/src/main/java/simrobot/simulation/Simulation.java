@@ -14,6 +14,7 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import simrobot.process.BehaviourList;
+import simrobot.process.WaitBudget;
 import simrobot.robot.Noise;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.RobotState;
@@ -258,6 +259,11 @@ public final class Simulation {
         for (SimulatedRobot robot : robots) {
             robot.trail().pass(robot.xMeters(), robot.yMeters(), timeNanos);
         }
+    }
+
+    /** What all robots, real ones too, may wait in a step. */
+    public WaitBudget waitBudget() {
+        return floor.waitBudget();
     }
 
     public void run(int steps) {

@@ -8,6 +8,7 @@ import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 import simrobot.process.Decision;
 import simrobot.process.RobotProcess;
+import simrobot.process.WaitBudget;
 
 /**
  * One process on a thread of its own. The robot hands over its senses every 50 ms of simulated time and takes the decision
@@ -15,8 +16,8 @@ import simrobot.process.RobotProcess;
  * for 50 ms, or has not come within 1 s, ends the process. In the first second the limit is 1 s for both, for classes are
  * loaded then.
  *
- * <p>A simulation at its usual pace never waits here; one that is faster waits for a decision at most 50 ms. A run without a
- * clock waits 1 s: there no decision is late, and a loaded machine changes no pose.
+ * <p>A simulation at its usual pace never waits here; one that is faster waits for the decisions of all robots at most 50 ms a
+ * step. A run without a clock waits 1 s for each: there no decision is late, and a loaded machine changes no pose.
  */
 final class BehaviourThread implements RobotProcess {
     private static final long PERIOD_NANOS = 50_000_000;
@@ -27,7 +28,8 @@ final class BehaviourThread implements RobotProcess {
 
     private final Callable<Behaviour> maker;
     private final FaultPlace place;
-    private final long waitNanos;
+    private final WaitBudget budget;
+    private final boolean isPatient;
     private final Thread thread;
 
     // ---- guarded by this -----------------------------------------------------------------------------------------
@@ -51,12 +53,14 @@ final class BehaviourThread implements RobotProcess {
      *
      * @param maker called on that thread
      * @param place finds the line of a fault
-     * @param patient whether to wait for every decision until it ends the process
+     * @param budget of the simulation's step
+     * @param isPatient whether to wait for every decision until it ends the process
      */
-    BehaviourThread(String name, Callable<Behaviour> maker, FaultPlace place, boolean patient) {
+    BehaviourThread(String name, Callable<Behaviour> maker, FaultPlace place, WaitBudget budget, boolean isPatient) {
         this.maker = maker;
         this.place = place;
-        waitNanos = patient ? LATEST_NANOS : COMPUTING_NANOS;
+        this.budget = budget;
+        this.isPatient = isPatient;
         thread = new Thread(this::run, "behaviour " + name);
         thread.setDaemon(true);
         thread.setPriority(Thread.MIN_PRIORITY);
@@ -96,15 +100,20 @@ final class BehaviourThread implements RobotProcess {
 
     /** Null if there is no decision in time after the question. */
     private synchronized Decision await() {
-        long left = askedNanos + waitNanos - System.nanoTime();
+        long began = System.nanoTime();
+        long end = isPatient
+                ? askedNanos + LATEST_NANOS
+                : Math.min(askedNanos + COMPUTING_NANOS, began + budget.leftNanos());
+        long left = end - began;
         try {
             while (answer == null && left > 0) {
                 wait(left / 1_000_000, (int) (left % 1_000_000));
-                left = askedNanos + waitNanos - System.nanoTime();
+                left = end - System.nanoTime();
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+        budget.spend(System.nanoTime() - began);
         return answer;
     }
 

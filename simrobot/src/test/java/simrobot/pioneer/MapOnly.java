@@ -2,6 +2,7 @@ package simrobot.pioneer;
 
 import java.util.List;
 import simrobot.process.Surroundings;
+import simrobot.process.WaitBudget;
 import simrobot.world.Position;
 import simrobot.world.World;
 
@@ -15,5 +16,10 @@ record MapOnly(World world) implements Surroundings {
     @Override
     public List<Position> otherRobots() {
         return List.of();
+    }
+
+    @Override
+    public WaitBudget waitBudget() {
+        return new WaitBudget();
     }
 }

@@ -24,7 +24,7 @@ public final class EventTexts {
         } else if (event instanceof RobotEvent.Unregistered) {
             return texts.of("log.unregistered");
         } else if (event instanceof RobotEvent.ModemChanged modem) {
-            return texts.of("log.modem." + modem.state().word(), modem.text());
+            return texts.of("log.modem." + modem.word(), modem.text());
         } else if (event instanceof RobotEvent.CallRinging ringing) {
             return texts.of("log.ringing", caller(ringing.from()));
         } else if (event instanceof RobotEvent.CallReceived call) {

@@ -137,6 +137,7 @@ final class ChannelChange {
         mobile.take(target);
         target.establish(mobile.user(), null);
         target.send(0, encoded(new RadioResource.AssignmentComplete(RadioResource.NORMAL_EVENT)));
+        target.sendHeldBy(old);
         mobile.passed(PassingStep.Kind.ASSIGNMENT_COMPLETE, mobile.cell(), "", 0);
         end();
     }
@@ -217,11 +218,13 @@ final class ChannelChange {
 
     void completeHandover() {
         String from = mobile.cell();
-        mobile.current().forsake(false);
+        TowerChannel old = mobile.current();
+        old.forsake(false);
         mode = handover.channelMode().orElse(mode);
         mobile.take(target);
         target.establish(mobile.user(), null);
         target.send(0, encoded(new RadioResource.HandoverComplete(RadioResource.NORMAL_EVENT)));
+        target.sendHeldBy(old);
         mobile.passed(PassingStep.Kind.HANDOVER_COMPLETE, from, mobile.cell(), 0);
         network.happened(
                 new MobileEvent.HandedOver(mobile, from, mobile.cell(), MobileEvent.HandoverResult.SUCCESS, 0));

@@ -66,6 +66,7 @@ public final class TowerChannel {
     /** Null while there is no speech connection. */
     private SpeechSocket speech;
 
+    private final ConnectHold hold;
     private final RateLimit speechRate = new RateLimit(SPEECH_PER_SECOND, SPEECH_AT_ONCE);
     private boolean isClosed;
 
@@ -75,6 +76,7 @@ public final class TowerChannel {
         number = activated.channel();
         activation = activated.octet(RslElement.ACTIVATION_TYPE) & 0x07;
         orderedPowerLevel = powerLevel(activated).orElse(0);
+        hold = new ConnectHold(timers, layer3 -> indicate(SIGNALLING, layer3));
         handoverReference = activated.find(RslElement.HANDOVER_REFERENCE).map(value -> value.octet(0));
     }
 
@@ -185,6 +187,7 @@ public final class TowerChannel {
                     .with(RslElement.CONNECTION_IDENTIFIER, connectionOctets())
                     .with(RslElement.CAUSE, 0x2f));
         } else {
+            hold.speechConnected();
             tower.send(connected(RslType.MODIFY_CONNECTION_ACKNOWLEDGE));
         }
     }
@@ -238,6 +241,7 @@ public final class TowerChannel {
     /** The channel is no more. */
     void close() {
         isClosed = true;
+        hold.drain();
         closeSpeech();
         ChannelUser last = user;
         user = null;
@@ -259,11 +263,24 @@ public final class TowerChannel {
         tower.send(layer3 == null ? indication : indication.with(RslElement.L3_INFORMATION, layer3));
     }
 
-    /** A message of the mobile; the link for short messages is established before its first one. */
+    /**
+     * A message of the mobile; the link for short messages is established before its first one. CONNECT may be held for a
+     * while.
+     */
     public void send(int sapi, OctetString layer3) {
-        if (isClosed) {
-            return;
+        if (!isClosed && sapi == SIGNALLING) {
+            hold.send(layer3);
+        } else if (!isClosed) {
+            indicate(sapi, layer3);
         }
+    }
+
+    /** Sends what another channel of the same mobile has held. */
+    public void sendHeldBy(TowerChannel old) {
+        old.hold.drain().forEach(hold::send);
+    }
+
+    private void indicate(int sapi, OctetString layer3) {
         int link = sapi == SHORT_MESSAGES && isTraffic() ? SLOW_ASSOCIATED | sapi : sapi;
         if (sapi == SHORT_MESSAGES && !hasShortMessages) {
             hasShortMessages = true;
@@ -274,6 +291,7 @@ public final class TowerChannel {
 
     /** The mobile leaves the channel with DISC. */
     public void leave() {
+        hold.drain();
         if (user != null) {
             user = null;
             if (isEstablished && !isClosed) {

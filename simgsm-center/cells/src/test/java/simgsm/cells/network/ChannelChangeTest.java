@@ -15,18 +15,22 @@ import simgsm.abis.RtpPacket;
 import simgsm.abis.rsl.RslElement;
 import simgsm.abis.rsl.RslPdu;
 import simgsm.abis.rsl.RslType;
+import simgsm.air.CallControl.Connect;
+import simgsm.air.CallControl.ConnectAcknowledge;
 import simgsm.air.ChannelDescription;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource.AssignmentCommand;
 import simgsm.air.RadioResource.CellDescription;
 import simgsm.air.RadioResource.ChannelModeModify;
 import simgsm.air.RadioResource.HandoverCommand;
+import simgsm.air.TransactionIdentifier;
 import simgsm.cells.mobile.MobileRadioTable.MobileRadioState;
 import simgsm.octets.OctetString;
 
 /** Channels that end, are taken or do not fit while a mobile changes to them or from them. */
 class ChannelChangeTest {
     private static final ChannelDescription WEST_TCH = new ChannelDescription(TCH, 2, 100);
+    private static final TransactionIdentifier TRANSACTION = new TransactionIdentifier(0, true);
     private static final int HALF_RATE = 0x05;
     private static final int ENHANCED_FULL_RATE = 0x21;
 
@@ -47,6 +51,54 @@ class ChannelChangeTest {
         tower.down(RslPdu.of(RslType.RF_CHANNEL_RELEASE, TCH));
         tower.discardReports();
         tower.expect(RslType.RF_CHANNEL_RELEASE_ACKNOWLEDGE);
+    }
+
+    /** 8307 is CONNECT, 830f the message after it. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aConnectOfAPhoneThatAnswersAtOnceIsHeldUntil100MillisAfterTheFirstModifiedConnection(boolean isAssigned)
+            throws ProtocolViolation {
+        if (isAssigned) {
+            assign(1);
+            scene.pass(100 * MILLI);
+        }
+        terminal.send(false, new Connect(TRANSACTION, Optional.empty()));
+        terminal.send(false, new ConnectAcknowledge(TRANSACTION));
+        if (!isAssigned) {
+            scene.pass(100 * MILLI);
+            scene.west.discardReports();
+            scene.west.expectNothing();
+            assign(1);
+            scene.pass(100 * MILLI);
+        }
+        scene.connectSpeechAfterAssignment();
+        scene.pass(99 * MILLI);
+        scene.west.discardReports();
+        scene.west.expectNothing();
+        scene.pass(2 * MILLI);
+        scene.west.discardReports();
+        assertEquals("8307", scene.west.expectLayer3().substring(0, 4));
+        assertEquals("830f", scene.west.expectLayer3().substring(0, 4));
+    }
+
+    @Test
+    void aConnectIsHeldForOneSecondWhenNoSpeechConnectionIsModified() throws ProtocolViolation {
+        terminal.send(false, new Connect(TRANSACTION, Optional.empty()));
+        scene.pass(999 * MILLI);
+        scene.west.discardReports();
+        scene.west.expectNothing();
+        scene.pass(2 * MILLI);
+        scene.west.discardReports();
+        assertEquals("8307", scene.west.expectLayer3().substring(0, 4));
+    }
+
+    @Test
+    void aConnectLaterInTheCallIsNotHeld() throws ProtocolViolation {
+        inCall();
+        scene.pass(101 * MILLI);
+        scene.west.discardReports();
+        terminal.send(false, new Connect(TRANSACTION, Optional.empty()));
+        assertEquals("8307", scene.west.expectLayer3().substring(0, 4));
     }
 
     @Test
