@@ -262,7 +262,11 @@ public final class BehaviourFolder implements AutoCloseable {
         return new BehaviourKind(
                 name,
                 around -> new BehaviourThread(
-                        name + "-" + threads.incrementAndGet(), () -> LoadedClasses.create(type), place, around.waitBudget(), patient));
+                        name + "-" + threads.incrementAndGet(),
+                        () -> LoadedClasses.create(type),
+                        place,
+                        around.waitBudget(),
+                        patient));
     }
 
     /** Stops looking; running processes go on. */

@@ -19,8 +19,9 @@ import simrobot.process.WaitBudget;
 class BehaviourThreadTest {
     private static final Map<Class<?>, Object> NOTHING = Map.of(double.class, 0.0, boolean.class, false);
     private static final Senses SENSES = (Senses) Proxy.newProxyInstance(
-            Senses.class.getClassLoader(), new Class<?>[] {Senses.class}, (proxy, method, arguments) ->
-                    NOTHING.get(method.getReturnType()));
+            Senses.class.getClassLoader(),
+            new Class<?>[] {Senses.class},
+            (proxy, method, arguments) -> NOTHING.get(method.getReturnType()));
 
     private final CountDownLatch released = new CountDownLatch(1);
     private final List<BehaviourThread> threads = new ArrayList<>();

@@ -38,8 +38,7 @@ final class ConnectHold {
     /** Passes a message of the main link on, now or later. */
     void send(OctetString layer3) {
         int discriminator = layer3.octet(0) & 0x0f;
-        boolean isConnect =
-                discriminator == CALL_CONTROL && layer3.length() > 1 && (layer3.octet(1) & 0x3f) == CONNECT;
+        boolean isConnect = discriminator == CALL_CONTROL && layer3.length() > 1 && (layer3.octet(1) & 0x3f) == CONNECT;
         if (isOver || (held.isEmpty() ? !isConnect : discriminator == RADIO_RESOURCE)) {
             output.accept(layer3);
             return;
