@@ -1,6 +1,7 @@
-/** M3, the SMS/Phone centre: exchange, registers, short message centre and their window. */
+/** M3, the SMS/Phone centre: exchange, registers, short message centre and their window.
+ * Open, because the lines of events are read from their records. */
 @SuppressWarnings("module") // the module that it is exported to is built later
-module simgsm.center {
+open module simgsm.center {
     requires simgsm.air;
     requires simgsm.sound;
     requires simgsm.console;

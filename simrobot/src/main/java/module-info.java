@@ -2,7 +2,7 @@
  * SimRobot: worlds, the Pioneer, the simulation, and on top of them the GSM modem (M2) and VeriCommand. Processes of robots
  * are written against {@link simrobot.behaviour}.
  */
-module simrobot {
+open module simrobot {
     requires simgsm.station;
     requires simgsm.console;
     requires simgsm.desktop;

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
+import simrobot.control.ConsoleRow;
 import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
 import simrobot.process.BehaviourKind;
@@ -112,7 +113,7 @@ public final class RequestedBehaviours implements AutoCloseable {
     private record Reports(SimRobot simRobot, Consumer<Event> out) implements BehaviourFolder.Listener {
         @Override
         public void loaded(BehaviourKind kind) {
-            out.accept(Event.of("behaviour-loaded").with("name", kind.text()));
+            out.accept(new ConsoleRow.BehaviourLoaded(kind.text()).line());
             simRobot.simulation()
                     .withSimulation(owned -> simRobot.robots()
                             .forEach(robot -> robot.robot().autonomy().renew(kind)));
@@ -125,7 +126,7 @@ public final class RequestedBehaviours implements AutoCloseable {
 
         @Override
         public void removed(String name) {
-            out.accept(Event.of("behaviour-removed").with("name", name));
+            out.accept(new ConsoleRow.BehaviourRemoved(name).line());
         }
     }
 }

@@ -1,13 +1,11 @@
 package simrobot.control;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.regex.Pattern;
 import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
-import simgsm.console.Event;
 import simrobot.simulation.SimulationThread;
 
 /** Commands about the pace of the simulation. */
@@ -36,7 +34,7 @@ final class PaceCommands {
             simulation.setSpeed(speed);
         }
         console.answer(console.onSimulation(
-                () -> Event.of("speed").with("value", simulation.isPaused() ? "0" : text(simulation.speed()))));
+                () -> new ConsoleRow.Speed(simulation.isPaused() ? "0" : text(simulation.speed()))));
     }
 
     private static double number(String word) throws CommandException {
@@ -69,11 +67,8 @@ final class PaceCommands {
         } catch (ExecutionException | CancellationException ended) {
             throw new CommandException("step: the simulation has ended");
         }
-        console.answer(console.onSimulation(() -> Event.of("step")
-                .with("count", count)
-                .with(
-                        "time",
-                        String.format(Locale.ROOT, "%.2f", simulation.owned().timeNanos() * 1e-9))));
+        console.answer(console.onSimulation(
+                () -> new ConsoleRow.Steps(count, simulation.owned().timeNanos() * 1e-9)));
     }
 
     private static int count(String word) throws CommandException {

@@ -12,7 +12,6 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
-import simgsm.console.Event;
 import simrobot.camera.Camera;
 import simrobot.camera.PictureFile;
 import simrobot.process.BehaviourKind;
@@ -53,10 +52,6 @@ final class RobotCommands {
         console.answer(event.line(robot.name()));
     }
 
-    private Event about(String event) {
-        return Event.of(event).with("robot", robot.name());
-    }
-
     /** A task for the simulation's thread. */
     private interface Act {
         void run() throws CommandException;
@@ -82,24 +77,20 @@ final class RobotCommands {
     }
 
     void sonar() throws CommandException {
-        onSimulation(() -> console.answer(about("sonar")
-                .with(
-                        "ranges",
-                        Arrays.stream(robot.sonarRangesMillimeters())
-                                .mapToObj(Integer::toString)
-                                .collect(Collectors.joining(",")))));
+        onSimulation(() -> console.answer(new ConsoleRow.SonarRanges(
+                robot.name(),
+                Arrays.stream(robot.sonarRangesMillimeters()).boxed().toList())));
     }
 
     void laser() throws CommandException {
         SimulatedRobot simulated = telephone
                 .simulated()
                 .orElseThrow(() -> new CommandException("laser: " + robot.name() + " has none that is simulated"));
-        onSimulation(() -> console.answer(about("laser")
-                .with(
-                        "ranges",
-                        Arrays.stream(simulated.laserRangesMeters())
-                                .mapToObj(meters -> Long.toString(Math.round(meters * 1000)))
-                                .collect(Collectors.joining(",")))));
+        onSimulation(() -> console.answer(new ConsoleRow.LaserRanges(
+                robot.name(),
+                Arrays.stream(simulated.laserRangesMeters())
+                        .mapToObj(meters -> (int) Math.round(meters * 1000))
+                        .toList())));
     }
 
     private static boolean isOn(ConsoleCommand command) throws CommandException {
@@ -225,10 +216,7 @@ final class RobotCommands {
         } catch (IOException e) {
             throw new CommandException("camera: " + file + " cannot be written: " + e.getMessage());
         }
-        console.answer(about("camera")
-                .with("file", file.toString())
-                .with("width", Camera.WIDTH)
-                .with("height", Camera.HEIGHT));
+        console.answer(new ConsoleRow.CameraWritten(robot.name(), file, Camera.WIDTH, Camera.HEIGHT));
     }
 
     void export(ConsoleCommand command) throws CommandException {
@@ -239,7 +227,7 @@ final class RobotCommands {
         } catch (IOException e) {
             throw new CommandException("export: " + e.getMessage());
         }
-        console.answer(about("exported").with("file", file.toString()));
+        console.answer(new ConsoleRow.Exported(robot.name(), file));
     }
 
     private static Path file(ConsoleCommand command, Predicate<Path> isKnown, String endings) throws CommandException {

@@ -5,6 +5,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import simgsm.console.CommandException;
@@ -130,6 +131,10 @@ public final class RobotConsole implements Console.Commands {
         out.accept(event);
     }
 
+    void answer(ConsoleRow row) {
+        out.accept(row.line());
+    }
+
     /** Performs a task on the simulation's thread and waits for it, at most 5 s. */
     <T> T onSimulation(Callable<T> act) throws CommandException {
         try {
@@ -153,20 +158,17 @@ public final class RobotConsole implements Console.Commands {
 
     private void list() {
         List<TelephoneRobot> robots = simRobot.robots();
-        robots.forEach(robot -> answer(Event.of("robot")
-                .with("robot", robot.name())
-                .with("number", robot.number().digits())));
+        robots.forEach(robot ->
+                answer(new ConsoleRow.RobotRow(robot.name(), robot.number().digits())));
         answer(Event.of("end").with("of", "robots").with("count", robots.size()));
     }
 
     private void behaviours() {
         List<BehaviourKind> kinds = simRobot.behaviours().kinds();
         for (int i = 0; i < kinds.size(); i++) {
-            Event line = Event.of("behaviour");
-            if (i < BehaviourList.MAX_NUMBER) {
-                line = line.with("number", i + 1);
-            }
-            answer(line.with("name", kinds.get(i).text()));
+            answer(new ConsoleRow.BehaviourRow(
+                    i < BehaviourList.MAX_NUMBER ? OptionalInt.of(i + 1) : OptionalInt.empty(),
+                    kinds.get(i).text()));
         }
         answer(Event.of("end").with("of", "behaviours").with("count", kinds.size()));
     }
@@ -216,11 +218,11 @@ public final class RobotConsole implements Console.Commands {
                 throw new CommandException("world: " + refusal.getMessage());
             }
         });
-        answer(Event.of("world")
-                .with("name", world.name())
-                .with("lines", world.items(Segment.class).size())
-                .with("points", world.items(Point.class).size())
-                .with("homes", world.items(Home.class).size()));
+        answer(new ConsoleRow.WorldRow(
+                world.name(),
+                world.items(Segment.class).size(),
+                world.items(Point.class).size(),
+                world.items(Home.class).size()));
     }
 
     private World read(String file) throws CommandException {

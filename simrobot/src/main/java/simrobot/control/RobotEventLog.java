@@ -3,17 +3,33 @@ package simrobot.control;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.Set;
 import java.util.function.LongSupplier;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import simgsm.console.Event;
+import simgsm.event.EventForm;
 
 /** The last 2000 events of all robots. Filled on the simulation's thread, read by any. */
 public final class RobotEventLog {
     /** Some hours with a few robots, some seconds with a crowd. */
     public static final int CAPACITY = 2000;
 
+    private static final Set<String> KEPT = names();
+
     private final LongSupplier timeNanos;
     private final Deque<LoggedEvent> events = new ArrayDeque<>();
     private List<LoggedEvent> published = List.of();
     private boolean changed;
+
+    private static Set<String> names() {
+        Set<String> names = Stream.of(RobotEvent.class.getPermittedSubclasses())
+                .map(type -> EventForm.of(type).name())
+                .collect(Collectors.toSet());
+        names.removeAll(Set.of("keys", "tone", "pose", "error"));
+        names.add("type-unknown");
+        return names;
+    }
 
     /** @param timeNanos supplies the simulated time; called on the simulation's thread */
     public RobotEventLog(LongSupplier timeNanos) {
@@ -29,14 +45,17 @@ public final class RobotEventLog {
         return published;
     }
 
-    /** Adds an event, unless it is a key, a tone or a pose. */
+    /** Whether the log keeps this event: one of a robot, but no key, tone or pose. */
+    public static boolean keeps(Event line) {
+        return line.fields().containsKey("robot") && KEPT.contains(line.name());
+    }
+
+    /** Adds an event if the log keeps it. */
     public void add(String robot, RobotEvent event) {
-        if (event instanceof RobotEvent.KeyReceived
-                || event instanceof RobotEvent.ToneSent
-                || event instanceof RobotEvent.PoseReported) {
+        LoggedEvent logged = new LoggedEvent(timeNanos.getAsLong(), robot, event);
+        if (!keeps(logged.line())) {
             return;
         }
-        LoggedEvent logged = new LoggedEvent(timeNanos.getAsLong(), robot, event);
         synchronized (this) {
             if (events.size() == CAPACITY) {
                 events.removeFirst();

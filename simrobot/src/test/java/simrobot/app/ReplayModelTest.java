@@ -23,7 +23,6 @@ import simgsm.air.Msisdn;
 import simgsm.modem.ModemOptions;
 import simgsm.speech.AudioOutput;
 import simrobot.control.LoggedEvent;
-import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
 import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
@@ -36,7 +35,6 @@ import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
 import vericommand.Instruction;
-import vericommand.RobotStatus;
 import vericommand.VeriCommandSettings;
 
 /** What the record button wrote is shown by the window that replays it. */
@@ -101,7 +99,7 @@ class ReplayModelTest {
             WindowSnapshot there = model.snapshot();
             assertEquals(0.75, there.simulation().robots().get(0).xMeters(), 0.01);
             LoggedEvent last = there.events().get(there.events().size() - 1);
-            assertEquals(new RobotEvent.StatusChanged(RobotStatus.COLLISION), last.event());
+            assertEquals("Collision", last.line().fields().get("value"));
             assertSame(there, model.snapshot());
             model.seek(0);
             until(() -> model.snapshot().simulation().timeNanos() == 0);

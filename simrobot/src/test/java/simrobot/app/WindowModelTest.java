@@ -141,7 +141,8 @@ class WindowModelTest {
                 simRobot.robots().stream().map(TelephoneRobot::name).toList());
         assertEquals("5550209", model.snapshot().lines().get(1).number());
         assertTrue(model.snapshot().events().stream()
-                .anyMatch(event -> event.robot().equals("anna") && event.event() instanceof RobotEvent.Added));
+                .anyMatch(event ->
+                        event.robot().equals("anna") && event.line().name().equals("added")));
         model.removeRobot("anna");
         // the same thread does the next act, so the one before is done
         assertEquals("", add("bert", "5550209", Optional.empty()));

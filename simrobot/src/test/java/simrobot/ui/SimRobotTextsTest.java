@@ -13,6 +13,8 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import simgsm.event.EventForm;
+import simrobot.control.RobotEvent;
 import simrobot.ui.editor.EditorTool;
 import vericommand.RobotStatus;
 
@@ -64,6 +66,7 @@ class SimRobotTextsTest {
                                     && sources.indexOf('"' + key.substring(5).replace(".word", "") + '"') >= 0
                             || key.startsWith("world.about.") && sources.indexOf('"' + last + ".map\"") >= 0
                             || isOfTheEditor(key, last, sources)
+                            || isOfAnEvent(key)
                             || isStatus(last),
                     key);
         }
@@ -74,6 +77,15 @@ class SimRobotTextsTest {
         boolean tool = EditorTool.ALL.stream().anyMatch(each -> each.id().equals(last));
         boolean field = key.startsWith("editor.field.");
         return key.startsWith("editor.") && (tool || field || sources.toString().contains("action(\"" + last + '"'));
+    }
+
+    /** The log composes its keys of the names of events, some with a value. */
+    private static boolean isOfAnEvent(String key) {
+        String[] parts = key.split("\\.");
+        return parts[0].equals("log")
+                && (parts[1].equals("type-unknown")
+                        || Stream.of(RobotEvent.class.getPermittedSubclasses())
+                                .anyMatch(event -> EventForm.of(event).name().equals(parts[1])));
     }
 
     private static boolean isStatus(String word) {

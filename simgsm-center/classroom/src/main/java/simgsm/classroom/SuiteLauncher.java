@@ -6,7 +6,6 @@ import java.util.OptionalInt;
 import simgsm.center.CenterLauncher;
 import simgsm.center.app.Center;
 import simgsm.center.app.CenterCommands;
-import simgsm.center.app.CenterEventPrinter;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterWindow;
 import simgsm.center.app.DataDirectory;
@@ -124,8 +123,8 @@ public final class SuiteLauncher implements CenterLauncher {
 
     private static int runConsole(Center center, Arguments arguments, CenterSettings settings) throws Exception {
         try (Console console = Console.onStandardOutput()) {
-            center.start(event -> console.emit(CenterEventPrinter.of(event)));
-            console.ready(CenterEventPrinter.ready(center));
+            center.start(console::tell);
+            console.ready(center.ready());
             Program.runConsole(console, arguments, new CenterCommands(center, console));
             return console.exitStatus();
         }

@@ -105,7 +105,7 @@ final class BroadcastCommand {
         try {
             BroadcastView begun = center.broadcast(options.order(Integer.parseInt(channel.name()), text));
             if (begun.left().orElse(1) > 0) {
-                console.emit(CenterEventPrinter.of(begun));
+                console.tell(begun);
             }
         } catch (IllegalArgumentException e) {
             throw new CommandException("broadcast: " + e.getMessage());

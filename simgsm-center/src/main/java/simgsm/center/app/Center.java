@@ -34,6 +34,7 @@ import simgsm.center.web.EventCounts;
 import simgsm.console.Event;
 import simgsm.console.FatalError;
 import simgsm.console.HostPort;
+import simgsm.event.EventLine;
 import simgsm.net.FirstExchange;
 import simgsm.web.WebPort;
 
@@ -241,6 +242,19 @@ public final class Center implements AutoCloseable {
         return ask(exchange -> exchange.broadcast(loop.nowNanos(), order));
     }
 
+    /** The first event of a console, with the ports that are open. */
+    public Event ready() {
+        return withPort(withPort(Event.of("ready").with("port", port()), "smpp", smppPort()), "http", httpPort());
+    }
+
+    private static Event withPort(Event event, String name, OptionalInt port) {
+        return port.isPresent() ? event.with(name, port.getAsInt()) : event;
+    }
+
+    /** Answer to {@code handover}: the algorithm with its numbers, and the margin in dB. */
+    @EventLine("handover algorithm= margin=")
+    public record HandoverChosen(String algorithm, int margin) {}
+
     /**
      * Chooses when calls over towers move to another cell, from their next traffic channel on.
      *
@@ -254,7 +268,7 @@ public final class Center implements AutoCloseable {
             exchange.setHandover(algorithm);
             return true;
         });
-        return Event.of("handover").with("algorithm", text).with("margin", algorithm.marginDecibels());
+        return Event.from(new HandoverChosen(text, algorithm.marginDecibels()));
     }
 
     /** @return false if no broadcast with this id is repeated */

@@ -1,10 +1,12 @@
 package simgsm.center.app;
 
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import simgsm.center.msc.Exchange;
 import simgsm.center.smsc.MessageHistory;
+import simgsm.center.smsc.MessageState;
 import simgsm.console.CommandException;
 import simgsm.console.CommandTable;
 import simgsm.console.Console;
@@ -21,24 +23,24 @@ public final class CenterCommands implements Console.Commands {
                     (to, command) -> to.list(
                             command,
                             exchange -> exchange.subscribers().stream()
-                                    .map(subscriber ->
-                                            CenterEventPrinter.of(subscriber, exchange.isBarred(subscriber)))))
+                                    .map(exchange::row)
+                                    .map(Event::from)))
             .add(
                     "calls",
                     (to, command) -> to.list(
-                            command, exchange -> exchange.calls().stream().map(CenterEventPrinter::of)))
+                            command, exchange -> exchange.calls().stream().map(Event::from)))
             .add(
                     "messages",
                     (to, command) -> to.list(
                             command,
                             exchange -> exchange.shortMessages().messages().waiting().stream()
-                                    .map(CenterEventPrinter::of)))
+                                    .map(message -> Event.from(message, Map.of("state", MessageState.ACCEPTED)))))
             .add("message", CenterCommands::message)
             .add("broadcast", (to, command) -> to.broadcasts.perform(command))
             .add(
                     "broadcasts",
                     (to, command) -> to.list(
-                            command, exchange -> exchange.broadcasts().stream().map(CenterEventPrinter::of)))
+                            command, exchange -> exchange.broadcasts().stream().map(Event::from)))
             .add("handover", CenterCommands::handover);
 
     private final Center center;
@@ -80,9 +82,7 @@ public final class CenterCommands implements Console.Commands {
                         exchange -> exchange.shortMessages().messages().history(Long.parseLong(id)))
                 .orElseThrow(() ->
                         new CommandException("message: expected one that waits or has lately ended, found " + id));
-        console.emit(CenterEventPrinter.of(history));
-        console.emitList(
-                "message",
-                history.attempts().stream().map(CenterEventPrinter::of).toList());
+        console.emit(Event.from(history));
+        console.emitList("message", history.attempts().stream().map(Event::from).toList());
     }
 }

@@ -90,10 +90,9 @@ public final class CenterWindow implements CenterActions {
         center.publishSnapshots(watch.snapshots());
         Optional<Console> console =
                 arguments.has("console") ? Optional.of(Console.onStandardOutput()) : Optional.empty();
-        center.start(console.map(out -> watch.events().andThen(event -> out.emit(CenterEventPrinter.of(event))))
-                .orElse(watch.events()));
+        center.start(console.map(out -> watch.events().andThen(out::tell)).orElse(watch.events()));
         console.ifPresent(out -> {
-            out.ready(CenterEventPrinter.ready(center));
+            out.ready(center.ready());
             window.withConsole(() -> Program.runConsole(out, arguments, new CenterCommands(center, out)));
         });
         if (watch.mayBeginLesson()) {

@@ -3,6 +3,7 @@ package simgsm.center.msc;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalInt;
+import simgsm.event.EventLine;
 
 /**
  * A repeated cell broadcast.
@@ -12,6 +13,7 @@ import java.util.OptionalInt;
  * @param sent number of broadcasts so far
  * @param left number of further broadcasts; empty: until it is stopped
  */
+@EventLine("broadcast id= channel= language= update= pages= every=period.toSeconds sent= [left=] text=")
 public record BroadcastView(
         int id,
         int channel,

@@ -302,9 +302,9 @@ public final class Exchange {
         return register.all();
     }
 
-    /** Whether the operator has barred the subscriber. */
-    public boolean isBarred(Subscriber subscriber) {
-        return register.home().isBarred(subscriber.imsi());
+    /** The subscriber as a row of a list. */
+    public ExchangeSnapshot.SubscriberRow row(Subscriber subscriber) {
+        return ExchangeSnapshot.SubscriberRow.of(subscriber, register.home().isBarred(subscriber.imsi()));
     }
 
     /** Whether this number is listed, or has ever registered. */

@@ -3,9 +3,12 @@ package simgsm.center.msc;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.call.CallView;
 import simgsm.center.smsc.MessageHistory;
+import simgsm.center.subscriber.Subscriber;
+import simgsm.event.EventLine;
 
 /**
  * The exchange at one moment, for a window. Lists have at most {@link #MAX_ROWS} elements; the counts are complete.
@@ -36,8 +39,23 @@ public record ExchangeSnapshot(
     public static final int MAX_ROWS = 1_000;
 
     /** @param imei empty before the first registration; @param barred whether the operator has barred the subscriber */
+    @EventLine("subscriber number= state=")
     public record SubscriberRow(Msisdn number, boolean attached, String imsi, String imei, boolean barred) {
-        /** Of a subscriber who may register. */
+        public static SubscriberRow of(Subscriber subscriber, boolean barred) {
+            return new SubscriberRow(
+                    subscriber.number(),
+                    subscriber.isAttached(),
+                    subscriber.imsi().digits(),
+                    subscriber.imei().map(Imei::digits).orElse(""),
+                    barred);
+        }
+
+        /** {@code attached}, {@code detached} or {@code barred}. */
+        public String state() {
+            return attached ? "attached" : barred ? "barred" : "detached";
+        }
+
+        /** A provisioned subscriber. */
         public SubscriberRow(Msisdn number, boolean attached, String imsi, String imei) {
             this(number, attached, imsi, imei, false);
         }

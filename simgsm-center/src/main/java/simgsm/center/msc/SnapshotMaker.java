@@ -6,13 +6,11 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
-import simgsm.air.Imei;
 import simgsm.center.msc.call.CallSwitch;
 import simgsm.center.msc.call.CallView;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
-import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
 
 /** Makes the snapshots of an exchange. */
@@ -69,7 +67,11 @@ final class SnapshotMaker {
                 register.attachedCount(),
                 shortMessages.waitingCount(),
                 calls.speechFramesSwitched(),
-                register.all().stream().limit(most).map(this::row).toList(),
+                register.all().stream()
+                        .limit(most)
+                        .map(each -> ExchangeSnapshot.SubscriberRow.of(
+                                each, register.home().isBarred(each.imsi())))
+                        .toList(),
                 calls.calls().stream().limit(most).map(CallView::of).toList(),
                 messages(most),
                 ladder.entries(),
@@ -92,15 +94,6 @@ final class SnapshotMaker {
     private ExchangeSnapshot.Passing withKeys(ExchangeSnapshot.Passing call) {
         return new ExchangeSnapshot.Passing(
                 call.from(), call.to(), calls.keyTap().keys());
-    }
-
-    private ExchangeSnapshot.SubscriberRow row(Subscriber subscriber) {
-        return new ExchangeSnapshot.SubscriberRow(
-                subscriber.number(),
-                subscriber.isAttached(),
-                subscriber.imsi().digits(),
-                subscriber.imei().map(Imei::digits).orElse(""),
-                register.home().isBarred(subscriber.imsi()));
     }
 
     /** Waiting messages first, then up to 100 ended ones. */

@@ -3,6 +3,7 @@ package simgsm.center.smsc;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import simgsm.event.EventLine;
 
 /**
  * The attempts at a message so far and the next one. After a restart the centre knows when the message was accepted, and
@@ -13,6 +14,8 @@ import java.util.Optional;
  * @param nextTry by the schedule; empty when no schedule runs
  * @param endedAt empty while it waits
  */
+@EventLine("message id=message.id from=message.from to=message.to state= standing=waitReason"
+        + " accepted=message.acceptedAt expires=message.expiresAt attempts=attemptCount [next=nextTry] [ended=endedAt]")
 public record MessageHistory(
         ShortMessage message,
         MessageState state,

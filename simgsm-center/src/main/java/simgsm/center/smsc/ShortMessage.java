@@ -3,6 +3,7 @@ package simgsm.center.smsc;
 import java.time.Instant;
 import java.util.Optional;
 import simgsm.air.Msisdn;
+import simgsm.event.EventLine;
 import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.UserData;
@@ -17,6 +18,7 @@ import simgsm.sms.UserData;
  * @param expiresAt end of the validity period
  * @param esme empty for a message from a mobile
  */
+@EventLine("queued id= from= to= state=")
 public record ShortMessage(
         long id,
         Msisdn from,

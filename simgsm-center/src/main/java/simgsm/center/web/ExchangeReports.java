@@ -1,24 +1,29 @@
 package simgsm.center.web;
 
-import java.time.Instant;
-import java.time.temporal.ChronoUnit;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.function.IntSupplier;
-import simgsm.air.Imei;
+import java.util.stream.Stream;
 import simgsm.center.msc.Exchange;
+import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.center.msc.call.CallProgress;
-import simgsm.center.msc.call.CallView;
-import simgsm.center.smsc.DeliveryAttempt;
 import simgsm.center.smsc.MessageHistory;
 import simgsm.center.smsc.MessageState;
-import simgsm.center.smsc.ShortMessage;
-import simgsm.center.subscriber.Subscriber;
+import simgsm.event.EventForm;
 import simgsm.web.JsonText;
 
 /** The state of the exchange, as metrics and as JSON. On the exchange's thread; no list has more than 1000 elements. */
 final class ExchangeReports {
     static final int MOST_ELEMENTS = 1_000;
+
+    private static final EventForm SUBSCRIBER =
+            EventForm.of(ExchangeSnapshot.SubscriberRow.class, "subscriber number= state= imsi= imei=");
+    private static final EventForm MESSAGE = EventForm.of(
+            MessageHistory.class,
+            "message id=message.id from=message.sender.value to=message.to state= standing=waitReason"
+                    + " accepted=message.acceptedAt expires=message.expiresAt [next=nextTry] [ended=endedAt]"
+                    + " attempts=attemptCount");
 
     private final EventCounts counts;
     private final IntSupplier applications;
@@ -66,47 +71,23 @@ final class ExchangeReports {
     }
 
     String subscribers(Exchange exchange) {
-        JsonText json = new JsonText().open('[');
-        exchange.subscribers().stream().limit(MOST_ELEMENTS).forEach(subscriber -> write(json, exchange, subscriber));
-        return json.close(']').toString();
-    }
-
-    private static void write(JsonText json, Exchange exchange, Subscriber subscriber) {
-        String otherwise = exchange.isBarred(subscriber) ? "barred" : "detached";
-        json.open('{')
-                .name("number")
-                .value(subscriber.number().digits())
-                .name("state")
-                .value(subscriber.isAttached() ? "attached" : otherwise)
-                .name("imsi")
-                .value(subscriber.imsi().digits())
-                .name("imei")
-                .value(subscriber.imei().map(Imei::digits).orElse(""))
-                .close('}');
+        return list(
+                exchange.subscribers().stream().map(exchange::row),
+                (json, subscriber) -> json.object(SUBSCRIBER, subscriber));
     }
 
     String calls(Exchange exchange) {
-        JsonText json = new JsonText().open('[');
-        exchange.calls().stream().limit(MOST_ELEMENTS).forEach(call -> write(json, call));
-        return json.close(']').toString();
-    }
-
-    private static void write(JsonText json, CallView call) {
-        json.open('{')
-                .name("from")
-                .value(call.from().digits())
-                .name("to")
-                .value(call.to())
-                .name("state")
-                .value(word(call.state()))
-                .name("seconds")
-                .value(call.activeSeconds())
-                .close('}');
+        return list(exchange.calls().stream(), JsonText::object);
     }
 
     String queue(Exchange exchange) {
+        return list(
+                exchange.shortMessages().messages().waitingHistories(MOST_ELEMENTS).stream(), ExchangeReports::write);
+    }
+
+    private static <T> String list(Stream<T> elements, BiConsumer<JsonText, T> writer) {
         JsonText json = new JsonText().open('[');
-        exchange.shortMessages().messages().waitingHistories(MOST_ELEMENTS).forEach(history -> write(json, history));
+        elements.limit(MOST_ELEMENTS).forEach(element -> writer.accept(json, element));
         return json.close(']').toString();
     }
 
@@ -120,33 +101,9 @@ final class ExchangeReports {
     }
 
     private static void write(JsonText json, MessageHistory history) {
-        ShortMessage message = history.message();
-        json.open('{')
-                .name("id")
-                .value(message.id())
-                .name("from")
-                .value(message.sender().value())
-                .name("to")
-                .value(message.to().digits())
-                .name("state")
-                .value(word(history.state()))
-                .name("standing")
-                .value(word(history.waitReason()));
-        time(json, "accepted", message.acceptedAt());
-        time(json, "expires", message.expiresAt());
-        history.nextTry().ifPresent(next -> time(json, "next", next));
-        history.endedAt().ifPresent(end -> time(json, "ended", end));
-        json.name("attempts").value(history.attemptCount()).name("latest").open('[');
-        for (DeliveryAttempt attempt : history.attempts()) {
-            json.open('{');
-            time(json, "at", attempt.at());
-            json.name("outcome").value(word(attempt.outcome())).close('}');
-        }
+        json.open('{').fields(MESSAGE, history).name("latest").open('[');
+        history.attempts().forEach(json::object);
         json.close(']').close('}');
-    }
-
-    private static void time(JsonText json, String name, Instant time) {
-        json.name(name).value(time.truncatedTo(ChronoUnit.MILLIS).toString());
     }
 
     private static String word(Enum<?> state) {

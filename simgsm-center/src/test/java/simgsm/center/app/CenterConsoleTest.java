@@ -80,7 +80,7 @@ class CenterConsoleTest {
 
     private List<String> linesAfter(String commands) throws Exception {
         try (Console closing = console) {
-            center.start(event -> closing.emit(CenterEventPrinter.of(event)));
+            center.start(closing::tell);
             console.ready(Event.of("ready").with("port", "1234"));
             console.run(new BufferedReader(new StringReader(commands)), new CenterCommands(center, closing));
         }

@@ -41,6 +41,11 @@ public final class EventForm {
         return FORMS.get(event.getClass());
     }
 
+    /** The form that this class declares; IllegalArgumentException if it declares none. */
+    public static EventForm of(Class<?> type) {
+        return FORMS.get(type).orElseThrow(() -> new IllegalArgumentException(type.getName() + " declares no line"));
+    }
+
     /**
      * Reads a form.
      *
@@ -67,7 +72,7 @@ public final class EventForm {
         Map<String, Object> values = new LinkedHashMap<>();
         for (Field field : fields) {
             Object value = given.containsKey(field.key) ? given.get(field.key) : field.of(event);
-            if (!field.isOptional || value != Optional.empty()) {
+            if (!field.isOptional || !text(value).isEmpty()) {
                 values.put(field.key, value);
             }
         }

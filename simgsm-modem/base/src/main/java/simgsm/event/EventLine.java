@@ -11,7 +11,7 @@ import java.lang.annotation.Target;
  *
  * <p>{@code KEY=} is the component or public method of that name; without one, the printer gives the value.
  * {@code KEY=PATH} is another component, or a component of a component. {@code KEY=PATH:N} rounds a number to N decimals.
- * A field in brackets is left out while it is an empty Optional.
+ * A field in brackets is left out while it is empty.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.TYPE)

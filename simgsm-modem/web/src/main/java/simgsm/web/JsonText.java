@@ -1,7 +1,11 @@
 package simgsm.web;
 
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
 import java.util.Locale;
+import java.util.Map;
 import simgsm.console.JsonString;
+import simgsm.event.EventForm;
 
 /** Writes JSON (RFC 8259) field by field. */
 public final class JsonText {
@@ -57,6 +61,32 @@ public final class JsonText {
         separate();
         String number = String.format(Locale.ROOT, "%." + decimals + "f", value);
         text.append(number.matches("-0\\.?0*") ? number.substring(1) : number);
+        return this;
+    }
+
+    /** An object with the fields that the event's class declares. */
+    public JsonText object(Object event) {
+        return object(EventForm.of(event).orElseThrow(), event);
+    }
+
+    /** An object with these fields of an event. */
+    public JsonText object(EventForm form, Object event) {
+        return open('{').fields(form, event).close('}');
+    }
+
+    /** Fields of the open object: numbers and truth values as such, times with milliseconds, all others as texts. */
+    public JsonText fields(EventForm form, Object event) {
+        form.values(event, Map.of()).forEach((name, value) -> {
+            name(name).separate();
+            text.append(
+                    value instanceof Number || value instanceof Boolean
+                            ? value.toString()
+                            : JsonString.quoted(
+                                    value instanceof Instant time
+                                            ? time.truncatedTo(ChronoUnit.MILLIS)
+                                                    .toString()
+                                            : EventForm.text(value)));
+        });
         return this;
     }
 

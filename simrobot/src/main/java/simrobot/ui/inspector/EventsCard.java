@@ -43,7 +43,7 @@ public final class EventsCard extends JPanel {
         @Override
         public String getToolTipText(MouseEvent event) {
             int row = locationToIndex(event.getPoint());
-            return row < 0 ? null : words.of(model.rows.get(row).event());
+            return row < 0 ? null : words.of(model.rows.get(row).line());
         }
     };
 
@@ -67,7 +67,7 @@ public final class EventsCard extends JPanel {
         list.setCellRenderer(new RowRenderer());
         whole = new WrappedText("events.whole", texts.of("log.whole"), Ink.TEXT);
         list.addListSelectionListener(chosen -> whole.show(
-                list.isSelectionEmpty() ? "" : words.of(list.getSelectedValue().event())));
+                list.isSelectionEmpty() ? "" : words.of(list.getSelectedValue().line())));
         pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         onlySelected = new JCheckBox(texts.of("log.only"));
         onlySelected.setOpaque(false);
@@ -224,7 +224,7 @@ public final class EventsCard extends JPanel {
             g.setColor(Theme.color(Ink.TEXT));
             g.setFont(Theme.base());
             g.drawString(
-                    Drawing.fitted(Theme.base(), words.of(event.event()), width - 2 * left),
+                    Drawing.fitted(Theme.base(), words.of(event.line()), width - 2 * left),
                     (float) left,
                     Theme.exact(30));
         }

@@ -31,6 +31,7 @@ import simrobot.ui.OpenPort;
 import simrobot.ui.SimRobotTexts;
 import simrobot.ui.inspector.EventTexts;
 import simrobot.ui.inspector.EventsCard;
+import vericommand.Pose;
 import vericommand.RobotStatus;
 
 /** Robots come, go, and are put somewhere by hand; the called robot is shown. */
@@ -378,16 +379,20 @@ class RobotsInTheWindowTest {
                 new RobotEvent.CallReleased(16),
                 new RobotEvent.StatusChanged(RobotStatus.MOVING),
                 new RobotEvent.BehaviourChanged(BehaviourKind.WANDER),
+                new RobotEvent.Arrived(new Pose(1, 2, 90)),
                 new RobotEvent.BehaviourFailed("Dance", 12, "ArithmeticException: / by zero"));
         for (ModemState state : ModemState.values()) {
-            assertTrue(words.of(new RobotEvent.ModemChanged(state, "TestNet")).contains("modem"), state.word());
+            assertTrue(
+                    words.of(new RobotEvent.ModemChanged(state, "TestNet").line("anna"))
+                            .contains("modem"),
+                    state.word());
         }
         for (RobotEvent event : events) {
-            String text = words.of(event);
+            String text = words.of(new LoggedEvent(0, "anna", event).line());
             assertFalse(text.isBlank() || text.startsWith("log."), event + ": " + text);
         }
-        // all but keys, tones, poses and arrivals, which the log leaves out, and the modem's states
-        assertEquals(RobotEvent.class.getPermittedSubclasses().length - 5, events.size());
+        // all but keys, tones and poses, which the log leaves out, and the modem's states
+        assertEquals(RobotEvent.class.getPermittedSubclasses().length - 4, events.size());
     }
 
     private EventsCard card() {

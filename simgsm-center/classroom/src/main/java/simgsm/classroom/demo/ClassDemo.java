@@ -20,7 +20,6 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import simgsm.air.Msisdn;
-import simgsm.center.app.CenterEventPrinter;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterTexts;
 import simgsm.center.app.CenterWindow;
@@ -357,8 +356,7 @@ public final class ClassDemo {
         DemoTranscript transcript = new DemoTranscript(out);
         TextBundle texts = CenterTexts.in(settings.language());
         programs.center()
-                .start(event ->
-                        transcript.line("centre", CenterEventPrinter.of(event).toString()));
+                .start(event -> transcript.line("centre", Event.from(event).toString()));
         DemoConsole robots = new DemoConsole("robots", startRobots(programs, "--headless"), transcript, this::event);
         List<Optional<DemoFailure>> failures = new ArrayList<>();
         try {

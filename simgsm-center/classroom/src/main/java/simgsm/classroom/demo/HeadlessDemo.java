@@ -2,10 +2,10 @@ package simgsm.classroom.demo;
 
 import java.io.IOException;
 import java.lang.ProcessBuilder.Redirect;
-import simgsm.center.app.CenterEventPrinter;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterTexts;
 import simgsm.console.Arguments;
+import simgsm.console.Event;
 import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
@@ -34,8 +34,7 @@ public final class HeadlessDemo {
         transcript.heading(
                 texts.of("demo.start", Integer.toString(programs.center().port())));
         programs.center()
-                .start(event ->
-                        transcript.line("centre", CenterEventPrinter.of(event).toString()));
+                .start(event -> transcript.line("centre", Event.from(event).toString()));
         DemoConsole robot =
                 new DemoConsole("robot", programs.startRobot(Redirect.PIPE, "--headless", "--no-sound"), transcript);
         DemoConsole phone =

@@ -18,7 +18,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import simgsm.center.app.CenterEventPrinter;
 import simgsm.center.app.CenterTexts;
 import simgsm.center.app.ChildConsole;
 import simgsm.center.msc.ExchangeEvent;
@@ -109,7 +108,7 @@ final class LessonSession implements AutoCloseable {
 
     /** Takes the centre's events. */
     Consumer<ExchangeEvent> centerEvents() {
-        return event -> events.add(CENTRE, CenterEventPrinter.of(event));
+        return event -> events.add(CENTRE, Event.from(event));
     }
 
     /** Takes the centre's ladder. */

@@ -3,6 +3,7 @@ package simgsm.center.msc.call;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
+import simgsm.event.EventLine;
 
 /**
  * A call at one moment, for the operator.
@@ -11,6 +12,7 @@ import simgsm.air.Msisdn;
  * @param activeSeconds time for which the call has been active, or was
  * @param cause why the call was cleared; empty before
  */
+@EventLine("call from= to= state= seconds=activeSeconds")
 public record CallView(Msisdn from, String to, CallProgress state, long activeSeconds, Optional<Cause> cause) {
     /** A call that has not been cleared. */
     public CallView(Msisdn from, String to, CallProgress state, long activeSeconds) {
