@@ -1,12 +1,14 @@
 package simgsm.phone;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.text.MessageFormat;
+import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.Set;
@@ -32,6 +34,15 @@ class BundleTest {
         return bundle.keySet().stream()
                 .filter(key -> ((java.util.PropertyResourceBundle) bundle).handleGetObject(key) != null)
                 .collect(Collectors.toSet());
+    }
+
+    /** A menu with two rows of one text cannot be used. */
+    @Test
+    void sendingAgainAndForwardingHaveDifferentTextsInBothLanguages() {
+        for (ResourceBundle bundle : List.of(english, spanish)) {
+            assertNotEquals(bundle.getString("option.forward"), bundle.getString("soft.again"));
+            assertNotEquals(bundle.getString("option.forward"), bundle.getString("option.again"));
+        }
     }
 
     @Test

@@ -8,6 +8,7 @@ import simgsm.draw.Canvas;
 import simgsm.draw.Face;
 import simgsm.draw.Ink;
 import simgsm.draw.Outline;
+import simrobot.simulation.RobotSnapshot;
 import simrobot.world.Area;
 import simrobot.world.Box;
 import simrobot.world.ForbiddenArea;
@@ -28,6 +29,8 @@ public final class FloorPainter {
     private static final double CHEVRON_SPACING_METERS = 0.5;
     private static final double CHEVRON_METERS = 0.16;
     private static final double HOME_RADIUS_METERS = 0.3;
+    /** Within this distance of its home a robot's name would overlap the home's. */
+    private static final double NEAR_HOME_METERS = 1;
     /** Below this scale names are left out, in pixels per metre at zoom 1. */
     private static final double LEAST_NAMED_SCALE = 22;
     /** The height of a row of a name. */
@@ -279,7 +282,7 @@ public final class FloorPainter {
         });
         double x = view.screenX(home.position().xMeters());
         double y = view.screenY(home.position().yMeters());
-        double r = Math.max(g.px(5), HOME_RADIUS_METERS * view.pixelsPerMeter());
+        double r = homeRadius();
         g.ink(Ink.GOOD, 0.55);
         g.pen(1.2, 4);
         g.draw(Outline.circle(x, y, r));
@@ -287,7 +290,22 @@ public final class FloorPainter {
         double ux = Math.cos(home.headingRadians());
         double uy = -Math.sin(home.headingRadians());
         g.line(x + ux * r, y + uy * r, x + ux * (r + g.px(6)), y + uy * (r + g.px(6)));
-        name(names.of(home.name()), x, y + r + g.px(11), Double.MAX_VALUE, Ink.GOOD);
+    }
+
+    /** Names of homes, except where a named robot of the same name is at home. */
+    public void homeNames(World world, List<RobotSnapshot> named) {
+        for (Home home : world.items(Home.class)) {
+            Position at = home.position();
+            if (named.stream().noneMatch(robot -> robot.name().equals(home.name())
+                    && Math.hypot(robot.xMeters() - at.xMeters(), robot.yMeters() - at.yMeters()) < NEAR_HOME_METERS)) {
+                double y = view.screenY(at.yMeters()) + homeRadius() + g.px(11);
+                name(names.of(home.name()), view.screenX(at.xMeters()), y, Double.MAX_VALUE, Ink.GOOD);
+            }
+        }
+    }
+
+    private double homeRadius() {
+        return Math.max(g.px(5), HOME_RADIUS_METERS * view.pixelsPerMeter());
     }
 
     private void goal(Goal goal) {

@@ -1,5 +1,6 @@
 package simrobot.drawing;
 
+import java.util.List;
 import simgsm.draw.Canvas;
 import simgsm.draw.Face;
 import simgsm.draw.Ink;
@@ -45,11 +46,13 @@ public final class WorldPainter {
         axes(g, view);
     }
 
-    /** The part that moves: surfaces, trails, sonar echoes, robots. */
+    /** The part that changes with the robots: surfaces, names of homes, trails, sonar echoes, robots. */
     public static void robots(Canvas g, SimulationSnapshot scene, Viewport view, Layers layers, String selected) {
-        new FloorPainter(g, view).surfaces(scene.world(), scene.timeNanos());
-        RobotPainter painter = new RobotPainter(g, view);
+        FloorPainter floor = new FloorPainter(g, view, layers.names());
+        floor.surfaces(scene.world(), scene.timeNanos());
         boolean alone = scene.robots().size() == 1;
+        floor.homeNames(scene.world(), alone ? List.of() : scene.robots());
+        RobotPainter painter = new RobotPainter(g, view);
         scene.robots().forEach(painter::path);
         for (RobotSnapshot robot : scene.robots()) {
             if (layers.trail()) {
@@ -70,9 +73,11 @@ public final class WorldPainter {
         }
     }
 
-    /** Treadmills at rest, other surfaces, and each robot in a group {@code robot}, which a script can move and turn. */
-    public static void movableRobots(Canvas g, SimulationSnapshot scene, Viewport view) {
-        new FloorPainter(g, view).surfaces(scene.world(), 0);
+    /** Treadmills at rest, other surfaces, names of homes, and each robot in a group {@code robot}, which a script moves and turns. */
+    public static void movableRobots(Canvas g, SimulationSnapshot scene, Viewport view, PlaceNames names) {
+        FloorPainter floor = new FloorPainter(g, view, names);
+        floor.surfaces(scene.world(), 0);
+        floor.homeNames(scene.world(), scene.robots());
         RobotPainter painter = new RobotPainter(g, view);
         scene.robots().forEach(robot -> g.group("robot", () -> painter.movable(robot)));
     }

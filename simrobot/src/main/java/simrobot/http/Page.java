@@ -66,7 +66,7 @@ final class Page {
         return new PageBody(
                 filled(before, scene, source) + WorldMap.opening(scene.world(), title),
                 floor(scene.world()),
-                WorldMap.robots(scene) + filled(after, scene, source));
+                WorldMap.robots(scene, names) + filled(after, scene, source));
     }
 
     private synchronized PageBody.Part floor(World world) {

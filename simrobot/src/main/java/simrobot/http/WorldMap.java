@@ -52,10 +52,10 @@ final class WorldMap {
         return g.elements();
     }
 
-    /** What follows the floor: the robots, and the picture's end. */
-    static String robots(SimulationSnapshot scene) {
+    /** The robots, and the picture's end. */
+    static String robots(SimulationSnapshot scene, PlaceNames names) {
         SvgCanvas g = canvas();
-        WorldPainter.movableRobots(g, scene, view(scene.world()));
+        WorldPainter.movableRobots(g, scene, view(scene.world()), names);
         return g.elements() + "</svg>\n";
     }
 

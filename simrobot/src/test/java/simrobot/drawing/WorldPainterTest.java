@@ -14,6 +14,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.draw.Appearance;
@@ -25,6 +26,8 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.panel.WindowBench;
 import simrobot.world.Box;
+import simrobot.world.Home;
+import simrobot.world.Position;
 import simrobot.world.World;
 import vericommand.Instruction;
 
@@ -72,6 +75,26 @@ class WorldPainterTest {
                 assertTrue(picture.contains(word), word);
             }
         }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 1, es", "0, 1, en", "2, 2, en"})
+    void aHomeHasNoNameWhileItsRobotIsThere(double metersAway, int names, String language) throws Exception {
+        World world = WindowBench.world("office.map");
+        Home home = world.items(Home.class).stream()
+                .filter(each -> each.name().equals("Reception"))
+                .findFirst()
+                .orElseThrow();
+        Simulation simulation = new Simulation(world, 1);
+        simulation.addRobot(
+                "Reception",
+                new Position(home.position().xMeters() + metersAway, home.position().yMeters()),
+                0);
+        simulation.addRobot("Corridor");
+        SvgCanvas g = new SvgCanvas(ink -> "#000");
+        Layers layers = Layers.ALL.withNames(PlaceNames.in(Locale.forLanguageTag(language)));
+        WorldPainter.paint(g, simulation.snapshot(), new Viewport(3, 3, 60, 688, 600), layers, null);
+        assertEquals(names, g.elements().split("Recep[tc]i", -1).length - 1, g.elements());
     }
 
     /** The octagon of 44 x 38 cm has 1,372 cm2; wheels, axle, nose and outline lie on top of it. */

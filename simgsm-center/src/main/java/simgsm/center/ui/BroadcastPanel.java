@@ -16,8 +16,6 @@ import javax.swing.JScrollPane;
 import javax.swing.JSpinner;
 import javax.swing.JTextArea;
 import javax.swing.SpinnerNumberModel;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.BroadcastView;
 import simgsm.console.TextBundle;
@@ -26,6 +24,7 @@ import simgsm.sms.BroadcastSerial;
 import simgsm.sms.CellBroadcast;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DocumentChanges;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -115,7 +114,7 @@ final class BroadcastPanel extends JPanel {
         // Tab moves the focus.
         text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
-        text.getDocument().addDocumentListener(new Counter());
+        text.getDocument().addDocumentListener(new DocumentChanges(this::count));
         language.addActionListener(event -> count());
         field = new JScrollPane(text);
         running = Tables.broadcasts(texts).onChoice(row -> lookAtChoice());
@@ -303,22 +302,5 @@ final class BroadcastPanel extends JPanel {
         running.setPreferredSize(new Dimension(0, Theme.px(RUNNING_UNITS)));
         result.setFont(Theme.base());
         result.setForeground(Theme.color(Ink.QUIET));
-    }
-
-    private final class Counter implements DocumentListener {
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            count();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            count();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {
-            count();
-        }
     }
 }

@@ -19,9 +19,8 @@ import simgsm.ui.Lamp;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
-import simgsm.ui.window.WindowKeys;
 
-/** Name, port, counts, rates, and the buttons for appearance and quitting. */
+/** Name, port, counts, rates, and the buttons for folding and quitting. */
 final class HeaderPanel extends JPanel {
     private static final int ROW_GAP = 12;
 
@@ -54,9 +53,6 @@ final class HeaderPanel extends JPanel {
         network.setText(texts.of(accessKey));
         network.setToolTipText(texts.of(accessKey + ".why"));
         network.setName("network");
-        UserAction appearance = new UserAction("window.appearance", "", () -> WindowKeys.switchAppearance(this))
-                .described(texts.of("window.appearance.why"))
-                .with(Symbol.SUN_MOON.icon());
         JToggleButton fold = new JToggleButton();
         fold.setAction(new UserAction("window.fold", "", () -> {
                     fold.setIcon((fold.isSelected() ? Symbol.UP : Symbol.DOWN).icon());
@@ -70,7 +66,6 @@ final class HeaderPanel extends JPanel {
         buttons = Arrange.row(
                 8,
                 ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
-                ComponentNames.name(new JButton(appearance), "window.appearance", texts.of("window.appearance.why")),
                 ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")));
         row = Arrange.row(ROW_GAP, title, port, network, Arrange.growing(rateLabel), attached, calls, waiting, buttons);
         add(row, BorderLayout.CENTER);

@@ -2,6 +2,7 @@ package simgsm.center.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -381,6 +382,20 @@ class MonitorPanelTest {
         assertEquals(
                 Scene.everyKind().size(),
                 find("ladder.list", JList.class).getModel().getSize());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en,1024", "es,1024", "en,880", "es,880", "en,960", "es,960", "en,1100", "es,1100"})
+    void theTwoFiltersOfTheLadderAreToldApartAndLeaveRoomForTheTextThatIsSought(String language, int width) {
+        panel = build(language);
+        panel.setSize(width, 400);
+        layOut(panel);
+        JComboBox<?> who = find("ladder.who", JComboBox.class);
+        JComboBox<?> kind = find("ladder.kind", JComboBox.class);
+        assertNotEquals(who.getItemAt(0), kind.getItemAt(0));
+        assertFalse(who.getToolTipText().isEmpty());
+        int sought = find("ladder.find", JTextField.class).getWidth();
+        assertTrue(sought >= 100, sought + " pixels");
     }
 
     @Test

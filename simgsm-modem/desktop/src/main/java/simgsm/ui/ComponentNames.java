@@ -2,9 +2,9 @@ package simgsm.ui;
 
 import java.awt.Component;
 import java.awt.Container;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JSpinner;
 import javax.swing.KeyStroke;
@@ -33,19 +33,22 @@ public final class ComponentNames {
 
     /** The components of a tree that take the keyboard focus and have no accessible name, or one with a mnemonic's mark. */
     public static List<Component> unnamed(Component root) {
-        List<Component> found = new ArrayList<>();
-        if (root.isFocusable() && root instanceof JComponent component && hasKeys(component)) {
-            String name = component.getAccessibleContext().getAccessibleName();
-            if (name == null || name.isBlank() || name.contains("&")) {
-                found.add(root);
-            }
+        return all(root).filter(ComponentNames::isUnnamed).toList();
+    }
+
+    private static boolean isUnnamed(Component each) {
+        if (!each.isFocusable() || !(each instanceof JComponent component) || !hasKeys(component)) {
+            return false;
         }
-        if (root instanceof Container container) {
-            for (Component child : container.getComponents()) {
-                found.addAll(unnamed(child));
-            }
-        }
-        return found;
+        String name = component.getAccessibleContext().getAccessibleName();
+        return name == null || name.isBlank() || name.contains("&");
+    }
+
+    /** The components of a tree, each before its children. */
+    public static Stream<Component> all(Component root) {
+        return root instanceof Container container
+                ? Stream.concat(Stream.of(root), Stream.of(container.getComponents()).flatMap(ComponentNames::all))
+                : Stream.of(root);
     }
 
     /** Panels and labels are focusable by default, but have no keys. */
@@ -56,17 +59,6 @@ public final class ComponentNames {
 
     /** Finds a component in a tree by its name. */
     public static Optional<Component> find(Component root, String componentName) {
-        if (componentName.equals(root.getName())) {
-            return Optional.of(root);
-        }
-        if (root instanceof Container container) {
-            for (Component child : container.getComponents()) {
-                Optional<Component> found = find(child, componentName);
-                if (found.isPresent()) {
-                    return found;
-                }
-            }
-        }
-        return Optional.empty();
+        return all(root).filter(each -> componentName.equals(each.getName())).findFirst();
     }
 }

@@ -6,10 +6,11 @@ import java.util.Optional;
 /**
  * What a button of a lesson does.
  *
+ * @param stepsAbove number of steps that the lesson's text and window show above the button
  * @param input what the student gives with it
  * @param lines of a solution; {@code {input}} is that input
  */
-public record LessonAction(String name, Input input, List<String> lines) {
+public record LessonAction(String name, int stepsAbove, Input input, List<String> lines) {
     /** What a student types or chooses. */
     public sealed interface Input permits Nothing, Text, Range, File {}
 

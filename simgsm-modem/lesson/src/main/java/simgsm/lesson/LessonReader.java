@@ -129,7 +129,10 @@ final class LessonReader {
             case "draw" -> draw(words);
             case "let" -> let(words);
             case "keep" -> keep(words, rest);
-            case "action" -> action(words);
+            case "action" -> {
+                endStep();
+                action(words);
+            }
             case "do" -> doing(rest);
             case "step" -> {
                 endStep();
@@ -246,7 +249,8 @@ final class LessonReader {
                 actions.stream().noneMatch(each -> each.name().equals(words.get(0))),
                 "an action's name once",
                 words.get(0));
-        actions.add(new LessonAction(words.get(0), input(words.subList(1, words.size())), List.of()));
+        actions.add(new LessonAction(
+                words.get(0), steps.size(), input(words.subList(1, words.size())), List.of()));
     }
 
     private static LessonAction.Input input(List<String> words) throws LessonException {
@@ -275,7 +279,7 @@ final class LessonReader {
         LessonAction last = actions.remove(actions.size() - 1);
         List<String> lines = new ArrayList<>(last.lines());
         lines.add(line);
-        actions.add(new LessonAction(last.name(), last.input(), lines));
+        actions.add(new LessonAction(last.name(), last.stepsAbove(), last.input(), lines));
     }
 
     private EventPattern pattern(String text) throws LessonException {

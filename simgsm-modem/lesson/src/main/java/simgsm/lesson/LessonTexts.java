@@ -69,7 +69,7 @@ public final class LessonTexts {
         Set<String> keys = new LinkedHashSet<>(List.of("title", "task", "predict", "question"));
         lesson.steps().forEach(step -> keys.addAll(List.of("step " + step.name(), "hint " + step.name())));
         lesson.actions().forEach(action -> keys.add("action " + action.name()));
-        Set<String> others = new LinkedHashSet<>();
+        Set<String> others = new LinkedHashSet<>(Set.of("about"));
         lesson.programs()
                 .forEach(program -> others.addAll(List.of("program " + program.name(), "refused " + program.name())));
         lesson.actions().forEach(action -> others.add("refused " + action.name()));

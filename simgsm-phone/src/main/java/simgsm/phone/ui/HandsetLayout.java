@@ -22,7 +22,6 @@ final class HandsetLayout implements LayoutManager2 {
 
     static final Rectangle2D LINK = new Rectangle2D.Double(24, 14, 110, 22);
     static final Rectangle2D BRAND = new Rectangle2D.Double(136, 14, 100, 22);
-    static final Rectangle2D SIGNAL = new Rectangle2D.Double(270, 16, 26, 18);
     static final Rectangle2D LCD = new Rectangle2D.Double(20, 44, 280, 180);
     static final Rectangle2D PAD = new Rectangle2D.Double(112, PAD_TOP, 96, 96);
     static final Rectangle2D FOOT = new Rectangle2D.Double(20, 580, 280, 28);

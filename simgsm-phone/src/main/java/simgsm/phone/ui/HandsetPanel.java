@@ -23,7 +23,6 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 import simgsm.ui.Lamp;
 import simgsm.ui.LinkState;
-import simgsm.ui.SignalBars;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.scope.ToneScopePanel;
@@ -36,7 +35,6 @@ public final class HandsetPanel extends JPanel {
     private final TextBundle texts;
     private final Lcd lcd;
     private final Lamp link;
-    private final SignalBars signal;
     private final ToneScopePanel scope;
     private final EventsPanel events;
     private final HandsetFooter foot;
@@ -58,8 +56,6 @@ public final class HandsetPanel extends JPanel {
         add(lcd, HandsetLayout.LCD);
         link = Lamp.ofLink(language);
         add(link, HandsetLayout.LINK);
-        signal = ComponentNames.name(new SignalBars(texts.of("signal.name")), "signal", texts.of("signal.name"));
-        add(signal, HandsetLayout.SIGNAL);
         for (PhoneKey key : PhoneKey.values()) {
             PhoneKeyButton button = new PhoneKeyButton(key, texts, controls);
             keys.put(key, button);
@@ -88,7 +84,6 @@ public final class HandsetPanel extends JPanel {
         events.show(snapshot.log());
         if (shown == null || !snapshot.station().equals(shown.station())) {
             link.show(linkState(snapshot.station()), language);
-            signal.show(snapshot.station().signalBars(SignalBars.BARS));
         }
         if (shown == null || !snapshot.sounding().equals(shown.sounding())) {
             keys.forEach((key, button) ->

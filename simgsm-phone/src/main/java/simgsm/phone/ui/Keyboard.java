@@ -7,7 +7,10 @@ import java.awt.event.HierarchyEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.beans.PropertyChangeListener;
+import java.util.EnumSet;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import javax.swing.AbstractAction;
 import javax.swing.ActionMap;
 import javax.swing.InputMap;
@@ -26,6 +29,23 @@ import simgsm.ui.UserAction;
 final class Keyboard {
     private static final String FOCUS_OWNER = "focusOwner";
     private static final char NONE = '\0';
+
+    private static final Map<Integer, PhoneKey> KEYS = Map.ofEntries(
+            Map.entry(KeyEvent.VK_ESCAPE, PhoneKey.END),
+            Map.entry(KeyEvent.VK_F6, PhoneKey.CALL),
+            Map.entry(KeyEvent.VK_LEFT, PhoneKey.LEFT),
+            Map.entry(KeyEvent.VK_RIGHT, PhoneKey.RIGHT),
+            Map.entry(KeyEvent.VK_UP, PhoneKey.UP),
+            Map.entry(KeyEvent.VK_DOWN, PhoneKey.DOWN),
+            Map.entry(KeyEvent.VK_F2, PhoneKey.MESSAGE),
+            Map.entry(KeyEvent.VK_F3, PhoneKey.MENU),
+            Map.entry(KeyEvent.VK_CONTEXT_MENU, PhoneKey.MENU),
+            Map.entry(KeyEvent.VK_F4, PhoneKey.SOFT_LEFT),
+            Map.entry(KeyEvent.VK_F5, PhoneKey.SOFT_RIGHT));
+
+    /** Keys that the help does not list: the key's name says what it does. */
+    private static final Set<PhoneKey> ARROWS =
+            EnumSet.of(PhoneKey.LEFT, PhoneKey.RIGHT, PhoneKey.UP, PhoneKey.DOWN);
 
     private final HandsetControls controls;
     private char down = NONE;
@@ -46,20 +66,17 @@ final class Keyboard {
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, true), "enter.up");
         actions.put("enter.down", action(event -> controls.enterDown()));
         actions.put("enter.up", action(event -> controls.enterUp()));
-        bind(inputs, actions, texts, controls, PhoneKey.END, KeyEvent.VK_ESCAPE);
-        bind(inputs, actions, texts, controls, PhoneKey.CALL, KeyEvent.VK_F6);
-        bind(inputs, actions, texts, controls, PhoneKey.LEFT, KeyEvent.VK_LEFT);
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, false), "erase");
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, true), "none");
         actions.put("erase", action(event -> controls.eraseDown()));
-        bind(inputs, actions, texts, controls, PhoneKey.RIGHT, KeyEvent.VK_RIGHT);
-        bind(inputs, actions, texts, controls, PhoneKey.UP, KeyEvent.VK_UP);
-        bind(inputs, actions, texts, controls, PhoneKey.DOWN, KeyEvent.VK_DOWN);
-        bind(inputs, actions, texts, controls, PhoneKey.MESSAGE, KeyEvent.VK_F2);
-        bind(inputs, actions, texts, controls, PhoneKey.MENU, KeyEvent.VK_F3);
-        bind(inputs, actions, texts, controls, PhoneKey.SOFT_LEFT, KeyEvent.VK_F4);
-        bind(inputs, actions, texts, controls, PhoneKey.SOFT_RIGHT, KeyEvent.VK_F5);
-        bind(inputs, actions, texts, controls, PhoneKey.MENU, KeyEvent.VK_CONTEXT_MENU);
+        KEYS.forEach((code, key) -> {
+            String name = PhoneKeyButton.nameOf(key);
+            String meaning = ARROWS.contains(key) ? "" : texts.of("key." + key.name().toLowerCase(Locale.ROOT));
+            inputs.put(KeyStroke.getKeyStroke(code, 0, false), name + ".down");
+            inputs.put(KeyStroke.getKeyStroke(code, 0, true), name + ".up");
+            actions.put(name + ".down", new UserAction(name + ".down", meaning, () -> controls.keyDown(key)));
+            actions.put(name + ".up", action(event -> controls.keyUp(key)));
+        });
         panel.setInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, inputs);
         keyboard.watchFocus(panel);
         panel.setFocusable(true);
@@ -82,16 +99,6 @@ final class Keyboard {
                 }
             }
         });
-    }
-
-    private static void bind(
-            InputMap inputs, ActionMap actions, TextBundle texts, HandsetControls controls, PhoneKey key, int code) {
-        String name = PhoneKeyButton.nameOf(key);
-        String meaning = texts.of("key." + key.name().toLowerCase(Locale.ROOT));
-        inputs.put(KeyStroke.getKeyStroke(code, 0, false), name + ".down");
-        inputs.put(KeyStroke.getKeyStroke(code, 0, true), name + ".up");
-        actions.put(name + ".down", new UserAction(name + ".down", meaning, () -> controls.keyDown(key)));
-        actions.put(name + ".up", action(event -> controls.keyUp(key)));
     }
 
     private void typed(ActionEvent event) {

@@ -7,6 +7,7 @@ import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.Screen;
 import simgsm.phone.store.MessageFolder;
+import simgsm.ui.SignalBars;
 
 /** The display's content as a sentence for assistive technology. */
 final class LcdSpoken {
@@ -82,7 +83,10 @@ final class LcdSpoken {
             return texts.of("lcd.held", phone.nameOf(call.held().get()));
         }
         if (call.phase() == CallPhase.NONE) {
-            return phone.typed().isEmpty() ? texts.of("lcd.own") + " " + phone.own() + news(phone) : phone.typed();
+            String signal = texts.of("lcd.signal", phone.station().signalBars(SignalBars.BARS), SignalBars.BARS);
+            return phone.typed().isEmpty()
+                    ? texts.of("lcd.own") + " " + phone.own() + ", " + signal + news(phone)
+                    : phone.typed();
         }
         String meaning = call.tone()
                 .flatMap(call::meaningOf)

@@ -200,7 +200,9 @@ final class EditorView extends FloorView {
         EditorPainter painter = new EditorPainter(g, viewport());
         draft.moving().ifPresent(item -> painter.item(Edits.get(draft.world(), item)));
         painter.raster(snap.stepMeters());
-        new FloorPainter(g, viewport()).surfaces(draft.world(), 0);
+        FloorPainter floor = new FloorPainter(g, viewport());
+        floor.surfaces(draft.world(), 0);
+        floor.homeNames(draft.world(), List.of());
         painter.blocked(blockedHomes().stream()
                 .filter(draft.world().items(Home.class)::contains)
                 .toList());

@@ -25,7 +25,6 @@ import simgsm.ui.LinkState;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
-import simgsm.ui.window.WindowKeys;
 import simrobot.drawing.Layers;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.OperatorActions;
@@ -129,8 +128,7 @@ final class ToolRow extends JPanel {
                 layer("grid", Symbol.GRID.icon(), KeyEvent.VK_G, shown -> shown.withGrid(!shown.grid())),
                 ruler,
                 exports.component(),
-                button("inspector", Symbol.LIST.icon(), KeyEvent.VK_I, inspectorSwitch),
-                button("appearance", Symbol.SUN_MOON.icon(), 0, () -> WindowKeys.switchAppearance(this)));
+                button("inspector", Symbol.LIST.icon(), KeyEvent.VK_I, inspectorSwitch));
     }
 
     @Override

@@ -457,7 +457,6 @@ class SimRobotPanelTest {
                 "trail",
                 "rays",
                 "grid",
-                "appearance",
                 "world")) {
             assertFalse(bench.spoken("tool." + tool).isBlank(), tool);
             assertTrue(bench.component("tool." + tool).isFocusable(), tool);

@@ -2,7 +2,6 @@ package simgsm.cells.ui;
 
 import java.awt.BorderLayout;
 import java.util.function.Consumer;
-import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -17,8 +16,6 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Lamp;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
-import simgsm.ui.UserAction;
-import simgsm.ui.window.WindowKeys;
 
 /** The town's name, port and controller, and the switches of the map. */
 final class TownHeader extends JPanel {
@@ -46,9 +43,6 @@ final class TownHeader extends JPanel {
         pause.addActionListener(event -> town.pause(pause.isSelected()));
         pause.setToolTipText(texts.of("header.pause"));
         ComponentNames.name(pause, "pause", texts.of("header.pause"));
-        UserAction appearance = new UserAction("window.appearance", "", () -> WindowKeys.switchAppearance(this))
-                .described(texts.of("header.appearance"))
-                .with(Symbol.SUN_MOON.icon());
         title.setToolTipText(port.getText() + ": " + port.getToolTipText());
         row = Arrange.row(
                 GAP_UNITS,
@@ -59,8 +53,7 @@ final class TownHeader extends JPanel {
                 layer("levels", map::showLevels),
                 layer("borders", map::showBorders),
                 layer("paths", map::showPaths),
-                pause,
-                ComponentNames.name(new JButton(appearance), "window.appearance", texts.of("header.appearance")));
+                pause);
         add(row, BorderLayout.CENTER);
         show(first);
     }

@@ -4,16 +4,19 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
+import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.ScrollPaneConstants;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
@@ -48,7 +51,7 @@ public final class LessonPanel extends JPanel {
     private final LessonTexts texts;
     private final TextBundle words;
     private final UnaryOperator<String> numbers;
-    private final Optional<Glossary> glossary;
+    private final Glossary glossary;
     private final LessonActs acts;
     private final GlossaryText task;
     private final GlossaryText term;
@@ -84,8 +87,8 @@ public final class LessonPanel extends JPanel {
         closeNotices = new UserAction("lesson.notice.close", words.of("lesson.notice.close"), this::closeNotices)
                 .with(Symbol.CLOSE.icon());
         closeNotices.setEnabled(false);
-        glossary = Optional.of(Glossary.in(language));
-        term = text("lesson.term");
+        glossary = Glossary.in(language);
+        term = GlossaryText.ofExplanations("lesson.term");
         task = text("lesson.task");
         question = text("lesson.question");
         notice = text("lesson.notice");
@@ -101,11 +104,22 @@ public final class LessonPanel extends JPanel {
         JScrollPane scroll = new JScrollPane(new WrappedColumn(column));
         scroll.setBorder(null);
         scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        // A bar that comes and goes would break all texts anew, below the student's pointer.
+        // A disappearing scroll bar would re-wrap the text.
         scroll.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
         add(scroll, BorderLayout.CENTER);
         add(notices(), BorderLayout.SOUTH);
         setBackground(Theme.color(Ink.SURFACE));
+        setFocusTraversalPolicyProvider(true);
+        setFocusTraversalPolicy(new LinksLast());
+    }
+
+    /** Tab reaches all fields and buttons before the first text with links, so that typed text goes into the next field. */
+    private final class LinksLast extends LayoutFocusTraversalPolicy {
+        LinksLast() {
+            Comparator<Component> isText = Comparator.comparing(GlossaryText.class::isInstance);
+            setComparator(isText.thenComparing(
+                    each -> ComponentNames.all(LessonPanel.this).toList().indexOf(each)));
+        }
     }
 
     /** Notice and term have a place of one height, always in view, so that neither moves a button. */
@@ -135,14 +149,11 @@ public final class LessonPanel extends JPanel {
     }
 
     private GlossaryText text(String name) {
-        return new GlossaryText(
-                name,
-                name.equals("lesson.term") || name.equals("lesson.about") ? Optional.empty() : glossary,
-                this::explain);
+        return new GlossaryText(name, Optional.of(glossary), this::explain);
     }
 
     private void explain(String name) {
-        glossary.flatMap(all -> all.find(name)).ifPresent(found -> {
+        glossary.find(name).ifPresent(found -> {
             term.show(name + ": " + found);
             term.setVisible(true);
             closeNotices.setEnabled(true);
@@ -153,14 +164,23 @@ public final class LessonPanel extends JPanel {
     private JComponent heading() {
         GlossaryText title = text("lesson.title").bold();
         title.show(texts.of("title"));
-        GlossaryText about = text("lesson.about");
-        about.show(words.of("lesson.about", Integer.toString(lesson.minutes())));
+        GlossaryText about = GlossaryText.ofExplanations("lesson.about");
+        about.show(words.of("lesson.about", Integer.toString(lesson.minutes()))
+                + (hasTerms() ? " " + words.of("lesson.terms") : ""));
         int at = all.indexOf(lesson.name());
         JButton previous = other("lesson.previous", at > 0 ? all.get(at - 1) : "");
         JButton next = other("lesson.next", at >= 0 && at + 1 < all.size() ? all.get(at + 1) : "");
         JButton again = other("lesson.again", lesson.name());
         return Arrange.column(
                 Theme.HALF, title, Arrange.row(Theme.HALF, previous, next, Arrange.spring(), again), about);
+    }
+
+    /** True if a text that is visible from the beginning or after the prediction has an underlined word. */
+    private boolean hasTerms() {
+        return Stream.concat(
+                        Stream.of("title", "task", "predict"),
+                        lesson.steps().stream().map(step -> "step " + step.name()))
+                .anyMatch(key -> glossary.hasTerms(texts.of(key)));
     }
 
     private JButton other(String key, String name) {
@@ -209,11 +229,12 @@ public final class LessonPanel extends JPanel {
             programs.add(button);
             parts.add(button.button);
         }
-        lesson.actions().forEach(action -> parts.add(action(action)));
+        addActions(parts);
         for (LessonStep step : lesson.steps()) {
             StepRow row = new StepRow(step);
             rows.add(row);
             parts.add(row.component);
+            addActions(parts);
         }
         parts.add(score);
         parts.add(question);
@@ -228,6 +249,13 @@ public final class LessonPanel extends JPanel {
                 Arrange.growing(student),
                 ComponentNames.name(new JButton(save), "lesson.save", words.of("lesson.save"))));
         return Arrange.column(GAP, parts.toArray(Component[]::new));
+    }
+
+    /** Adds the actions that follow the steps added so far. */
+    private void addActions(List<Component> parts) {
+        lesson.actions().stream()
+                .filter(action -> action.stepsAbove() == rows.size())
+                .forEach(action -> parts.add(action(action)));
     }
 
     private JComponent action(LessonAction action) {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.io.File;
 import java.util.ArrayList;
@@ -181,6 +182,51 @@ class LessonPanelTest {
         assertTrue(isShown(panel, "lesson.question"));
         Lamp lamp = (Lamp) ComponentNames.find(panel, "lesson.lamp.call").orElseThrow();
         assertEquals("done", lamp.word());
+    }
+
+    @Test
+    void tabReachesTheNextFieldBeforeAnyLink() throws Exception {
+        LessonPanel panel = panel("write-a-submit", "en");
+        panel.show(view("write-a-submit", LessonView.StepState.OPEN));
+        panel.addNotify();
+        List<String> order = new ArrayList<>();
+        Component at = panel.getFocusTraversalPolicy().getFirstComponent(panel);
+        while (at != null && !order.contains(at.getName())) {
+            order.add(at.getName());
+            at = panel.getFocusTraversalPolicy().getComponentAfter(panel, at);
+        }
+        panel.removeNotify();
+        int link = order.indexOf("lesson.title");
+        for (String field : List.of("lesson.answer.address", "lesson.answer.length", "lesson.action.send")) {
+            assertTrue(order.contains(field) && order.indexOf(field) < link, field + " in " + order);
+        }
+    }
+
+    @Test
+    void thePartsOfAMessageAreAboveTheWhole() throws Exception {
+        LessonPanel panel = panel("write-a-submit", "en");
+        panel.show(view("write-a-submit", LessonView.StepState.OPEN));
+        panel.setSize(340, 900);
+        arrange(panel);
+        int whole = boundsOf(panel, "lesson.action.send").y;
+        assertTrue(boundsOf(panel, "lesson.answer.length").y < whole);
+        assertTrue(whole < boundsOf(panel, "lesson.step.decoded").y);
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void underlinedWordsAreAnnouncedWhereThereAreSome(String name) throws Exception {
+        LessonPanel panel = panel(name, "en");
+        boolean isUnderlined = Stream.of("lesson.title", "lesson.task", "lesson.predict.text")
+                .map(each -> ComponentNames.find(panel, each).orElseThrow())
+                .anyMatch(Component::isFocusable);
+        isUnderlined |= library.lesson(name).steps().stream()
+                .anyMatch(step -> ComponentNames.find(panel, "lesson.step." + step.name())
+                        .orElseThrow()
+                        .isFocusable());
+        GlossaryText about =
+                (GlossaryText) ComponentNames.find(panel, "lesson.about").orElseThrow();
+        assertEquals(isUnderlined, about.getText().contains("Underlined"));
     }
 
     private static boolean isShown(LessonPanel panel, String name) {

@@ -7,11 +7,10 @@ import java.util.Optional;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DocumentChanges;
 import simgsm.ui.HintedTextField;
 import simgsm.ui.Theme;
 
@@ -37,6 +36,7 @@ final class LadderFilterBar extends JPanel {
         text.setToolTipText(texts.of("window.ladder.find.why"));
         ComponentNames.name(who, "ladder.who", texts.of("window.ladder.who"));
         ComponentNames.name(kind, "ladder.kind", texts.of("window.ladder.kind"));
+        who.setToolTipText(texts.of("window.ladder.who"));
         kind.setToolTipText(texts.of("window.ladder.kind.why"));
         kind.addItem(texts.of("window.ladder.everything"));
         for (Protocol protocol : Protocol.values()) {
@@ -45,22 +45,7 @@ final class LadderFilterBar extends JPanel {
         offer(List.of());
         who.addActionListener(event -> tell());
         kind.addActionListener(event -> tell());
-        text.getDocument().addDocumentListener(new DocumentListener() {
-            @Override
-            public void insertUpdate(DocumentEvent event) {
-                tell();
-            }
-
-            @Override
-            public void removeUpdate(DocumentEvent event) {
-                tell();
-            }
-
-            @Override
-            public void changedUpdate(DocumentEvent event) {
-                tell();
-            }
-        });
+        text.getDocument().addDocumentListener(new DocumentChanges(this::tell));
         add(Arrange.row(Theme.GRID, Arrange.growing(text), who, kind));
     }
 

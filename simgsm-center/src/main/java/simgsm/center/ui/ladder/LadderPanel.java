@@ -34,10 +34,10 @@ import simgsm.ui.pane.Divider;
 public final class LadderPanel extends JPanel {
     private static final Dimension LIST_UNITS = new Dimension(560, 240);
     /** In a narrower panel the buttons have no words. */
-    private static final int WIDE_UNITS = 760;
+    private static final int WIDE_UNITS = 900;
 
     /** In a narrower panel there is no heading. */
-    private static final int HEADING_UNITS = 900;
+    private static final int HEADING_UNITS = 1040;
 
     private static final int LOW_UNITS = 330;
     private static final int MOST_COLUMNS = 3;

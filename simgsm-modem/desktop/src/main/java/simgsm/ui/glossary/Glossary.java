@@ -94,6 +94,10 @@ public final class Glossary {
         return name.replaceFirst(" \\(.*", "");
     }
 
+    public boolean hasTerms(String text) {
+        return parts(text).stream().anyMatch(part -> !part.term().isEmpty());
+    }
+
     /** Splits a text so that each term, also in the plural, where it stands first, is a part of its own. */
     public List<Part> parts(String text) {
         List<Part> parts = new ArrayList<>();

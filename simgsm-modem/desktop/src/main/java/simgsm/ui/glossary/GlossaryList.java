@@ -2,25 +2,23 @@ package simgsm.ui.glossary;
 
 import java.awt.BorderLayout;
 import java.util.Locale;
-import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.ScrollPaneConstants;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
+import simgsm.ui.DocumentChanges;
 import simgsm.ui.Theme;
 import simgsm.ui.pane.WrappedColumn;
 
 /** All terms with their explanations; a field selects those that contain a word. Needs no display. */
 public final class GlossaryList extends JPanel {
     private final Glossary glossary;
-    private final GlossaryText text = new GlossaryText("glossary.text", Optional.empty(), term -> {});
+    private final GlossaryText text = GlossaryText.ofExplanations("glossary.text");
     private final JTextField wanted = new JTextField();
 
     public GlossaryList(Locale language) {
@@ -28,22 +26,7 @@ public final class GlossaryList extends JPanel {
         glossary = Glossary.in(language);
         ComponentNames.name(wanted, "glossary.find", DesktopTexts.in(language).of("glossary.find"));
         wanted.setToolTipText(DesktopTexts.in(language).of("glossary.find"));
-        wanted.getDocument().addDocumentListener(new DocumentListener() {
-            @Override
-            public void insertUpdate(DocumentEvent event) {
-                show(wanted.getText());
-            }
-
-            @Override
-            public void removeUpdate(DocumentEvent event) {
-                show(wanted.getText());
-            }
-
-            @Override
-            public void changedUpdate(DocumentEvent event) {
-                show(wanted.getText());
-            }
-        });
+        wanted.getDocument().addDocumentListener(new DocumentChanges(() -> show(wanted.getText())));
         JPanel column = Arrange.column(Theme.GRID, text);
         JScrollPane scroll = new JScrollPane(new WrappedColumn(column));
         scroll.setBorder(null);

@@ -52,7 +52,7 @@ public final class GlossaryNote extends JPanel {
     private void show(String explanation) {
         if (!explanation.isEmpty()) {
             if (text == null) {
-                text = new GlossaryText("glossary.note", Optional.empty(), term -> {});
+                text = GlossaryText.ofExplanations("glossary.note");
                 add(text, BorderLayout.CENTER);
             }
             text.show(explanation);

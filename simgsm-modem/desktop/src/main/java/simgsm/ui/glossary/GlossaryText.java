@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JEditorPane;
@@ -31,6 +32,8 @@ import simgsm.ui.UserAction;
 public final class GlossaryText extends JEditorPane {
     private static final int LEAST_PIXELS = 13;
 
+    private static final Pattern TERM = Pattern.compile("(^|<br><br>)([^:]+?):");
+
     /** Steps among the terms. */
     private static final Map<Integer, Integer> KEYS =
             Map.of(KeyEvent.VK_RIGHT, 1, KeyEvent.VK_DOWN, 1, KeyEvent.VK_LEFT, -1, KeyEvent.VK_UP, -1);
@@ -38,8 +41,17 @@ public final class GlossaryText extends JEditorPane {
     private final Optional<Glossary> glossary;
     private String shown = "";
     private boolean isBold;
+    /** True for explanations: the term before each colon is bold. */
+    private boolean areTermsBold;
     /** The term on which the keyboard is; -1 for none. */
     private int at = -1;
+
+    /** A text without links; the beginning of each paragraph up to its colon is bold. */
+    public static GlossaryText ofExplanations(String name) {
+        GlossaryText text = new GlossaryText(name, Optional.empty(), term -> {});
+        text.areTermsBold = true;
+        return text;
+    }
 
     /** @param glossary whose terms become links; empty for none; @param chosen receives the term that is clicked */
     public GlossaryText(String name, Optional<Glossary> glossary, Consumer<String> chosen) {
@@ -127,7 +139,7 @@ public final class GlossaryText extends JEditorPane {
             shown = text;
             getAccessibleContext().setAccessibleName(text);
             at = -1;
-            setFocusable(terms().findFirst().isPresent());
+            setFocusable(glossary.isPresent() && glossary.get().hasTerms(shown));
             super.setText(html());
             revalidate();
         }
@@ -162,6 +174,9 @@ public final class GlossaryText extends JEditorPane {
         int number = 0;
         for (Glossary.Part part : parts()) {
             String text = escaped(part.text());
+            if (areTermsBold) {
+                text = TERM.matcher(text).replaceAll("$1<b>$2</b>:");
+            }
             if (!part.term().isEmpty() && number++ == at) {
                 text = "<span style='background:" + wash + "'>" + text + "</span>";
             }

@@ -12,7 +12,7 @@ import simgsm.ui.Theme;
 public final class TermPanel extends JPanel {
     private final Glossary glossary;
     private final GlossaryText links;
-    private final GlossaryText explanation = new GlossaryText("terms.explanation", Optional.empty(), term -> {});
+    private final GlossaryText explanation = GlossaryText.ofExplanations("terms.explanation");
 
     /** @param terms by any of their names */
     public TermPanel(Locale language, List<String> terms) {

@@ -5,7 +5,6 @@ import java.awt.Component;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -15,6 +14,7 @@ import simgsm.draw.Ink;
 import simgsm.lesson.Lesson;
 import simgsm.lesson.LessonException;
 import simgsm.lesson.LessonLibrary;
+import simgsm.lesson.LessonTexts;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
@@ -23,7 +23,7 @@ import simgsm.ui.UserAction;
 import simgsm.ui.glossary.GlossaryText;
 import simgsm.ui.pane.WrappedColumn;
 
-/** All lessons with title, minutes, a button that opens one, and one that shows the teacher's sheet. Needs no display. */
+/** All lessons with title, minutes, subject, a button that opens one, and one that shows the teacher's sheet. Needs no display. */
 public final class LessonList extends JPanel {
     /** What the user may do with a lesson. */
     public interface Acts {
@@ -58,12 +58,14 @@ public final class LessonList extends JPanel {
     }
 
     private Component row(String name) {
-        GlossaryText text = new GlossaryText("lessons.title." + name, Optional.empty(), term -> {});
+        GlossaryText text = GlossaryText.ofExplanations("lessons.title." + name);
         try {
             Lesson lesson = library.lesson(name);
-            String title = library.texts(lesson, language).of("title");
-            text.show(title + " (" + words.of("lesson.minutes", Integer.toString(lesson.minutes())) + ")");
-            List<Component> parts = new ArrayList<>(List.of(Arrange.growing(text)));
+            LessonTexts texts = library.texts(lesson, language);
+            String title = texts.of("title");
+            String about = texts.find("about").map(line -> ": " + line).orElse("");
+            text.show(title + " (" + words.of("lesson.minutes", Integer.toString(lesson.minutes())) + ")" + about);
+            List<Component> parts = new ArrayList<>(List.of(Arrange.growing(Arrange.column(0, text))));
             library.sheet(name, language)
                     .ifPresent(sheet ->
                             parts.add(button("lessons.sheet", name, title, () -> acts.showSheet(title, sheet))));

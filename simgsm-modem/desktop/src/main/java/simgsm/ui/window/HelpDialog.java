@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.InputMap;
@@ -33,6 +34,7 @@ import simgsm.lesson.LessonLibrary;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
+import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.glossary.GlossaryList;
@@ -42,7 +44,7 @@ import simgsm.ui.lesson.SheetPanel;
 /** The help of a window, opened by F1: what the window is for, all its keys, and the version. */
 final class HelpDialog {
     private static final Dimension SIZE_UNITS = new Dimension(720, 520);
-    private static final int KEY_COLUMN_UNITS = 250;
+    private static final int KEY_MARGIN_UNITS = 24;
 
     private HelpDialog() {}
 
@@ -84,11 +86,17 @@ final class HelpDialog {
         KeyStroke[] strokes = inputs.keys();
         return Stream.of(strokes == null ? new KeyStroke[0] : strokes).flatMap(stroke -> {
             Object id = inputs.get(stroke);
-            return component.getActionMap().get(id) instanceof UserAction action
+            return !isOnKeypad(stroke)
+                            && component.getActionMap().get(id) instanceof UserAction action
                             && !action.name().isBlank()
                     ? Stream.of(new ShownKey(text(stroke.getModifiers(), stroke.getKeyCode()), action.name()))
                     : Stream.empty();
         });
+    }
+
+    /** Keys of the number pad repeat keys of the main block. */
+    private static boolean isOnKeypad(KeyStroke stroke) {
+        return stroke.getKeyCode() >= KeyEvent.VK_NUMPAD0 && stroke.getKeyCode() <= KeyEvent.VK_DIVIDE;
     }
 
     private static Optional<ShownKey> mnemonic(JComponent component) {
@@ -103,7 +111,9 @@ final class HelpDialog {
         String held = InputEvent.getModifiersExText(modifiers);
         // Java's names are words such as "Equals"; these codes are the signs themselves
         boolean isSign = keyCode >= KeyEvent.VK_COMMA && keyCode <= KeyEvent.VK_CLOSE_BRACKET;
-        String key = isSign ? String.valueOf((char) keyCode) : KeyEvent.getKeyText(keyCode);
+        String key = keyCode == KeyEvent.VK_PLUS
+                ? "+"
+                : isSign ? String.valueOf((char) keyCode) : KeyEvent.getKeyText(keyCode);
         return held.isEmpty() ? key : held + "+" + key;
     }
 
@@ -202,6 +212,17 @@ final class HelpDialog {
         }
     }
 
+    /** Makes the column of keys as wide as its widest row. */
+    private static void fitKeys(JTable table) {
+        table.setRowHeight(Theme.px(24));
+        int width = IntStream.range(0, table.getRowCount())
+                .map(row -> Drawing.width(Theme.base(), table.getValueAt(row, 0).toString()))
+                .max()
+                .orElse(0);
+        table.getColumnModel().getColumn(0).setMinWidth(width + Theme.px(KEY_MARGIN_UNITS));
+        table.getColumnModel().getColumn(0).setMaxWidth(width + Theme.px(KEY_MARGIN_UNITS));
+    }
+
     static JPanel content(Component root, String about, String version, TextBundle texts) {
         JTextArea text = new JTextArea(about);
         text.setEditable(false);
@@ -219,9 +240,7 @@ final class HelpDialog {
                 .forEach((action, keys) -> rows.addRow(new Object[] {keys, action}));
         JTable table = new JTable(rows);
         table.setDefaultEditor(Object.class, null);
-        table.setRowHeight(Theme.px(24));
-        table.getColumnModel().getColumn(0).setMaxWidth(Theme.px(KEY_COLUMN_UNITS));
-        table.getColumnModel().getColumn(0).setPreferredWidth(Theme.px(KEY_COLUMN_UNITS));
+        Theme.styled(table, HelpDialog::fitKeys);
         JPanel column = Arrange.column(
                 Theme.GRID,
                 ComponentNames.name(text, "help.about", texts.of("window.help")),

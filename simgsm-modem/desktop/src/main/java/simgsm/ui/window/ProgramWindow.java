@@ -247,11 +247,19 @@ public final class ProgramWindow {
         });
         content.least().ifPresent(least -> frame.setMinimumSize(zoomed(least)));
         lay();
+        frame.setContentPane(new StartingLabel(content.title(), language, this::showPanel));
         frame.setAutoRequestFocus(takesFocus);
         frame.setVisible(true);
         frame.setAutoRequestFocus(true);
+    }
+
+    /** Replaces the label of a starting window by the program's panel. */
+    private void showPanel() {
+        frame.setContentPane(content.panel());
+        frame.validate();
+        frame.repaint();
         content.shown().run();
-        // The icon is painted once the window is there.
+        // The icon is painted after the panel.
         SwingUtilities.invokeLater(() -> frame.setIconImages(WindowIcon.images(content.symbol())));
     }
 

@@ -3,6 +3,8 @@ package simgsm.ui.lesson;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -10,14 +12,18 @@ import java.util.List;
 import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JEditorPane;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.draw.Appearance;
 import simgsm.lesson.LessonLibrary;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import simgsm.ui.glossary.GlossaryList;
+import simgsm.ui.glossary.GlossaryText;
 
 class LessonListTest {
     private final List<String> done = new ArrayList<>();
@@ -71,5 +77,33 @@ class LessonListTest {
         assertTrue(done.get(1).contains("697, 770, 852, 941"), done.get(1));
         assertEquals(List.of(), ComponentNames.unnamed(new SheetPanel(done.get(1), "Sheet")));
         assertEquals(List.of(), ComponentNames.unnamed(new GlossaryList(Locale.forLanguageTag("es"))));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, keys", "es, teclas"})
+    void theListSaysInWholeLinesWhatEachLessonIsAbout(String language, String word) throws Exception {
+        LessonList list = new LessonList(library, Locale.forLanguageTag(language), null);
+        list.setSize(600, 400);
+        for (int i = 0; i < 4; i++) {
+            SwingUtilities.invokeAndWait(() -> lay(list));
+        }
+        for (String name : library.names()) {
+            GlossaryText row = (GlossaryText)
+                    ComponentNames.find(list, "lessons.title." + name).orElseThrow();
+            assertTrue(row.getText().matches(".* min\\): .+\\."), row.getText());
+            assertTrue(row.getHeight() >= row.getPreferredSize().height, name);
+        }
+        GlossaryText row = (GlossaryText)
+                ComponentNames.find(list, "lessons.title.break-it").orElseThrow();
+        assertTrue(row.getText().contains(word), row.getText());
+    }
+
+    private static void lay(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents()) {
+            if (child instanceof Container inner) {
+                lay(inner);
+            }
+        }
     }
 }

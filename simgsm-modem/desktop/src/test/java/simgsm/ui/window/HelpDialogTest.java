@@ -54,6 +54,23 @@ class HelpDialogTest {
     }
 
     @Test
+    void keysOfTheNumberPadAreLeftOutAndNoRowOfKeysIsCut() {
+        JPanel zoomed = new JPanel();
+        WindowKeys.install(zoomed, Locale.ENGLISH);
+        JPanel content = HelpDialog.content(zoomed, "A robot.", "1.0.0", DesktopTexts.in(Locale.ENGLISH));
+        JTable keys = (JTable) ComponentNames.find(content, "help.keys").orElseThrow();
+        int larger = IntStream.range(0, keys.getRowCount())
+                .filter(row -> keys.getValueAt(row, 1).equals("Larger"))
+                .findFirst()
+                .orElseThrow();
+        assertEquals("Ctrl++,  Ctrl+=,  Ctrl+Shift+=", keys.getValueAt(larger, 0));
+        keys.setSize(400, 400);
+        keys.doLayout();
+        int needed = keys.prepareRenderer(keys.getCellRenderer(larger, 0), larger, 0).getPreferredSize().width;
+        assertTrue(needed <= keys.getCellRect(larger, 0, false).width);
+    }
+
+    @Test
     void keysOfAPanelAreListed() {
         JPanel phone = new JPanel();
         new UserAction("message", "Write a message", () -> {})
