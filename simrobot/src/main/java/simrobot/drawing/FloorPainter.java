@@ -296,8 +296,10 @@ public final class FloorPainter {
     public void homeNames(World world, List<RobotSnapshot> named) {
         for (Home home : world.items(Home.class)) {
             Position at = home.position();
-            if (named.stream().noneMatch(robot -> robot.name().equals(home.name())
-                    && Math.hypot(robot.xMeters() - at.xMeters(), robot.yMeters() - at.yMeters()) < NEAR_HOME_METERS)) {
+            if (named.stream()
+                    .noneMatch(robot -> robot.name().equals(home.name())
+                            && Math.hypot(robot.xMeters() - at.xMeters(), robot.yMeters() - at.yMeters())
+                                    < NEAR_HOME_METERS)) {
                 double y = view.screenY(at.yMeters()) + homeRadius() + g.px(11);
                 name(names.of(home.name()), view.screenX(at.xMeters()), y, Double.MAX_VALUE, Ink.GOOD);
             }

@@ -88,7 +88,8 @@ class WorldPainterTest {
         Simulation simulation = new Simulation(world, 1);
         simulation.addRobot(
                 "Reception",
-                new Position(home.position().xMeters() + metersAway, home.position().yMeters()),
+                new Position(
+                        home.position().xMeters() + metersAway, home.position().yMeters()),
                 0);
         simulation.addRobot("Corridor");
         SvgCanvas g = new SvgCanvas(ink -> "#000");

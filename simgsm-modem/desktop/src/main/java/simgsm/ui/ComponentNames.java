@@ -47,7 +47,8 @@ public final class ComponentNames {
     /** The components of a tree, each before its children. */
     public static Stream<Component> all(Component root) {
         return root instanceof Container container
-                ? Stream.concat(Stream.of(root), Stream.of(container.getComponents()).flatMap(ComponentNames::all))
+                ? Stream.concat(
+                        Stream.of(root), Stream.of(container.getComponents()).flatMap(ComponentNames::all))
                 : Stream.of(root);
     }
 

@@ -249,8 +249,7 @@ final class LessonReader {
                 actions.stream().noneMatch(each -> each.name().equals(words.get(0))),
                 "an action's name once",
                 words.get(0));
-        actions.add(new LessonAction(
-                words.get(0), steps.size(), input(words.subList(1, words.size())), List.of()));
+        actions.add(new LessonAction(words.get(0), steps.size(), input(words.subList(1, words.size())), List.of()));
     }
 
     private static LessonAction.Input input(List<String> words) throws LessonException {

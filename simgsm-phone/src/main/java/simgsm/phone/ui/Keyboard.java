@@ -44,8 +44,7 @@ final class Keyboard {
             Map.entry(KeyEvent.VK_F5, PhoneKey.SOFT_RIGHT));
 
     /** Keys that the help does not list: the key's name says what it does. */
-    private static final Set<PhoneKey> ARROWS =
-            EnumSet.of(PhoneKey.LEFT, PhoneKey.RIGHT, PhoneKey.UP, PhoneKey.DOWN);
+    private static final Set<PhoneKey> ARROWS = EnumSet.of(PhoneKey.LEFT, PhoneKey.RIGHT, PhoneKey.UP, PhoneKey.DOWN);
 
     private final HandsetControls controls;
     private char down = NONE;
@@ -71,7 +70,8 @@ final class Keyboard {
         actions.put("erase", action(event -> controls.eraseDown()));
         KEYS.forEach((code, key) -> {
             String name = PhoneKeyButton.nameOf(key);
-            String meaning = ARROWS.contains(key) ? "" : texts.of("key." + key.name().toLowerCase(Locale.ROOT));
+            String meaning =
+                    ARROWS.contains(key) ? "" : texts.of("key." + key.name().toLowerCase(Locale.ROOT));
             inputs.put(KeyStroke.getKeyStroke(code, 0, false), name + ".down");
             inputs.put(KeyStroke.getKeyStroke(code, 0, true), name + ".up");
             actions.put(name + ".down", new UserAction(name + ".down", meaning, () -> controls.keyDown(key)));

@@ -66,7 +66,8 @@ class HelpDialogTest {
         assertEquals("Ctrl++,  Ctrl+=,  Ctrl+Shift+=", keys.getValueAt(larger, 0));
         keys.setSize(400, 400);
         keys.doLayout();
-        int needed = keys.prepareRenderer(keys.getCellRenderer(larger, 0), larger, 0).getPreferredSize().width;
+        int needed =
+                keys.prepareRenderer(keys.getCellRenderer(larger, 0), larger, 0).getPreferredSize().width;
         assertTrue(needed <= keys.getCellRect(larger, 0, false).width);
     }
 
