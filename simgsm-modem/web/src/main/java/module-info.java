@@ -1,6 +1,6 @@
 /** Pages and data over HTTP, which the programs serve read-only. */
 module simgsm.web {
-    requires simgsm.base;
+    requires transitive simgsm.base;
     requires simgsm.console;
     requires transitive jdk.httpserver;
 
