@@ -341,15 +341,7 @@ final class RadioConnection {
                         target.description(), POWER_LEVEL, RadioResource.SPEECH_FULL_RATE));
                 target.speech().create();
             }
-            case COMMAND_HANDOVER -> {
-                target.speech().create();
-                command(new RadioResource.HandoverCommand(
-                        target.tower().plan().cell(),
-                        target.description(),
-                        target.handoverReference(),
-                        POWER_LEVEL,
-                        Optional.of(RadioResource.SPEECH_FULL_RATE)));
-            }
+            case COMMAND_HANDOVER -> commandHandover();
             case COMMAND_MODE ->
                 command(new RadioResource.ChannelModeModify(channel.description(), RadioResource.SPEECH_FULL_RATE));
             case MODIFY_CHANNEL -> channel.modifyMode();
@@ -390,6 +382,16 @@ final class RadioConnection {
                 isHandover ? Purpose.HANDOVER : Purpose.ASSIGNMENT,
                 request.accessDelay(),
                 isHandover ? controller.nextHandoverReference() : 0);
+    }
+
+    private void commandHandover() {
+        target.speech().create();
+        command(new RadioResource.HandoverCommand(
+                target.tower().plan().cell(),
+                target.description(),
+                target.handoverReference(),
+                POWER_LEVEL,
+                Optional.of(RadioResource.SPEECH_FULL_RATE)));
     }
 
     private void command(RadioResource message) {

@@ -140,18 +140,8 @@ final class MessageRequests {
                     SmppStatus.SUBMIT_FAILED,
                     texts.size() + " parts to " + destinations.size() + " receivers are over " + MAX_MESSAGES);
         }
-        List<SubmitTpdu> units = new ArrayList<>();
         List<SmppPdu.Refused> refused = new ArrayList<>();
-        for (SmppAddress destination : destinations) {
-            int status = refusal(destination, texts.size());
-            if (status == SmppStatus.OK) {
-                for (UserData text : texts) {
-                    units.add(unit(message, destination.number().orElseThrow(), text, firstId + units.size()));
-                }
-            } else {
-                refused.add(new SmppPdu.Refused(destination, status));
-            }
-        }
+        List<SubmitTpdu> units = units(message, destinations, texts, firstId, refused);
         if (units.isEmpty()) {
             int status = destinations.size() == 1 ? refused.get(0).status() : SmppStatus.SUBMIT_FAILED;
             answer.accept(responder.apply(new Submitted("", status, refused)));
@@ -170,6 +160,27 @@ final class MessageRequests {
                             refusal -> new Submitted("", status(refusal), List.<SmppPdu.Refused>of()))
                     .orElseGet(() -> new Submitted(id, SmppStatus.OK, refused))));
         });
+    }
+
+    /** The parts for each destination that can be served; the others are added to {@code refused}. */
+    private List<SubmitTpdu> units(
+            SmppMessage message,
+            List<SmppAddress> destinations,
+            List<UserData> texts,
+            long firstId,
+            List<SmppPdu.Refused> refused) {
+        List<SubmitTpdu> units = new ArrayList<>();
+        for (SmppAddress destination : destinations) {
+            int status = refusal(destination, texts.size());
+            if (status == SmppStatus.OK) {
+                for (UserData text : texts) {
+                    units.add(unit(message, destination.number().orElseThrow(), text, firstId + units.size()));
+                }
+            } else {
+                refused.add(new SmppPdu.Refused(destination, status));
+            }
+        }
+        return units;
     }
 
     /** The status for a destination that cannot be served now. */

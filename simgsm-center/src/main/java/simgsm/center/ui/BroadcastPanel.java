@@ -25,6 +25,7 @@ import simgsm.sms.CellBroadcast;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DocumentChanges;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -34,7 +35,7 @@ import simgsm.ui.pane.ScrolledColumn;
  * Cell broadcast: channel, language, repetition, text and number of pages; below, the repeated broadcasts, which can be
  * stopped.
  */
-final class BroadcastPanel extends JPanel {
+final class BroadcastPanel extends DressedPanel {
     /** The default channel of handsets: area names (050). */
     private static final int FIRST_CHANNEL = 50;
 
@@ -67,7 +68,6 @@ final class BroadcastPanel extends JPanel {
     private final JScrollPane field;
     private final JLabel pages = new JLabel();
     private final JLabel result = new JLabel(" ");
-    private final JLabel channelLabel;
     private final JLabel channelName = new JLabel();
     private final JPanel form;
     private final JComboBox<String> language = new JComboBox<>(LANGUAGES);
@@ -82,78 +82,79 @@ final class BroadcastPanel extends JPanel {
     private final JPanel outcome;
 
     BroadcastPanel(TextBundle texts, CenterActions operator, Background background) {
-        super(new BorderLayout());
         this.texts = texts;
         this.operator = operator;
         this.background = background;
         setOpaque(false);
-        send = new UserAction("broadcast.send", texts.of("window.broadcast.send"), this::send)
-                .described(texts.of("window.broadcast.send.why"))
+        send = UserAction.of(texts, "broadcast.send", "window.broadcast.send", this::send)
                 .with(Symbol.BROADCAST.icon());
         text = new HintedTextArea(texts.of("window.broadcast.text"));
+        field = new JScrollPane(text);
+        nameFields();
+        running = Tables.broadcasts(texts).onChoice(row -> lookAtChoice());
+        running.setVisible(false);
+        stop = UserAction.of(texts, "broadcast.stop", "window.broadcast.stop", this::stop);
+        stop.setEnabled(false);
+        stopButton = ComponentNames.name(new JButton(stop), "broadcast.stop", texts.of("window.broadcast.stop"));
+        stopButton.setVisible(false);
+        outcome = Arrange.row(8, Arrange.growing(result), stopButton);
+        outcome.setVisible(false);
+        form = form();
+        add(scrolled(form), BorderLayout.CENTER);
+        text.getDocument().addDocumentListener(new DocumentChanges(this::count));
+        dress();
+    }
+
+    private void nameFields() {
         text.setToolTipText(texts.of("window.broadcast.text"));
-        channelLabel = new JLabel(texts.of("window.broadcast.channel"));
-        channelLabel.setLabelFor(channel);
         for (JSpinner number : List.of(channel, times, period)) {
             JSpinner.NumberEditor editor = new JSpinner.NumberEditor(number, "0");
             editor.getTextField().setColumns(NUMBER_COLUMNS);
             number.setEditor(editor);
         }
-        ComponentNames.name(channelName, "broadcast.channel.name", texts.of("window.broadcast.channel.name"));
+        name(channelName, "channel.name", "channel.name");
         channel.addChangeListener(event -> nameChannel());
         nameChannel();
-        ComponentNames.name(channel, "broadcast.channel", texts.of("window.broadcast.channel"));
-        ComponentNames.name(language, "broadcast.language", texts.of("window.broadcast.language.name"));
-        ComponentNames.name(times, "broadcast.times", texts.of("window.broadcast.times.name"));
-        ComponentNames.name(period, "broadcast.period", texts.of("window.broadcast.period.name"));
-        ComponentNames.name(text, "broadcast.text", texts.of("window.broadcast.text"));
-        ComponentNames.name(pages, "broadcast.pages", texts.of("window.broadcast.pages.name"));
-        ComponentNames.name(result, "broadcast.result", texts.of("window.broadcast.result"));
+        name(channel, "channel", "channel");
+        name(language, "language", "language.name");
+        name(times, "times", "times.name");
+        name(period, "period", "period.name");
+        name(text, "text", "text");
+        name(pages, "pages", "pages.name");
+        name(result, "result", "result");
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
         // Tab moves the focus.
         text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
-        text.getDocument().addDocumentListener(new DocumentChanges(this::count));
         language.addActionListener(event -> count());
-        field = new JScrollPane(text);
-        running = Tables.broadcasts(texts).onChoice(row -> lookAtChoice());
-        running.setVisible(false);
-        stop = new UserAction("broadcast.stop", texts.of("window.broadcast.stop"), this::stop)
-                .described(texts.of("window.broadcast.stop.why"));
-        stop.setEnabled(false);
-        stopButton = ComponentNames.name(new JButton(stop), "broadcast.stop", texts.of("window.broadcast.stop"));
-        stopButton.setVisible(false);
-        JButton sendButton =
-                ComponentNames.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send"));
-        outcome = Arrange.row(8, Arrange.growing(result), stopButton);
-        outcome.setVisible(false);
+    }
+
+    /** Names a component {@code broadcast.ID}, for users with the text of the key. */
+    private void name(JComponent component, String id, String key) {
+        ComponentNames.name(component, "broadcast." + id, texts.of("window.broadcast." + key));
+    }
+
+    private JPanel form() {
         JPanel rest = new JPanel(new BorderLayout());
         rest.setOpaque(false);
         rest.add(running, BorderLayout.CENTER);
-        form = Arrange.column(
+        JButton sendButton =
+                ComponentNames.name(new JButton(send), "broadcast.send", texts.of("window.broadcast.send"));
+        return Arrange.column(
                 8,
                 Arrange.row(
                         8,
-                        channelLabel,
+                        labelled("channel", channel),
                         channel,
                         Arrange.growing(channelName),
-                        labelled(texts.of("window.broadcast.language"), language),
+                        labelled("language", language),
                         language),
-                Arrange.row(
-                        8,
-                        labelled(texts.of("window.broadcast.times"), times),
-                        times,
-                        labelled(texts.of("window.broadcast.period"), period),
-                        period,
-                        Arrange.spring()),
+                Arrange.row(8, labelled("times", times), times, labelled("period", period), period, Arrange.spring()),
                 field,
                 Arrange.row(8, Arrange.growing(pages), sendButton),
                 outcome,
                 Arrange.growing(rest));
-        add(scrolled(form), BorderLayout.CENTER);
-        dress();
-        count();
     }
 
     /** What these channels carry; nothing for others. */
@@ -189,8 +190,8 @@ final class BroadcastPanel extends JPanel {
         return all;
     }
 
-    private static JLabel labelled(String title, JComponent field) {
-        JLabel label = new JLabel(title);
+    private JLabel labelled(String key, JComponent field) {
+        JLabel label = new JLabel(texts.of("window.broadcast." + key));
         label.setLabelFor(field);
         return label;
     }
@@ -283,15 +284,7 @@ final class BroadcastPanel extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (field != null) {
-            dress();
-            count();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         setBorder(Theme.padding(6, 4, 0, 4));
         pages.setFont(Theme.small());
         channelName.setFont(Theme.small());
@@ -302,5 +295,6 @@ final class BroadcastPanel extends JPanel {
         running.setPreferredSize(new Dimension(0, Theme.px(RUNNING_UNITS)));
         result.setFont(Theme.base());
         result.setForeground(Theme.color(Ink.QUIET));
+        count();
     }
 }

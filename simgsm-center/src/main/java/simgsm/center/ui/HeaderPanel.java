@@ -15,13 +15,14 @@ import simgsm.draw.StatusMark;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.Lamp;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /** Name, port, counts, rates, and the buttons for folding and quitting. */
-final class HeaderPanel extends JPanel {
+final class HeaderPanel extends DressedPanel {
     private static final int ROW_GAP = 12;
 
     private final TextBundle texts;
@@ -41,7 +42,6 @@ final class HeaderPanel extends JPanel {
 
     /** @param folding takes whether the fields below the header are shown */
     HeaderPanel(TextBundle texts, CenterActions operator, Consumer<Boolean> folding) {
-        super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
         port = lamp("lamp.port", "window.port.name");
@@ -53,20 +53,7 @@ final class HeaderPanel extends JPanel {
         network.setText(texts.of(accessKey));
         network.setToolTipText(texts.of(accessKey + ".why"));
         network.setName("network");
-        JToggleButton fold = new JToggleButton();
-        fold.setAction(new UserAction("window.fold", "", () -> {
-                    fold.setIcon((fold.isSelected() ? Symbol.UP : Symbol.DOWN).icon());
-                    folding.accept(fold.isSelected());
-                })
-                .described(texts.of("window.fold.why"))
-                .with(Symbol.UP.icon()));
-        fold.setSelected(true);
-        UserAction quit = new UserAction("window.quit", texts.of("window.quit"), operator::quit)
-                .described(texts.of("window.quit.why"));
-        buttons = Arrange.row(
-                8,
-                ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
-                ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")));
+        buttons = buttons(operator, folding);
         row = Arrange.row(ROW_GAP, title, port, network, Arrange.growing(rateLabel), attached, calls, waiting, buttons);
         add(row, BorderLayout.CENTER);
         port.setToolTipText(network.getText() + ": " + network.getToolTipText());
@@ -76,6 +63,22 @@ final class HeaderPanel extends JPanel {
         showCounts(0, 0, 0);
         showRates();
         dress();
+    }
+
+    private JPanel buttons(CenterActions operator, Consumer<Boolean> folding) {
+        JToggleButton fold = new JToggleButton();
+        fold.setAction(new UserAction("window.fold", "", () -> {
+                    fold.setIcon((fold.isSelected() ? Symbol.UP : Symbol.DOWN).icon());
+                    folding.accept(fold.isSelected());
+                })
+                .described(texts.of("window.fold.why"))
+                .with(Symbol.UP.icon()));
+        fold.setSelected(true);
+        UserAction quit = UserAction.of(texts, "window.quit", "window.quit", operator::quit);
+        return Arrange.row(
+                8,
+                ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
+                ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")));
     }
 
     /** Places these in front of the buttons; they leave when another container takes them. */
@@ -171,14 +174,7 @@ final class HeaderPanel extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (title != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         title.setFont(Theme.sans(20, true));
         network.setForeground(Theme.color(access == NetworkAccess.OPEN_TO_OTHERS ? Ink.WARNING : Ink.QUIET));
         rateLabel.setForeground(Theme.color(Ink.QUIET));

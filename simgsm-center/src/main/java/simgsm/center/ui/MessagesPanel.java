@@ -1,22 +1,21 @@
 package simgsm.center.ui;
 
-import java.awt.BorderLayout;
 import java.awt.KeyboardFocusManager;
 import java.util.List;
 import java.util.Locale;
-import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import simgsm.center.msc.ExchangeSnapshot.MessageRow;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.Theme;
 import simgsm.ui.pane.DividedPanel;
 import simgsm.ui.pane.Divider;
 
 /** The queue of messages and those that have ended recently; below, the history of the selected one. */
-final class MessagesPanel extends JPanel {
+final class MessagesPanel extends DressedPanel {
     private static final int HISTORY_UNITS = 132;
     /** The history takes at most this part of the height at first; in a panel below {@link #LOW_UNITS} it is hidden. */
     private static final double HISTORY_SHARE = 0.35;
@@ -31,7 +30,6 @@ final class MessagesPanel extends JPanel {
     private final JScrollPane scroll = new JScrollPane(history);
 
     MessagesPanel(TextBundle texts) {
-        super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
         rows = Tables.messages(texts).onChoice(this::tell);
@@ -64,14 +62,6 @@ final class MessagesPanel extends JPanel {
         }
     }
 
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (scroll != null) {
-            dress();
-        }
-    }
-
     /** The rows come first, until the user moves the divider. */
     private static int historyHeight(int room) {
         return Math.min(Theme.px(HISTORY_UNITS), (int) (room * HISTORY_SHARE));
@@ -86,7 +76,8 @@ final class MessagesPanel extends JPanel {
         super.doLayout();
     }
 
-    private void dress() {
+    @Override
+    protected void dress() {
         history.setFont(Theme.base());
         history.setForeground(Theme.color(Ink.TEXT));
         history.setBorder(Theme.padding(6));

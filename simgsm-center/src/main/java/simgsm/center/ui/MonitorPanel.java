@@ -22,6 +22,7 @@ import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -30,7 +31,7 @@ import simgsm.ui.pane.Divider;
 import simgsm.ui.window.Display;
 
 /** The content of M3's window: shows snapshots and passes the user's actions to the operator. Needs no display. */
-public final class MonitorPanel extends JPanel {
+public final class MonitorPanel extends DressedPanel {
     private static final Dimension SIZE_UNITS = new Dimension(1160, 700);
     private static final int LISTS_UNITS = 484;
     private static final int LADDER_UNITS = 570;
@@ -73,7 +74,6 @@ public final class MonitorPanel extends JPanel {
 
     /** @param texts of the centre's bundle; @param operator performs what the buttons request, by the background's worker */
     MonitorPanel(TextBundle texts, CenterActions operator, Background background) {
-        super(new BorderLayout());
         this.texts = texts;
         this.background = background;
         passing = new PassingPanel(texts, operator.port());
@@ -102,25 +102,27 @@ public final class MonitorPanel extends JPanel {
         split = new DividedPanel(true, listsCard, ladderCard, divider, LEAST_LISTS_UNITS, MonitorPanel::ladderWidth);
         listsSwitch = toggle("lists.shown", "window.lists", Symbol.LIST, this::showLists);
         listsSwitch.setSelected(true);
-        listsSwitch.setHideActionText(true);
         aloneSwitch = toggle("ladder.alone", "window.ladder.alone", Symbol.FIT, this::showAlone);
-        aloneSwitch.setHideActionText(true);
         ladder.addInFront(listsSwitch);
         ladder.addBehind(aloneSwitch);
-        new UserAction("ladder.alone.key", texts.of("window.ladder.alone"), aloneSwitch::doClick)
-                .bindInWindow(this, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
-        new UserAction("ladder.back", texts.of("window.ladder.alone"), this::back)
-                .bind(ladder, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+        bindKeys();
         add(column, BorderLayout.CENTER);
         arrangeRows();
         dress();
     }
 
+    private void bindKeys() {
+        new UserAction("ladder.alone.key", texts.of("window.ladder.alone"), aloneSwitch::doClick)
+                .bindInWindow(this, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
+        new UserAction("ladder.back", texts.of("window.ladder.alone"), this::back)
+                .bind(ladder, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+    }
+
     private JToggleButton toggle(String id, String key, Symbol symbol, Runnable task) {
-        UserAction action = new UserAction(id, texts.of(key), task)
-                .described(texts.of(key + ".why"))
-                .with(symbol.icon());
-        return ComponentNames.name(new JToggleButton(action), id, texts.of(key));
+        UserAction action = UserAction.of(texts, id, key, task).with(symbol.icon());
+        JToggleButton button = ComponentNames.name(new JToggleButton(action), id, texts.of(key));
+        button.setHideActionText(true);
+        return button;
     }
 
     private void arrangeRows() {
@@ -176,9 +178,7 @@ public final class MonitorPanel extends JPanel {
 
     /** @param key of the text; with {@code .why} of its tool tip */
     private JButton starter(String id, String key, Symbol symbol, Background.Action action) {
-        UserAction starting = new UserAction(id, texts.of(key), () -> start(action))
-                .described(texts.of(key + ".why"))
-                .with(symbol.icon());
+        UserAction starting = UserAction.of(texts, id, key, () -> start(action)).with(symbol.icon());
         return ComponentNames.name(new JButton(starting), id, texts.of(key + ".why"));
     }
 
@@ -274,14 +274,7 @@ public final class MonitorPanel extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (notice != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         notice.setForeground(Theme.color(Ink.DANGER));
         setBackground(Theme.color(Ink.SURFACE));
         space();

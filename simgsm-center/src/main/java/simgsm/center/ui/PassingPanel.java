@@ -4,7 +4,6 @@ import java.awt.BorderLayout;
 import java.util.Locale;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import javax.swing.JTextField;
 import simgsm.air.LocationArea;
 import simgsm.center.msc.ExchangeSnapshot;
@@ -13,6 +12,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.ReadingField;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -21,7 +21,7 @@ import simgsm.ui.Theme;
  * The panel of the paper's figure 4, live: the calling or sending telephone (TEL entrante), the centre (TEL
  * intermedio), the called or receiving telephone (TEL saliente), and the message.
  */
-final class PassingPanel extends JPanel {
+final class PassingPanel extends DressedPanel {
     private static final int ONE_ROW_UNITS = 780;
     private static final int NUMBER_COLUMNS = 8;
     private static final int AREA_AND_PORT_COLUMNS = 11;
@@ -38,7 +38,6 @@ final class PassingPanel extends JPanel {
     private boolean isOneRow;
 
     PassingPanel(TextBundle texts, int port) {
-        super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
         numbers = Arrange.row(
@@ -124,14 +123,7 @@ final class PassingPanel extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (message != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         firstArrow.setForeground(Theme.color(Ink.QUIET));
         secondArrow.setForeground(Theme.color(Ink.QUIET));
         intermediate.setColumns(AREA_AND_PORT_COLUMNS);

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.Icon;
-import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JToolTip;
@@ -22,11 +21,12 @@ import simgsm.air.Msisdn;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
 
 /** A table of a snapshot's rows, with a text for the empty table. */
-final class RowsPanel<T> extends JPanel {
+final class RowsPanel<T> extends DressedPanel {
     /** The first columns keep their width in a narrow window. */
     private static final int FIRM_COLUMNS = 2;
 
@@ -41,7 +41,6 @@ final class RowsPanel<T> extends JPanel {
 
     /** @param name of the component; @param title for assistive technology; @param empty text without rows */
     RowsPanel(String name, String title, String empty, List<Column<T>> columns) {
-        super(new BorderLayout());
         setOpaque(false);
         model = new RowsModel<>(columns);
         table = ComponentNames.name(new EmptyTable(empty), name, title);
@@ -87,14 +86,7 @@ final class RowsPanel<T> extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (table != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         table.setRowHeight(Theme.px(28));
         table.setIntercellSpacing(new Dimension(0, 0));
         table.getTableHeader().setFont(Theme.small());

@@ -100,13 +100,9 @@ public final class Program {
             requireReadable(args);
             Arguments arguments = options.parse(args);
             given = Optional.of(arguments);
-            if (arguments.has("help")) {
-                out.print(options.help(arguments.prefersSpanish()));
-                out.flush();
-                return ExitStatus.OK;
-            }
-            if (arguments.has("version")) {
-                out.print(name + " " + version(body.getClass()) + "\n");
+            if (arguments.has("help") || arguments.has("version")) {
+                String versionLine = name + " " + version(body.getClass()) + "\n";
+                out.print(arguments.has("help") ? options.help(arguments.prefersSpanish()) : versionLine);
                 out.flush();
                 return ExitStatus.OK;
             }

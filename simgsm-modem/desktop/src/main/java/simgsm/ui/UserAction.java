@@ -8,6 +8,7 @@ import javax.swing.Action;
 import javax.swing.Icon;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import simgsm.console.TextBundle;
 
 /** A user action with its name, description, mnemonic, icon and keys, for buttons, menus and key bindings. */
 public final class UserAction extends AbstractAction {
@@ -30,6 +31,11 @@ public final class UserAction extends AbstractAction {
         } else {
             putValue(NAME, name);
         }
+    }
+
+    /** An action with the texts of a key: its name, and its tool tip at {@code KEY.why}. */
+    public static UserAction of(TextBundle texts, String id, String key, Runnable task) {
+        return new UserAction(id, texts.of(key), task).described(texts.of(key + ".why"));
     }
 
     /** Sets the tool tip. */

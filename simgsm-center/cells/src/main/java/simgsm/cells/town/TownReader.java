@@ -126,36 +126,44 @@ public final class TownReader {
         int site = line.whole("site", FIRST_SITE + towers.size(), 0, LARGEST_16_BIT);
         int cell = line.whole("cell", site, 0, LARGEST_16_BIT);
         int channels = line.whole("tch", 6, 1, 7);
+        CellSelection selection = selection(line);
+        line.end();
+        Tower read = new Tower(tower, place, height, power, arfcn, bsic, area, cell, site, channels, selection);
+        for (Tower other : towers) {
+            requireDistinct(read, other, line);
+        }
+        if (towers.size() == TOWERS_MAX) {
+            throw line.fault("one more tower", "at most " + TOWERS_MAX);
+        }
+        towers.add(read);
+    }
+
+    private static CellSelection selection(TownLine line) throws TownFormatException {
         CellSelection standard = CellSelection.STANDARD;
-        CellSelection selection = new CellSelection(
+        return new CellSelection(
                 line.whole("access", standard.accessMinimumRxlev(), 0, 63),
                 line.whole("hysteresis", standard.hysteresisDecibels(), 0, 14, 2),
                 line.whole("offset", standard.offsetDecibels(), 0, 126, 2),
                 line.whole("temporary", standard.temporaryOffsetDecibels(), 0, 70, 10),
                 line.whole("penalty", standard.penaltySeconds(), 20, 620, 20));
-        line.end();
-        for (Tower other : towers) {
-            if (other.name().equals(tower)) {
-                throw line.fault("a second tower " + TownLine.quoted(tower), "a name of its own for each tower");
-            }
-            if (other.arfcn() == arfcn && other.bsic() == bsic) {
-                throw line.fault(
-                        "arfcn=" + arfcn + " bsic=" + bsic + " of tower " + other.name() + " again",
-                        "another ARFCN or BSIC: mobiles know cells apart by the two");
-            }
-            if (other.site() == site) {
-                throw line.fault("site=" + site + " of tower " + other.name() + " again", "a site once in the town");
-            }
-            if (other.area() == area && other.cellIdentity() == cell) {
-                throw line.fault(
-                        "cell=" + cell + " of tower " + other.name() + " again",
-                        "a cell identity once in a location area");
-            }
+    }
+
+    private static void requireDistinct(Tower tower, Tower other, TownLine line) throws TownFormatException {
+        String again = " of tower " + other.name() + " again";
+        if (other.name().equals(tower.name())) {
+            throw line.fault("a second tower " + TownLine.quoted(tower.name()), "a name of its own for each tower");
         }
-        if (towers.size() == TOWERS_MAX) {
-            throw line.fault("one more tower", "at most " + TOWERS_MAX);
+        if (other.arfcn() == tower.arfcn() && other.bsic() == tower.bsic()) {
+            throw line.fault(
+                    "arfcn=" + tower.arfcn() + " bsic=" + tower.bsic() + again,
+                    "another ARFCN or BSIC: mobiles know cells apart by the two");
         }
-        towers.add(new Tower(tower, place, height, power, arfcn, bsic, area, cell, site, channels, selection));
+        if (other.site() == tower.site()) {
+            throw line.fault("site=" + tower.site() + again, "a site once in the town");
+        }
+        if (other.area() == tower.area() && other.cellIdentity() == tower.cellIdentity()) {
+            throw line.fault("cell=" + tower.cellIdentity() + again, "a cell identity once in a location area");
+        }
     }
 
     private void building(TownLine line) throws TownFormatException {

@@ -76,10 +76,8 @@ final class MobileCard extends JPanel {
         walks.addActionListener(event -> walks.setToolTipText((String) walks.getSelectedItem()));
         speed.addChangeListener(event -> speedChosen.accept(metresPerSecond()));
         speed.setToolTipText(texts.of("walk.speed"));
-        walk = new JButton(
-                new UserAction("walk", texts.of("walk.start"), this::startWalk).described(texts.of("walk.start.why")));
-        stand = new JButton(
-                new UserAction("stand", texts.of("walk.stop"), this::stopWalk).described(texts.of("walk.stop.why")));
+        walk = new JButton(UserAction.of(texts, "walk", "walk.start", this::startWalk));
+        stand = new JButton(UserAction.of(texts, "stand", "walk.stop", this::stopWalk));
         ComponentNames.name(walk, "walk", texts.of("walk.start"));
         ComponentNames.name(stand, "stand", texts.of("walk.stop"));
         add(

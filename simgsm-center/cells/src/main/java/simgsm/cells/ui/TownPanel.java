@@ -19,13 +19,14 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.Theme;
 import simgsm.ui.pane.DividedPanel;
 import simgsm.ui.pane.Divider;
 import simgsm.ui.pane.ScrolledColumn;
 
 /** The content of the town's window: shows snapshots and passes the user's actions on. Needs no display. */
-public final class TownPanel extends JPanel {
+public final class TownPanel extends DressedPanel {
     /** Of the window at first, where the screen has room for it. */
     static final Dimension SIZE_UNITS = new Dimension(1100, 760);
 
@@ -58,7 +59,6 @@ public final class TownPanel extends JPanel {
             Propagation propagation,
             Executor worker,
             Executor eventThread) {
-        super(new BorderLayout());
         snapshot = first;
         map = new TownMap(texts, town, first, propagation, worker, eventThread, this::select);
         header = new TownHeader(texts, town, map, first);
@@ -138,14 +138,7 @@ public final class TownPanel extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (strip != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         setBackground(Theme.color(Ink.SURFACE));
         setBorder(Theme.padding(MARGIN_UNITS));
         if (shownZoom != Theme.zoom()) {

@@ -24,6 +24,7 @@ import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -31,7 +32,7 @@ import simgsm.ui.pane.DividedPanel;
 import simgsm.ui.pane.Divider;
 
 /** The GSM messages between terminals and centre, live; below, the selected message, unless it is shown elsewhere. */
-public final class LadderPanel extends JPanel {
+public final class LadderPanel extends DressedPanel {
     private static final Dimension LIST_UNITS = new Dimension(560, 240);
     /** In a narrower panel the buttons have no words. */
     private static final int WIDE_UNITS = 900;
@@ -74,7 +75,6 @@ public final class LadderPanel extends JPanel {
     private boolean isDetailElsewhere;
 
     public LadderPanel(TextBundle texts) {
-        super(new BorderLayout());
         this.texts = texts;
         list = new LadderList(model, cell, texts.of("window.ladder.empty"));
         header = new LifelineHeader(list);
@@ -109,9 +109,7 @@ public final class LadderPanel extends JPanel {
     }
 
     private UserAction action(String id, String key, Symbol symbol, Runnable task) {
-        return new UserAction(id, texts.of(key), task)
-                .described(texts.of(key + ".why"))
-                .with(symbol.icon());
+        return UserAction.of(texts, id, key, task).with(symbol.icon());
     }
 
     private JToggleButton toggle(String id, String key, Symbol symbol, Runnable task) {
@@ -376,14 +374,7 @@ public final class LadderPanel extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (list != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         heading.setFont(Theme.title());
         pane.getHorizontalScrollBar().setPreferredSize(new Dimension(0, Theme.px(SCROLL_BAR_UNITS)));
         list.fit();

@@ -14,6 +14,7 @@ import javax.swing.ScrollPaneConstants;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.Theme;
 import simgsm.ui.glossary.GlossaryNote;
 import simgsm.ui.pane.ScrolledColumn;
@@ -22,7 +23,7 @@ import simgsm.ui.pane.ScrolledColumn;
  * A message in full: its fields, and its octets next to them or, in a narrow place, below. A chosen field marks its octets,
  * a chosen octet its field.
  */
-public final class MessageDetail extends JPanel {
+public final class MessageDetail extends DressedPanel {
     private static final int LEAST_FIELDS_UNITS = 200;
     private static final int OCTETS_PER_LINE = 16;
     private static final int LEAST_OCTETS_PER_LINE = 8;
@@ -40,7 +41,6 @@ public final class MessageDetail extends JPanel {
     private boolean isFollowing;
 
     MessageDetail(TextBundle texts) {
-        super(new BorderLayout());
         this.texts = texts;
         setOpaque(false);
         setName("ladder.message");
@@ -119,14 +119,7 @@ public final class MessageDetail extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (title != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         title.setFont(Theme.strong());
         title.setBorder(Theme.padding(8, 2, 6, 2));
     }
