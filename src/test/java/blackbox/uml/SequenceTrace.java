@@ -8,13 +8,13 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import simgsm.octets.OctetString;
+import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
-import simgsm.air.ProtocolViolation;
 import simgsm.trace.MessageText;
 import simrobot.robot.SimulatedRobot;
 
@@ -129,11 +129,7 @@ final class SequenceTrace implements SuiteTrace {
     }
 
     private static String name(byte[] payload) {
-        try {
-            return MessageText.ofRsl(RslCodec.decode(payload)).name();
-        } catch (ProtocolViolation e) {
-            throw new AssertionError(e);
-        }
+        return MessageText.ofRsl(OctetString.of(payload), Locale.ROOT).name();
     }
 
     @Override

@@ -216,15 +216,11 @@ public final class BaseStationController implements BroadcastChannel {
     /** Pages a mobile once in all cells of its location area. */
     void page(Link mobile, LocationArea area, MobileIdentity identity) {
         OctetWriter octets = new OctetWriter();
-        IdentityElements.writeIdentity(octets, identity);
-        OctetString lengthAndIdentity = octets.toOctetString();
-        OctetString value = new OctetWriter()
-                .bytes(simgsm.octets.Octets.range(lengthAndIdentity.toArray(), 1, lengthAndIdentity.length()))
-                .toOctetString();
+        IdentityElements.write(octets, identity);
         long imsi = Long.parseLong(mobile.subscriber().imsi().digits());
         RslPdu message = RslPdu.of(RslType.PAGING_COMMAND, PCH)
                 .with(RslElement.PAGING_GROUP, (int) (imsi % IMSI_MODULUS % PAGING_GROUPS))
-                .with(RslElement.MOBILE_IDENTITY, value)
+                .with(RslElement.MOBILE_IDENTITY, octets.toOctetString())
                 .with(RslElement.CHANNEL_NEEDED, 0);
         in(area).forEach(tower -> tower.send(message));
     }

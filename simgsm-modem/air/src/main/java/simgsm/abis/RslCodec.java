@@ -171,7 +171,9 @@ public final class RslCodec {
     private static byte[] paging(MobileIdentity identity) {
         OctetWriter out = header(COMMON_CHANNEL, PAGING_COMMAND, PAGING_CHANNEL);
         out.octet(PAGING_GROUP).octet(0).octet(MOBILE_IDENTITY);
-        IdentityElements.writeIdentity(out, identity);
+        int start = out.openLength();
+        IdentityElements.write(out, identity);
+        out.closeLength(start);
         return out.octet(CHANNEL_NEEDED).octet(0).toArray();
     }
 
@@ -205,7 +207,7 @@ public final class RslCodec {
             expect(in, PAGING_GROUP, "paging group");
             in.octet("paging group");
             expect(in, MOBILE_IDENTITY, "mobile identity");
-            return new PagingCommand(IdentityElements.readIdentity(in));
+            return new PagingCommand(IdentityElements.read(in.lengthAndValue("mobile identity")));
         }
         if (type == BROADCAST_INFORMATION) {
             expect(in, SYSTEM_INFORMATION_TYPE, "system information type");

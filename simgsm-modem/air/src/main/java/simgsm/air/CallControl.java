@@ -5,9 +5,7 @@ import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 
 /** Call control messages (TS 24.008, 9.3), protocol discriminator 3. */
-public sealed interface CallControl extends Layer3Message {
-    TransactionIdentifier transaction();
-
+public sealed interface CallControl extends Layer3Message.OfTransaction {
     /** Whether this is one of the 16 keys 0-9 * # A-D. */
     static boolean isKey(char key) {
         return key >= '0' && key <= '9' || key >= 'A' && key <= 'D' || key == '*' || key == '#';

@@ -1,6 +1,5 @@
 package simgsm.air;
 
-import java.util.Optional;
 import simgsm.octets.OctetWriter;
 
 /** Mobile identity and location area as they stand in messages (TS 24.008, 10.5.1.3 and 10.5.1.4). */
@@ -14,14 +13,13 @@ public final class IdentityElements {
 
     private IdentityElements() {}
 
-    /** Writes an identity as length and value. */
-    public static void writeIdentity(OctetWriter out, MobileIdentity identity) {
+    /** Writes an identity's value. */
+    public static void write(OctetWriter out, MobileIdentity identity) {
         if (identity instanceof Tmsi tmsi) {
-            out.octet(5).octet(TMSI_FIRST_OCTET).fourOctets(tmsi.value());
+            out.octet(TMSI_FIRST_OCTET).fourOctets(tmsi.value());
         } else {
             String digits = identity instanceof Imei imei ? Imei.transmitted(imei.digits()) : identity.toString();
             boolean odd = digits.length() % 2 == 1;
-            out.octet(digits.length() / 2 + 1);
             out.octet((digits.charAt(0) - '0') << 4
                     | (odd ? ODD : 0)
                     | identity.type().code());
@@ -29,12 +27,8 @@ public final class IdentityElements {
         }
     }
 
-    /** Reads an identity as length and value: an IMSI, IMEI or TMSI. */
-    public static MobileIdentity readIdentity(MessageReader in) throws ProtocolViolation {
-        return readIdentityValue(in.lengthAndValue("mobile identity"));
-    }
-
-    public static MobileIdentity readIdentityValue(MessageReader in) throws ProtocolViolation {
+    /** Reads an identity's value: an IMSI, IMEI or TMSI. */
+    public static MobileIdentity read(MessageReader in) throws ProtocolViolation {
         if (in.remaining() > MAX_LENGTH) {
             throw ProtocolViolation.invalid("a mobile identity of " + in.remaining() + " octets");
         }
@@ -52,15 +46,6 @@ public final class IdentityElements {
             };
         } catch (IllegalArgumentException wrong) {
             throw ProtocolViolation.invalid(wrong.getMessage());
-        }
-    }
-
-    /** The identity in an optional element; empty if it cannot be read (TS 24.008, 8.7.1). */
-    static Optional<MobileIdentity> readOptional(MessageReader in) {
-        try {
-            return Optional.of(readIdentityValue(in));
-        } catch (ProtocolViolation broken) {
-            return Optional.empty();
         }
     }
 

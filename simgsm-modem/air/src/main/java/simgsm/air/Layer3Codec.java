@@ -1,5 +1,6 @@
 package simgsm.air;
 
+import java.util.List;
 import java.util.Optional;
 import simgsm.octets.OctetWriter;
 
@@ -29,17 +30,7 @@ public final class Layer3Codec {
         out.octet(transactionOrSkip(message) | type.discriminator());
         boolean sequenced = direction == Direction.UPLINK && hasSendSequence(type.discriminator());
         out.octet(type.code() | (sequenced ? sendSequence << 6 & SEND_SEQUENCE_BIT : 0));
-        if (message instanceof CallControl callControl) {
-            CallControlCodec.write(out, callControl, direction);
-        } else if (message instanceof MobilityManagement mobility) {
-            MobilityManagementCodec.write(out, mobility);
-        } else if (message instanceof ShortMessageControl shortMessage) {
-            ShortMessageCodec.write(out, shortMessage, direction);
-        } else if (message instanceof SupplementaryService service) {
-            SupplementaryServiceCodec.write(out, service, direction);
-        } else {
-            RadioResourceCodec.write(out, (RadioResource) message);
-        }
+        type.table().write(out, message, direction);
         return out.toArray();
     }
 
@@ -74,13 +65,7 @@ public final class Layer3Codec {
     }
 
     private static int transactionOrSkip(Layer3Message message) {
-        if (message instanceof CallControl callControl) {
-            return nibble(callControl.transaction());
-        }
-        if (message instanceof SupplementaryService service) {
-            return nibble(service.transaction());
-        }
-        return message instanceof ShortMessageControl shortMessage ? nibble(shortMessage.transaction()) : 0;
+        return message instanceof Layer3Message.OfTransaction part ? nibble(part.transaction()) : 0;
     }
 
     private static int nibble(TransactionIdentifier transaction) {
@@ -134,14 +119,34 @@ public final class Layer3Codec {
         Layer3Type type = header.type()
                 .orElseThrow(() ->
                         new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "not known " + header.direction()));
-        return switch (header.discriminator()) {
-            case Layer3Header.CALL_CONTROL ->
-                CallControlCodec.read(type, header.transaction().orElseThrow(), in, header.direction());
-            case Layer3Header.MOBILITY_MANAGEMENT -> MobilityManagementCodec.read(type, in, header.direction());
-            case Layer3Header.RADIO_RESOURCE -> RadioResourceCodec.read(type, in);
-            case Layer3Header.SUPPLEMENTARY_SERVICES ->
-                SupplementaryServiceCodec.read(type, header.transaction().orElseThrow(), in);
-            default -> ShortMessageCodec.read(header, type, in);
-        };
+        try {
+            Object[] head = header.transaction().stream().toArray();
+            return (Layer3Message) type.table().read(in, header.direction(), head);
+        } catch (ProtocolViolation violation) {
+            return clearing(type, header)
+                    .orElseThrow(() -> violation);
+        }
+    }
+
+    /** A message that clears the call does so even if its elements cannot be read, with cause 96 (TS 24.008, 8.5.2 to 8.5.4). */
+    private static Optional<Layer3Message> clearing(Layer3Type type, Layer3Header header) {
+        Cause cause = Cause.INVALID_MANDATORY_INFORMATION;
+        return header.transaction().map(transaction -> switch (type) {
+            case DISCONNECT -> new CallControl.Disconnect(transaction, cause);
+            case RELEASE -> new CallControl.Release(transaction, Optional.of(cause));
+            case RELEASE_COMPLETE -> new CallControl.ReleaseComplete(transaction, Optional.of(cause));
+            default -> null;
+        });
+    }
+
+    /**
+     * The elements in the octets of a message that {@link #decode} reads, in their order; those of an RP message follow the
+     * CP-DATA that it is in.
+     */
+    public static List<ElementTable.Part> split(byte[] octets, Direction direction) throws ProtocolViolation {
+        MessageReader in = new MessageReader(octets);
+        Layer3Type type = readHeader(in, direction).type().orElseThrow();
+        List<ElementTable.Part> parts = type.table().split(in, direction);
+        return type == Layer3Type.CP_DATA ? RelayType.split(parts.get(0).value(), direction) : parts;
     }
 }

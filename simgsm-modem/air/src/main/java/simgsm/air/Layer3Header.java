@@ -36,7 +36,7 @@ public record Layer3Header(
                         String.format(Locale.ROOT, "message type 0x%02x of protocol %d", messageType, discriminator));
     }
 
-    Layer3Header withRelayReference(int reference) {
-        return new Layer3Header(discriminator, direction, transaction, messageType, Optional.of(reference));
+    Layer3Header withRelayReference(Integer reference) {
+        return new Layer3Header(discriminator, direction, transaction, messageType, Optional.ofNullable(reference));
     }
 }

@@ -3,14 +3,21 @@ package simgsm.air;
 import java.util.Optional;
 import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
+import simgsm.octets.Octets;
 
 /** Mobility management messages (TS 24.008, 9.2), protocol discriminator 5. */
 public sealed interface MobilityManagement extends Layer3Message {
     /** What a LOCATION UPDATING REQUEST is for (TS 24.008, 10.5.3.5). */
-    enum LocationUpdatingType {
+    enum LocationUpdatingType implements Coded {
         NORMAL,
         PERIODIC,
-        IMSI_ATTACH
+        IMSI_ATTACH;
+
+        @Override
+        public int code() {
+            return ordinal();
+        }
     }
 
     /** What a CM SERVICE REQUEST asks for (TS 24.008, 10.5.3.3). */
@@ -66,13 +73,34 @@ public sealed interface MobilityManagement extends Layer3Message {
         }
     }
 
-    /** SRES (4 octets), or RES (4 to 16 octets, the rest after the first four in the extension). */
-    record AuthenticationResponse(OctetString response) implements MobilityManagement {
-        public static final int MIN_LENGTH = 4;
-        public static final int MAX_LENGTH = 16;
+    /** @param sres SRES, or the first 4 octets of RES; @param extension the other octets of RES, at most 12 */
+    record AuthenticationResponse(OctetString sres, Optional<OctetString> extension) implements MobilityManagement {
+        private static final int SRES_LENGTH = 4;
+        private static final int MOST_EXTENSION = 12;
 
         public AuthenticationResponse {
-            response.requireLength("RES", MIN_LENGTH, MAX_LENGTH);
+            sres.requireLength("SRES", SRES_LENGTH);
+            extension.ifPresent(octets -> octets.requireLength("RES extension", 1, MOST_EXTENSION));
+        }
+
+        /** @param response SRES of 4 octets or RES of 4 to 16 */
+        public AuthenticationResponse(OctetString response) {
+            this(
+                    part(response, 0, Math.min(SRES_LENGTH, response.length())),
+                    Optional.of(response)
+                            .filter(octets -> octets.length() > SRES_LENGTH)
+                            .map(octets -> part(octets, SRES_LENGTH, octets.length())));
+        }
+
+        private static OctetString part(OctetString octets, int from, int to) {
+            return OctetString.of(Octets.range(octets.toArray(), from, to));
+        }
+
+        /** SRES or the whole RES. */
+        public OctetString response() {
+            OctetWriter all = new OctetWriter().string(sres);
+            extension.ifPresent(all::string);
+            return all.toOctetString();
         }
     }
 

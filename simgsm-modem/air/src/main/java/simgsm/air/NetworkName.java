@@ -18,9 +18,8 @@ final class NetworkName {
 
     private NetworkName() {}
 
-    /** Writes a name of at most 64 characters, see {@link MobilityManagement.MmInformation}, as length and value. */
+    /** Writes a name of at most 64 characters, see {@link MobilityManagement.MmInformation}. */
     static void write(OctetWriter out, String name) {
-        int start = out.openLength();
         if (name.matches("[" + SAME_IN_GSM_AND_ASCII + "]*")) {
             byte[] packed = Septets.pack(name.getBytes(StandardCharsets.US_ASCII), 0);
             int spareBits = packed.length * 8 - name.length() * 7;
@@ -28,7 +27,6 @@ final class NetworkName {
         } else {
             out.octet(EXTENSION_BIT | UCS2).bytes(name.getBytes(StandardCharsets.UTF_16BE));
         }
-        out.closeLength(start);
     }
 
     static String read(MessageReader value) throws ProtocolViolation {

@@ -1,9 +1,8 @@
 package simgsm.air;
 
-import java.util.Optional;
 import simgsm.octets.OctetWriter;
 
-/** Telephone numbers as they stand in messages (TS 24.008, 10.5.4.7 and 10.5.4.9; TS 24.011, 8.2.5.1). */
+/** The values of telephone numbers in messages (TS 24.008, 10.5.4.7 and 10.5.4.9; TS 24.011, 8.2.5.1). */
 final class NumberElements {
     /** ISDN numbering plan (E.164). */
     private static final int PLAN = 0x01;
@@ -17,20 +16,14 @@ final class NumberElements {
 
     private NumberElements() {}
 
-    /** Writes a called number, or an SMSC's address, as length and value. */
+    /** Writes a called number or an SMSC's address. */
     static void writeCalled(OctetWriter out, Msisdn number) {
-        int start = out.openLength();
-        out.octet(NO_EXTENSION | type(number));
-        SemiOctets.write(out, number.digits(), 0);
-        out.closeLength(start);
+        SemiOctets.write(out.octet(NO_EXTENSION | type(number)), number.digits(), 0);
     }
 
-    /** Writes a calling or connected number as length and value. */
+    /** Writes a calling or connected number. */
     static void writeShown(OctetWriter out, Msisdn number) {
-        int start = out.openLength();
-        out.octet(type(number)).octet(SHOWN_BY_NETWORK);
-        SemiOctets.write(out, number.digits(), 0);
-        out.closeLength(start);
+        SemiOctets.write(out.octet(type(number)).octet(SHOWN_BY_NETWORK), number.digits(), 0);
     }
 
     private static int type(Msisdn number) {
@@ -46,15 +39,6 @@ final class NumberElements {
             return new Msisdn(SemiOctets.read(value), (typeAndPlan & TYPE_MASK) == INTERNATIONAL);
         } catch (IllegalArgumentException wrong) {
             throw ProtocolViolation.invalid(wrong.getMessage());
-        }
-    }
-
-    /** The number in an optional element; empty if it cannot be read (TS 24.008, 8.7.1). */
-    static Optional<Msisdn> readOptional(MessageReader value) {
-        try {
-            return Optional.of(read(value));
-        } catch (ProtocolViolation broken) {
-            return Optional.empty();
         }
     }
 }

@@ -11,16 +11,19 @@ import java.util.Optional;
 public final class ProtocolViolation extends Exception {
     private final Cause cause;
     private final transient Layer3Header header;
+    /** RP message reference of a broken RP message; null elsewhere. */
+    private final Integer relayReference;
 
     /** @param cause for a STATUS answer: 96 invalid mandatory information, 97 message type non-existent, ... */
     public ProtocolViolation(Cause cause, String text) {
-        this(cause, text, null);
+        this(cause, text, null, null);
     }
 
-    private ProtocolViolation(Cause cause, String text, Layer3Header header) {
+    private ProtocolViolation(Cause cause, String text, Layer3Header header, Integer relayReference) {
         super(text, null, false, false);
         this.cause = cause;
         this.header = header;
+        this.relayReference = relayReference;
     }
 
     /** A violation with cause 96, invalid mandatory information. */
@@ -38,8 +41,14 @@ public final class ProtocolViolation extends Exception {
         return Optional.ofNullable(header);
     }
 
-    /** The same violation with this header; a header that is already set stays. */
+    /** The same violation in an RP message with this reference. */
+    ProtocolViolation inRelay(int reference) {
+        return new ProtocolViolation(cause, getMessage(), null, reference);
+    }
+
+    /** The same violation with the header of its message. */
     ProtocolViolation in(Layer3Header refused) {
-        return header != null ? this : new ProtocolViolation(cause, refused.name() + ": " + getMessage(), refused);
+        return new ProtocolViolation(
+                cause, refused.name() + ": " + getMessage(), refused.withRelayReference(relayReference), null);
     }
 }

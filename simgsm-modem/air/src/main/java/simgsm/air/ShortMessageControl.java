@@ -3,9 +3,7 @@ package simgsm.air;
 import simgsm.octets.Bounds;
 
 /** The CP layer of short messages (TS 24.011, 7.2), protocol discriminator 9, on SAPI 3. */
-public sealed interface ShortMessageControl extends Layer3Message {
-    TransactionIdentifier transaction();
-
+public sealed interface ShortMessageControl extends Layer3Message.OfTransaction {
     record CpData(TransactionIdentifier transaction, RelayMessage relay) implements ShortMessageControl {}
 
     record CpAck(TransactionIdentifier transaction) implements ShortMessageControl {}

@@ -8,9 +8,7 @@ import simgsm.octets.OctetString;
  * Supplementary service control (TS 24.080, 2), protocol discriminator 11. The component in a facility element is read by
  * {@code simgsm.ss}.
  */
-public sealed interface SupplementaryService extends Layer3Message {
-    TransactionIdentifier transaction();
-
+public sealed interface SupplementaryService extends Layer3Message.OfTransaction {
     /** Octets of a facility element, at most (TS 24.008, 10.5.4.15: its length has one octet). */
     int MAX_FACILITY_LENGTH = 255;
 

@@ -44,6 +44,11 @@ record BerElement(int tag, OctetString content) {
         return new BerElement(tag, in.part(length, what).rest());
     }
 
+    /** The index of the content of the element that begins at an index. */
+    static int content(OctetString octets, int at) {
+        return at + (octets.octet(at + 1) == LENGTH_IN_ONE_OCTET ? 3 : 2);
+    }
+
     /** The next element, which must have this tag. */
     static OctetString read(MessageReader in, int tag, String what) throws ProtocolViolation {
         BerElement element = read(in, what);

@@ -1,5 +1,7 @@
 package simgsm.ss;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
@@ -79,6 +81,22 @@ public final class ComponentCodec {
         } catch (ProtocolViolation violation) {
             throw new ComponentFault(id, SsProblem.BADLY_STRUCTURED_COMPONENT, violation.getMessage());
         }
+    }
+
+    /** The index after each element of the component that {@link #decode} reads; those of a sequence are the component's. */
+    public static List<Integer> elementEnds(OctetString facility) {
+        List<Integer> ends = new ArrayList<>();
+        int at = BerElement.content(facility, 0);
+        while (at + 1 < facility.length() && BerElement.content(facility, at) <= facility.length()) {
+            int content = BerElement.content(facility, at);
+            if (facility.octet(0) == RETURN_RESULT && facility.octet(at) == BerElement.SEQUENCE && ends.size() == 1) {
+                at = content;
+            } else {
+                at = Math.min(facility.length(), content + facility.octet(content - 1));
+                ends.add(at);
+            }
+        }
+        return ends;
     }
 
     private static int identifier(BerElement element) throws ProtocolViolation {

@@ -1,5 +1,6 @@
 package simgsm.trace;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import simgsm.air.Coded;
@@ -15,11 +16,20 @@ import simgsm.ss.ComponentFault;
 import simgsm.ss.SsError;
 import simgsm.ss.SsOperation;
 import simgsm.ss.UssdText;
-import simgsm.trace.MessageText.Field;
 
 /** The component of a supplementary service message in words. */
 final class ComponentText {
-    private ComponentText() {}
+    private final FieldList fields;
+    private final int start;
+    private final List<Integer> elementEnds;
+    private int at;
+
+    private ComponentText(FieldList fields, List<Integer> elementEnds, int start) {
+        this.fields = fields;
+        this.elementEnds = new ArrayList<>(elementEnds);
+        this.start = start;
+        at = start;
+    }
 
     /** What the message asks or answers, for its name; empty without a component. */
     static Optional<String> nameOf(SupplementaryService message) {
@@ -65,37 +75,47 @@ final class ComponentText {
         return SsError.ofCode(code).map(Coded.Titled::title).orElse("" + code);
     }
 
-    /** Adds the parts of a facility element. */
-    static void add(List<Field> fields, OctetString facility) {
+    /** Adds the parts of a facility element. @param start index of its value in the message */
+    static void add(FieldList fields, OctetString facility, int start) {
         try {
             Component component = ComponentCodec.decode(facility);
-            if (component instanceof Component.Invoke invoke) {
-                fields.add(new Field("invoke", "" + invoke.id()));
-                addOperation(fields, invoke.operation(), invoke.argument());
-            } else if (component instanceof Component.ReturnResult result) {
-                fields.add(new Field("result of invoke", "" + result.id()));
-                result.operation().ifPresent(operation -> addOperation(fields, operation, result.result()));
-            } else if (component instanceof Component.ReturnError error) {
-                fields.add(new Field("error of invoke", "" + error.id()));
-                fields.add(new Field("error", error.error() + " " + error(error.error())));
-            } else if (component instanceof Component.Reject reject) {
-                fields.add(new Field(
-                        "reject of invoke", reject.id().map(String::valueOf).orElse("unknown")));
-                fields.add(new Field("problem", reject.problem().title()));
-            }
+            new ComponentText(fields, ComponentCodec.elementEnds(facility), start).add(component);
         } catch (ComponentFault fault) {
-            fields.add(new Field("wrong", fault.getMessage()));
+            fields.add(MessageText.WRONG, fault.getMessage());
         }
     }
 
-    private static void addOperation(List<Field> fields, int operation, OctetString parameter) {
-        fields.add(new Field("operation", operation + " " + operation(operation)));
+    private void add(Component component) {
+        if (component instanceof Component.Invoke invoke) {
+            next("invoke", invoke.id());
+            addOperation(invoke.operation(), invoke.argument());
+        } else if (component instanceof Component.ReturnResult result) {
+            next("resultOfInvoke", result.id());
+            result.operation().ifPresent(operation -> addOperation(operation, result.result()));
+        } else if (component instanceof Component.ReturnError error) {
+            next("errorOfInvoke", error.id());
+            next("error", error.error() + " " + error(error.error()));
+        } else if (component instanceof Component.Reject reject) {
+            next("rejectOfInvoke", reject.id().map(String::valueOf).orElseGet(() -> fields.texts().of("unknown")));
+            next("problem", reject.problem().title());
+        }
+    }
+
+    private void addOperation(int operation, OctetString parameter) {
+        next("operation", operation + " " + operation(operation));
         if (parameter.length() > 0) {
             try {
-                fields.add(new Field("text", UssdText.decode(parameter).text()));
+                next("text", UssdText.decode(parameter).text());
             } catch (ProtocolViolation noText) {
-                fields.add(new Field("parameter", parameter.toString()));
+                next("parameter", parameter);
             }
         }
+    }
+
+    /** Adds the field of the component's next element. */
+    private void next(String key, Object value) {
+        int end = elementEnds.isEmpty() ? at : start + elementEnds.remove(0);
+        fields.add(key, value, at, end);
+        at = end;
     }
 }

@@ -1,44 +1,37 @@
 package simgsm.trace;
 
-import java.lang.reflect.RecordComponent;
-import java.util.List;
+import java.text.MessageFormat;
 import java.util.Locale;
-import java.util.Optional;
+import java.util.ResourceBundle;
 import simgsm.air.Coded;
 import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;
-import simgsm.air.RelayMessage;
 import simgsm.air.TransactionIdentifier;
-import simgsm.octets.OctetString;
-import simgsm.trace.MessageText.Field;
 
-/** The components of message records as fields in words, by reflection. */
+/** Names and values of fields in a language, Spanish or English. */
 final class FieldTexts {
-    private FieldTexts() {}
+    private static final String BUNDLE = "simgsm.trace.fields";
+    private static final FieldTexts ENGLISH = new FieldTexts(Locale.ROOT);
+    private static final FieldTexts SPANISH = new FieldTexts(Locale.forLanguageTag("es"));
 
-    /**
-     * Adds the components in their order; absent optional ones are left out, the RP message of a CP-DATA and the
-     * component of a facility by their parts.
-     */
-    static void add(List<Field> fields, Object message) {
-        for (RecordComponent component : message.getClass().getRecordComponents()) {
-            Object value = value(component, message);
-            if (value instanceof Optional<?> optional) {
-                value = optional.orElse(null);
-            }
-            if (value instanceof RelayMessage relay) {
-                add(fields, relay);
-            } else if (component.getName().equals("facility")) {
-                if (value != null) {
-                    ComponentText.add(fields, (OctetString) value);
-                }
-            } else if (value != null) {
-                fields.add(new Field(spaced(component.getName(), false), text(value)));
-            }
-        }
+    private final ResourceBundle bundle;
+
+    private FieldTexts(Locale language) {
+        bundle = ResourceBundle.getBundle(BUNDLE, language);
     }
 
-    static String text(Object value) {
+    static FieldTexts in(Locale language) {
+        return language.getLanguage().equals("es") ? SPANISH : ENGLISH;
+    }
+
+    /** The text of a key with the arguments at {0}, {1} ...; without an entry in the bundle the key itself in words. */
+    String of(String key, Object... arguments) {
+        String text = bundle.containsKey(key) ? bundle.getString(key) : spaced(key);
+        return arguments.length == 0 ? text : new MessageFormat(text, Locale.ROOT).format(arguments);
+    }
+
+    /** The value of a component of a message. */
+    String value(Object value) {
         if (value instanceof Coded.Titled cause) {
             return cause.code() + " " + cause.title();
         }
@@ -46,28 +39,16 @@ final class FieldTexts {
             return identity.type() + " " + identity;
         }
         if (value instanceof TransactionIdentifier transaction) {
-            return transaction.value()
-                    + (transaction.fromOtherSide() ? ", opened by the receiver" : ", opened by the sender");
+            return transaction.value() + ", " + of(transaction.fromOtherSide() ? "openedByReceiver" : "openedBySender");
         }
         if (value instanceof LocationArea area) {
-            return area.countryCode() + "/" + area.networkCode() + " area " + area.areaCode();
+            return area.countryCode() + "/" + area.networkCode() + " " + of("area") + " " + area.areaCode();
         }
-        return value instanceof Enum<?> name
-                ? name.name().replace('_', ' ').toLowerCase(Locale.ROOT)
-                : value.toString();
+        return value instanceof Enum<?> name ? of(name.name()) : value instanceof Boolean ? of("" + value) : "" + value;
     }
 
-    /** Words of a name in camel case: "keySequence" as "key sequence", "DataRequest" as "Data Request". */
-    static String spaced(String name, boolean capitals) {
-        String words = name.replaceAll("(?<=[a-z])(?=[A-Z])", " ");
-        return capitals ? words : words.toLowerCase(Locale.ROOT);
-    }
-
-    private static Object value(RecordComponent component, Object message) {
-        try {
-            return component.getAccessor().invoke(message);
-        } catch (ReflectiveOperationException impossible) {
-            throw new AssertionError(impossible);
-        }
+    /** "keySequence" as "key sequence", "IMSI_ATTACH" as "imsi attach". */
+    private static String spaced(String key) {
+        return key.replaceAll("(?<=[a-z])(?=[A-Z])", " ").replace('_', ' ').toLowerCase(Locale.ROOT);
     }
 }

@@ -1,9 +1,12 @@
 package simgsm.trace;
 
-import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
+import java.util.stream.Collectors;
+import simgsm.air.Direction;
+import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
 import simgsm.sms.Alphabet;
 import simgsm.sms.Concatenation;
 import simgsm.sms.DataCodingScheme;
@@ -12,138 +15,164 @@ import simgsm.sms.DeliveryStatus;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.StatusReportTpdu;
 import simgsm.sms.SubmitTpdu;
+import simgsm.sms.Timestamp;
 import simgsm.sms.Tpdu;
+import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
+import simgsm.trace.MessageText.Field;
 
 /** Transfer units of short messages in words. */
 public final class TpduText {
-    /** Type of number (TS 23.040, 9.1.2.5) by code. */
-    private static final List<String> ADDRESS_TYPES = List.of(
-            "unknown",
-            "international",
-            "national",
-            "network specific",
-            "subscriber",
-            "alphanumeric",
-            "abbreviated",
-            "reserved");
+    private static final int FIRST_OCTET = 1;
 
-    private TpduText() {}
+    private final FieldList fields;
+    private final FieldTexts texts;
+    private final OctetString octets;
+    private final int start;
+    /** Octets of the unit that have a field. */
+    private int taken = FIRST_OCTET;
 
-    /** A line for each field, {@code name: value}, in the order of the octets; the unit's name comes first. */
-    public static String of(Tpdu tpdu) {
-        return String.join("\n", lines(tpdu));
+    private TpduText(FieldList fields, OctetString octets, int start) {
+        this.fields = fields;
+        this.texts = fields.texts();
+        this.octets = octets;
+        this.start = start;
     }
 
-    private static List<String> lines(Tpdu tpdu) {
-        List<String> lines = new ArrayList<>();
+    /** A line for each field, {@code name: value}, in the order of the octets; the unit's name is the first. */
+    public static String of(Tpdu tpdu, Locale language) {
+        FieldList fields = new FieldList(FieldTexts.in(language));
+        new TpduText(fields, TpduCodec.encode(tpdu), 0).add(tpdu);
+        return fields.fields().stream()
+                .map(field -> field.name().equals("TP-MTI") ? field.value() : field.toString())
+                .collect(Collectors.joining("\n"));
+    }
+
+    /** Adds the fields of a unit, its text first. @param start index of the unit in the message */
+    static void add(FieldList fields, OctetString octets, Direction direction, int start) throws ProtocolViolation {
+        Tpdu tpdu = TpduCodec.decode(octets, direction);
+        int first = fields.fields().size();
+        new TpduText(fields, octets, start).add(tpdu);
+        List<Field> added = fields.fields().subList(first, fields.fields().size());
+        Field last = added.get(added.size() - 1);
+        if (last.name().equals(fields.texts().of("text"))) {
+            Collections.rotate(added, 1);
+        }
+    }
+
+    private void add(Tpdu tpdu) {
         if (tpdu instanceof SubmitTpdu submit) {
-            addSubmit(lines, submit);
+            addSubmit(submit);
         } else if (tpdu instanceof DeliverTpdu deliver) {
-            addDeliver(lines, deliver);
+            addDeliver(deliver);
         } else {
-            addReport(lines, (StatusReportTpdu) tpdu);
+            addReport((StatusReportTpdu) tpdu);
         }
-        return lines;
     }
 
-    /** The lines of {@link #of} as fields; the unit's name is the value of TP-MTI. */
-    public static List<MessageText.Field> fieldsOf(Tpdu tpdu) {
-        return lines(tpdu).stream().map(TpduText::field).toList();
+    private void addSubmit(SubmitTpdu submit) {
+        flag("TP-MTI", "SMS-SUBMIT");
+        flag("TP-RD", texts.of(submit.rejectDuplicates() ? "rejectDuplicates" : "takeDuplicates"));
+        flag("TP-SRR", texts.of(submit.statusReportRequest() ? "statusReportRequested" : "noStatusReport"));
+        addReplyPath(submit.replyPath());
+        next("TP-MR", submit.reference(), 1);
+        next("TP-DA", address(submit.destination()), addressLength());
+        next("TP-PID", submit.protocolIdentifier(), 1);
+        next("TP-DCS", coding(submit.userData().coding()), 1);
+        submit.validity()
+                .ifPresent(validity -> next(
+                        "TP-VP",
+                        validity(validity),
+                        validity instanceof ValidityPeriod.Relative ? 1 : Timestamp.LENGTH));
+        addUserData(submit.userData());
     }
 
-    private static MessageText.Field field(String line) {
-        int colon = line.indexOf(": ");
-        return colon < 0
-                ? new MessageText.Field("TP-MTI", line)
-                : new MessageText.Field(line.substring(0, colon), line.substring(colon + 2));
+    private void addDeliver(DeliverTpdu deliver) {
+        flag("TP-MTI", "SMS-DELIVER");
+        flag("TP-MMS", more(deliver.moreMessages()));
+        flag("TP-SRI", texts.of(deliver.statusReportIndication() ? "statusReportIndicated" : "noStatusReport"));
+        addReplyPath(deliver.replyPath());
+        next("TP-OA", address(deliver.originator()), addressLength());
+        next("TP-PID", deliver.protocolIdentifier(), 1);
+        next("TP-DCS", coding(deliver.userData().coding()), 1);
+        next("TP-SCTS", deliver.timestamp().toOffsetDateTime(), Timestamp.LENGTH);
+        addUserData(deliver.userData());
     }
 
-    private static void addSubmit(List<String> lines, SubmitTpdu submit) {
-        lines.add("SMS-SUBMIT");
-        lines.add("TP-RD: " + (submit.rejectDuplicates() ? "reject duplicates" : "take duplicates"));
-        lines.add("TP-SRR: " + (submit.statusReportRequest() ? "status report requested" : "no status report"));
-        addReplyPath(lines, submit.replyPath());
-        lines.add("TP-MR: " + submit.reference());
-        lines.add("TP-DA: " + address(submit.destination()));
-        lines.add("TP-PID: " + submit.protocolIdentifier());
-        lines.add("TP-DCS: " + coding(submit.userData().coding()));
-        submit.validity().ifPresent(validity -> lines.add("TP-VP: " + validity(validity)));
-        addUserData(lines, submit.userData());
+    private void addReport(StatusReportTpdu report) {
+        flag("TP-MTI", "SMS-STATUS-REPORT");
+        flag("TP-MMS", more(report.moreMessages()));
+        next("TP-MR", report.reference(), 1);
+        next("TP-RA", address(report.recipient()), addressLength());
+        next("TP-SCTS", report.timestamp().toOffsetDateTime(), Timestamp.LENGTH);
+        next("TP-DT", report.discharged().toOffsetDateTime(), Timestamp.LENGTH);
+        next("TP-ST", report.status() + " " + DeliveryStatus.title(report.status()), 1);
     }
 
-    private static void addDeliver(List<String> lines, DeliverTpdu deliver) {
-        lines.add("SMS-DELIVER");
-        lines.add("TP-MMS: " + more(deliver.moreMessages()));
-        lines.add("TP-SRI: "
-                + (deliver.statusReportIndication() ? "the sender gets a status report" : "no status report"));
-        addReplyPath(lines, deliver.replyPath());
-        lines.add("TP-OA: " + address(deliver.originator()));
-        lines.add("TP-PID: " + deliver.protocolIdentifier());
-        lines.add("TP-DCS: " + coding(deliver.userData().coding()));
-        lines.add("TP-SCTS: " + deliver.timestamp().toOffsetDateTime());
-        addUserData(lines, deliver.userData());
+    /** Adds a field of the first octet. */
+    private void flag(String name, String value) {
+        fields.addNamed(name, value, start, start + FIRST_OCTET);
     }
 
-    private static void addReport(List<String> lines, StatusReportTpdu report) {
-        lines.add("SMS-STATUS-REPORT");
-        lines.add("TP-MMS: " + more(report.moreMessages()));
-        lines.add("TP-MR: " + report.reference());
-        lines.add("TP-RA: " + address(report.recipient()));
-        lines.add("TP-SCTS: " + report.timestamp().toOffsetDateTime());
-        lines.add("TP-DT: " + report.discharged().toOffsetDateTime());
-        lines.add("TP-ST: " + report.status() + " " + DeliveryStatus.title(report.status()));
+    /** Adds the field of the next octets. */
+    private void next(String name, Object value, int length) {
+        fields.addNamed(name, String.valueOf(value), start + taken, start + taken + length);
+        taken += length;
     }
 
-    private static void addReplyPath(List<String> lines, boolean replyPath) {
+    /** Octets of the address that is next: number of digits, type, and two digits an octet. */
+    private int addressLength() {
+        return 2 + (octets.octet(taken) + 1) / 2;
+    }
+
+    private void addReplyPath(boolean replyPath) {
         if (replyPath) {
-            lines.add("TP-RP: reply path set");
+            flag("TP-RP", texts.of("replyPathSet"));
         }
     }
 
-    private static String more(boolean moreMessages) {
-        return moreMessages ? "more messages wait" : "no more messages";
+    private String more(boolean moreMessages) {
+        return texts.of(moreMessages ? "moreMessages" : "noMoreMessages");
     }
 
-    private static String address(SmsAddress address) {
-        return address.value() + " (" + ADDRESS_TYPES.get(address.type()) + ", plan " + address.plan() + ")";
+    /** Type of number as in TS 23.040, 9.1.2.5. */
+    private String address(SmsAddress address) {
+        return texts.of("address", address.value(), texts.of("number." + address.type()), address.plan());
     }
 
-    private static String coding(DataCodingScheme coding) {
-        String[] alphabets = {"GSM 7-bit", "8-bit data", "UCS-2"};
+    private String coding(DataCodingScheme coding) {
         String messageClass = coding.messageClass().isPresent()
-                ? ", class " + coding.messageClass().getAsInt()
+                ? ", " + texts.of("messageClass", coding.messageClass().getAsInt())
                 : "";
-        return coding.octet() + " " + alphabets[coding.alphabet().ordinal()] + messageClass;
+        return coding.octet() + " " + texts.of(coding.alphabet().name()) + messageClass;
     }
 
-    private static String validity(ValidityPeriod validity) {
+    private String validity(ValidityPeriod validity) {
         if (validity instanceof ValidityPeriod.Relative relative) {
-            return relative.octet() + ", " + hours(relative.duration().toMinutes());
+            long minutes = relative.duration().toMinutes();
+            return relative.octet() + ", " + (minutes % 60 == 0 ? minutes / 60 + " h" : minutes + " min");
         }
         return validity instanceof ValidityPeriod.Absolute absolute
-                ? "until " + absolute.time().toOffsetDateTime()
-                : "enhanced " + ((ValidityPeriod.Enhanced) validity).octets();
+                ? texts.of("until", absolute.time().toOffsetDateTime())
+                : texts.of("enhanced", ((ValidityPeriod.Enhanced) validity).octets());
     }
 
-    private static String hours(long minutes) {
-        return minutes % 60 == 0 ? minutes / 60 + " h" : minutes + " min";
-    }
-
-    private static void addUserData(List<String> lines, UserData userData) {
-        String unit = userData.coding().alphabet() == Alphabet.GSM_7BIT ? " septets" : " octets";
-        lines.add("TP-UDL: " + userData.length() + unit);
-        Optional<Concatenation> place = userData.concatenation();
+    private void addUserData(UserData userData) {
+        boolean isSeptets = userData.coding().alphabet() == Alphabet.GSM_7BIT;
+        next("TP-UDL", texts.of(isSeptets ? "septets" : "octets", userData.length()), 1);
         if (userData.hasHeader()) {
-            lines.add("TP-UDH: " + place.map(TpduText::place).orElse("no concatenation"));
+            String place = userData.concatenation().map(this::place).orElseGet(() -> texts.of("noConcatenation"));
+            next("TP-UDH", place, 1 + octets.octet(taken));
         }
         boolean isData = userData.coding().alphabet() == Alphabet.OCTETS;
-        lines.add(isData ? "data: " + userData.body() : "text: " + userData.text());
+        next(
+                texts.of(isData ? "data" : "text"),
+                isData ? userData.body() : userData.text(),
+                octets.length() - taken);
     }
 
-    private static String place(Concatenation place) {
-        return String.format(
-                Locale.ROOT, "part %d of %d, reference %d", place.part(), place.total(), place.reference());
+    private String place(Concatenation place) {
+        return texts.of("part", place.part(), place.total(), place.reference());
     }
 }

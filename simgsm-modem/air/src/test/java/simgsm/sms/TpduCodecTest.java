@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
@@ -106,7 +107,7 @@ class TpduCodecTest {
     private static boolean decodes(OctetString octets, Direction direction) {
         try {
             Tpdu tpdu = TpduCodec.decode(octets, direction);
-            assertTrue(!TpduText.of(tpdu).isEmpty());
+            assertTrue(!TpduText.of(tpdu, Locale.ROOT).isEmpty());
             assertEquals(tpdu, TpduCodec.decode(TpduCodec.encode(tpdu), direction), octets::toString);
             return true;
         } catch (ProtocolViolation violation) {

@@ -2,8 +2,7 @@ package simgsm.trace;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
@@ -14,7 +13,6 @@ import simgsm.air.SupplementaryService.SsRegister;
 import simgsm.air.SupplementaryService.SsReleaseComplete;
 import simgsm.air.TransactionIdentifier;
 import simgsm.octets.OctetString;
-import simgsm.trace.MessageText.Field;
 
 class ComponentTextTest {
     private static final TransactionIdentifier TRANSACTION = new TransactionIdentifier(0, false);
@@ -54,17 +52,19 @@ class ComponentTextTest {
             a4050500800102                       | reject of invoke unknown; problem badly structured component
             """)
     void aComponentIsReportedFieldByField(String hex, String expected) {
-        List<Field> fields = new ArrayList<>();
-        ComponentText.add(fields, OctetString.ofHex(hex));
+        FieldList fields = new FieldList(FieldTexts.in(Locale.ROOT));
+        ComponentText.add(fields, OctetString.ofHex(hex), 0);
         assertEquals(
                 expected,
-                fields.stream().map(field -> field.name() + " " + field.value()).collect(Collectors.joining("; ")));
+                fields.fields().stream()
+                        .map(field -> field.name() + " " + field.value())
+                        .collect(Collectors.joining("; ")));
     }
 
     @Test
     void whatIsWrongWithAComponentIsReported() {
-        List<Field> fields = new ArrayList<>();
-        ComponentText.add(fields, OctetString.ofHex("ff00"));
-        assertEquals(List.of(new Field("wrong", "unrecognized component: its tag is 0xff")), fields);
+        FieldList fields = new FieldList(FieldTexts.in(Locale.ROOT));
+        ComponentText.add(fields, OctetString.ofHex("ff00"), 0);
+        assertEquals("[wrong: unrecognized component: its tag is 0xff]", fields.fields().toString());
     }
 }

@@ -22,53 +22,46 @@ class FieldOctetsTest {
     void aSetupsFieldsStandInTheirElementsWithIdentifierAndLength() {
         OctetString octets = OctetString.ofHex("13050401a05c0811819471000000105e0791947100000020");
         MessageText text = MessageText.ofLayer3(octets, Direction.DOWNLINK);
-        FieldOctets found = octets(text, Direction.DOWNLINK);
-
-        assertEquals("{0}", found.of(field(text, "transaction")).toString());
-        assertEquals(range(2, 5), found.of(field(text, "bearer capability")));
-        assertEquals(range(5, 15), found.of(field(text, "calling")));
-        assertEquals(range(15, 24), found.of(field(text, "called")));
-        assertEquals(field(text, "called"), found.at(15));
-        assertEquals(field(text, "called"), found.at(23));
-        assertEquals(-1, found.at(1));
+        
+        assertEquals("{0}", text.octetsOf(field(text, "transaction")).toString());
+        assertEquals(range(2, 5), text.octetsOf(field(text, "bearer capability")));
+        assertEquals(range(5, 15), text.octetsOf(field(text, "calling")));
+        assertEquals(range(15, 24), text.octetsOf(field(text, "called")));
+        assertEquals(field(text, "called"), text.fieldAt(15));
+        assertEquals(field(text, "called"), text.fieldAt(23));
+        assertEquals(-1, text.fieldAt(1));
     }
 
     @Test
     void theSequenceNumberOfAnUplinkMessageIsABitOfItsType() {
         MessageText text = MessageText.ofLayer3(OctetString.ofHex("034f"), Direction.UPLINK);
 
-        assertEquals("{1}", octets(text, Direction.UPLINK).of(0).toString());
+        assertEquals("{1}", text.octetsOf(0).toString());
     }
 
     @ParameterizedTest
     @MethodSource("examples")
     void everyFieldOfAMessageThatCanBeReadStandsSomewhere(Example example) {
         MessageText text = MessageText.ofLayer3(OctetString.ofHex(example.hex()), example.direction());
-        FieldOctets found = octets(text, example.direction());
-
+        
         for (int i = 0; i < text.fields().size(); i++) {
             boolean isAbsence = text.fields().get(i).value().equals("false");
             assertEquals(
                     isAbsence,
-                    found.of(i).isEmpty(),
+                    text.octetsOf(i).isEmpty(),
                     text.name() + ", " + text.fields().get(i));
         }
         for (int octet = 2; octet < text.octets().length() && !text.fields().isEmpty(); octet++) {
-            assertTrue(found.at(octet) >= 0 || text.fields().size() < 2, text.name() + ", octet " + octet);
+            assertTrue(text.fieldAt(octet) >= 0 || text.fields().size() < 2, text.name() + ", octet " + octet);
         }
     }
 
     @Test
     void aMessageThatCannotBeReadHasFieldsWithoutOctets() {
         MessageText text = MessageText.ofLayer3(OctetString.ofHex("03352c45"), Direction.UPLINK);
-        FieldOctets found = octets(text, Direction.UPLINK);
-
-        assertTrue(found.of(0).isEmpty());
-        assertEquals(-1, found.at(2));
-    }
-
-    private static FieldOctets octets(MessageText text, Direction direction) {
-        return new FieldOctets(text, octets -> MessageText.ofLayer3(octets, direction));
+        
+        assertTrue(text.octetsOf(0).isEmpty());
+        assertEquals(-1, text.fieldAt(2));
     }
 
     private static int field(MessageText text, String name) {

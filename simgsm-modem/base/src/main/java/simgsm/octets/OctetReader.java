@@ -45,6 +45,11 @@ public class OctetReader<X extends Exception> {
         return end - position;
     }
 
+    /** The index of the next octet among all octets, also in a reader of a part of them. */
+    public final int position() {
+        return position;
+    }
+
     /** The next octet, 0 to 255. */
     public final int octet(String what) throws X {
         return octets[take(1, what)] & 0xff;

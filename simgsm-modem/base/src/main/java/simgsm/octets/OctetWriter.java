@@ -116,6 +116,12 @@ public final class OctetWriter {
         return this;
     }
 
+    /** Moves the low half of the last octet into the high half of the one before. */
+    public void joinHalves() {
+        length--;
+        octets[length - 1] |= (byte) (octets[length] << 4);
+    }
+
     /** The number of octets written. */
     public int length() {
         return length;

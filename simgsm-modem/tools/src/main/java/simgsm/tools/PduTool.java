@@ -1,6 +1,7 @@
 package simgsm.tools;
 
 import java.io.PrintStream;
+import java.util.Locale;
 import java.util.StringJoiner;
 import simgsm.air.Direction;
 import simgsm.air.ProtocolViolation;
@@ -64,7 +65,7 @@ final class PduTool {
     static String decode(String hex) {
         OctetString octets = octets(hex);
         try {
-            return TpduText.of(decode(octets));
+            return TpduText.of(decode(octets), Locale.ROOT);
         } catch (ProtocolViolation violation) {
             throw new IllegalArgumentException("not a TPDU: " + violation.getMessage(), violation);
         }

@@ -289,7 +289,7 @@ public final class BaseStation {
 
     private void page(RslPdu message) throws ProtocolViolation {
         int group = message.octet(RslElement.PAGING_GROUP);
-        MobileIdentity identity = IdentityElements.readIdentityValue(message.reader(RslElement.MOBILE_IDENTITY));
+        MobileIdentity identity = IdentityElements.read(message.reader(RslElement.MOBILE_IDENTITY));
         if (cell.isPresent()) {
             var control = cell.get().control();
             timers.start(

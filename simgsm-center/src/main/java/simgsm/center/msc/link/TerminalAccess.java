@@ -1,5 +1,6 @@
 package simgsm.center.msc.link;
 
+import java.util.Locale;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
@@ -113,7 +114,8 @@ public final class TerminalAccess implements RadioAccess, BroadcastChannel, Peer
     }
 
     private void sendCommon(RslMessage message) {
-        link.trace(Direction.DOWNLINK, MessageText.nameOf(message), OctetString.of(RslCodec.encode(message)));
+        OctetString octets = OctetString.of(RslCodec.encode(message));
+        link.trace(Direction.DOWNLINK, MessageText.ofRsl(octets, Locale.ROOT).name(), octets);
         send(message);
     }
 

@@ -1,6 +1,7 @@
 package simgsm.center.ui.ladder;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
@@ -14,9 +15,9 @@ final class LadderFile {
     private LadderFile() {}
 
     /** Each message with its time, way and name, then its fields and octets. */
-    static String text(List<LadderRow> rows) {
+    static String text(List<LadderRow> rows, Locale language) {
         return rows.stream()
-                .map(row -> row + "\n" + MessageFields.of(row).lines().indent(4))
+                .map(row -> row + "\n" + MessageFields.lines(MessageFields.of(row, language)).indent(4))
                 .collect(Collectors.joining("\n"));
     }
 

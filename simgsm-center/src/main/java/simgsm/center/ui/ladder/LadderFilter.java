@@ -2,14 +2,14 @@ package simgsm.center.ui.ladder;
 
 import java.util.Locale;
 import java.util.Optional;
-import simgsm.trace.MessageText;
+import java.util.stream.Stream;
 
 /**
  * Which messages the ladder shows.
  *
  * @param terminal only those from and to this one; empty for all
  * @param kind only those of this protocol; empty for all
- * @param text only those that have it in their name, numbers, fields or octets (as {@code 5e 08}), in any case; empty for all
+ * @param text only those that have it in their name, numbers, fields in either language or octets (as {@code 5e 08}), in any case; empty for all
  */
 record LadderFilter(Optional<String> terminal, Optional<Protocol> kind, String text) {
     static final LadderFilter ALL = new LadderFilter(Optional.empty(), Optional.empty(), "");
@@ -28,9 +28,9 @@ record LadderFilter(Optional<String> terminal, Optional<Protocol> kind, String t
         if (row.toString().toLowerCase(Locale.ROOT).contains(text)) {
             return true;
         }
-        MessageText message = MessageFields.textOf(row);
-        return message.octets().toString().contains(text.replace(" ", ""))
-                || message.fields().stream()
+        return row.entry().octets().toString().contains(text.replace(" ", ""))
+                || Stream.of(Locale.ENGLISH, Locale.forLanguageTag("es"))
+                        .flatMap(language -> MessageFields.of(row, language).fields().stream())
                         .anyMatch(field ->
                                 field.toString().toLowerCase(Locale.ROOT).contains(text));
     }

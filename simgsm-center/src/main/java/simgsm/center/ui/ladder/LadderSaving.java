@@ -52,7 +52,9 @@ final class LadderSaving {
     /** Writes the kind of file that the ending says: a picture for svg, else text. */
     void write(Path file, List<LadderRow> rows, Lifelines lifelines) throws IOException {
         boolean isPicture = String.valueOf(file).toLowerCase(Locale.ROOT).endsWith("." + PICTURE);
-        String text = isPicture ? LadderFile.svg(rows, lifelines, texts.of("window.ladder")) : LadderFile.text(rows);
+        String text = isPicture
+                ? LadderFile.svg(rows, lifelines, texts.of("window.ladder"))
+                : LadderFile.text(rows, Locale.forLanguageTag(texts.of("window.language")));
         FileReplacement.write(file, text.getBytes(StandardCharsets.UTF_8));
     }
 }

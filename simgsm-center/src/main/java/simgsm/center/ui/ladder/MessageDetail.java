@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
 import simgsm.console.TextBundle;
+import simgsm.trace.MessageText;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DressedPanel;
@@ -36,7 +37,8 @@ public final class MessageDetail extends DressedPanel {
     private final JScrollPane fieldPane = new JScrollPane(fields);
     private final JScrollPane octetPane;
     private final GlossaryNote note;
-    private MessageFields shown;
+    private final Locale language;
+    private MessageText shown;
     /** Whether a choice in one part is being shown in the other. */
     private boolean isFollowing;
 
@@ -44,7 +46,8 @@ public final class MessageDetail extends DressedPanel {
         this.texts = texts;
         setOpaque(false);
         setName("ladder.message");
-        note = new GlossaryNote(Locale.forLanguageTag(texts.of("window.language")));
+        language = Locale.forLanguageTag(texts.of("window.language"));
+        note = new GlossaryNote(language);
         octets = new HexDump(texts, this::octetChosen);
         octetPane = new JScrollPane(new ScrolledColumn(octets));
         octetPane.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
@@ -68,12 +71,12 @@ public final class MessageDetail extends DressedPanel {
     }
 
     void show(LadderRow row) {
-        shown = MessageFields.of(row);
+        shown = MessageFields.of(row, language);
         String way = row.entry().from() + " \u2192 " + row.entry().to();
         title.setText(row.entry().name() + "   " + way + "   " + row.clock());
         title.setToolTipText(title.getText());
-        fields.show(shown.message().fields());
-        octets.show(shown.message().octets());
+        fields.show(shown.fields());
+        octets.show(shown.octets());
         note.explain("");
     }
 
@@ -82,13 +85,13 @@ public final class MessageDetail extends DressedPanel {
         if (shown == null || note.isVisible()) {
             note.explain("");
         } else {
-            note.explainMessage(shown.message().name());
+            note.explainMessage(shown.name());
         }
     }
 
     /** The message in lines of text; empty before the first. */
     String lines() {
-        return shown == null ? "" : shown.lines();
+        return shown == null ? "" : MessageFields.lines(shown);
     }
 
     private void fieldChosen() {
@@ -96,21 +99,21 @@ public final class MessageDetail extends DressedPanel {
         if (!isFollowing && shown != null && field >= 0) {
             fields.scrollRectToVisible(fields.getCellRect(field, 0, true));
             octets.mark(
-                    shown.octets().of(field),
-                    shown.message().fields().get(field).name());
-            note.explain(shown.message().fields().get(field).name());
+                    shown.octetsOf(field),
+                    shown.fields().get(field).name());
+            note.explain(shown.fields().get(field).name());
         }
     }
 
     private void octetChosen(int octet) {
-        int field = shown.octets().at(octet);
+        int field = shown.fieldAt(octet);
         isFollowing = true;
         if (field >= 0) {
             fields.setRowSelectionInterval(field, field);
             fields.scrollRectToVisible(fields.getCellRect(field, 0, true));
             octets.mark(
-                    shown.octets().of(field),
-                    shown.message().fields().get(field).name());
+                    shown.octetsOf(field),
+                    shown.fields().get(field).name());
         } else {
             fields.clearSelection();
             octets.mark(new BitSet(), octet < 2 ? texts.of("window.ladder.header") : "");

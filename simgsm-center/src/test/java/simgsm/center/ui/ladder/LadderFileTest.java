@@ -26,7 +26,7 @@ class LadderFileTest {
 
     @Test
     void theTextHasEveryMessageWithItsFieldsAndOctets() {
-        String text = LadderFile.text(rows);
+        String text = LadderFile.text(rows, Locale.ROOT);
 
         assertTrue(text.contains("5550100 \u2192 M3 Setup\n    send sequence number  0\n"), text);
         assertTrue(text.contains("\n    0000  03 05 04 06"), text);
@@ -58,6 +58,6 @@ class LadderFileTest {
         saving.write(folder.resolve("a.txt"), rows, lifelines);
 
         assertTrue(Files.readString(folder.resolve("a.svg")).startsWith("<?xml"));
-        assertEquals(LadderFile.text(rows), Files.readString(folder.resolve("a.txt")));
+        assertEquals(LadderFile.text(rows, Locale.ROOT), Files.readString(folder.resolve("a.txt")));
     }
 }

@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.center.msc.LadderEntry;
 import simgsm.center.ui.Scene;
 import simgsm.octets.OctetString;
+import simgsm.trace.MessageText;
 
 class MessageFieldsTest {
     @Test
@@ -25,23 +27,33 @@ class MessageFieldsTest {
     }
 
     @Test
-    void aSetupsNumberStandsInItsElementOfTheOctets() {
-        MessageFields setup = MessageFields.of(new LadderRow(1, Scene.setup()));
+    void aShortMessageIsExplainedInSpanishToo() {
+        LadderRow submit = new LadderRow(1, Scene.submit("hola"));
+        String words = MessageFields.lines(MessageFields.of(submit, Locale.forLanguageTag("es")));
 
-        assertEquals("{10, 11, 12, 13, 14, 15, 16}", setup.octets().of(2).toString());
-        assertEquals(2, setup.octets().at(13));
+        assertTrue(words.startsWith("transacción           0, abierta por el emisor\n"), words);
+        assertTrue(words.contains("TP-UDL                4 septetos\n"), words);
+        assertTrue(words.contains("aceptar duplicados"), words);
+    }
+
+    @Test
+    void aSetupsNumberStandsInItsElementOfTheOctets() {
+        MessageText setup = MessageFields.of(new LadderRow(1, Scene.setup()), Locale.ROOT);
+
+        assertEquals("{10, 11, 12, 13, 14, 15, 16}", setup.octetsOf(2).toString());
+        assertEquals(2, setup.fieldAt(13));
     }
 
     @Test
     void aShortMessagesFieldsStandInTheOctetsOfItsTransferUnit() {
-        MessageFields submit = MessageFields.of(new LadderRow(1, Scene.submit("** #*#90 **")));
+        MessageText submit = MessageFields.of(new LadderRow(1, Scene.submit("** #*#90 **")), Locale.ROOT);
         var names =
-                submit.message().fields().stream().map(field -> field.name()).toList();
-        int length = submit.message().octets().length();
+                submit.fields().stream().map(field -> field.name()).toList();
+        int length = submit.octets().length();
 
-        assertEquals(length - 1, submit.octets().of(names.indexOf("text")).length() - 1);
-        assertEquals(1, submit.octets().of(names.indexOf("TP-MR")).cardinality());
-        assertEquals(names.indexOf("text"), submit.octets().at(length - 1));
+        assertEquals(length - 1, submit.octetsOf(names.indexOf("text")).length() - 1);
+        assertEquals(1, submit.octetsOf(names.indexOf("TP-MR")).cardinality());
+        assertEquals(names.indexOf("text"), submit.fieldAt(length - 1));
     }
 
     @Test
@@ -110,6 +122,6 @@ class MessageFieldsTest {
     }
 
     private static String words(LadderEntry entry) {
-        return MessageFields.of(new LadderRow(1, entry)).lines();
+        return MessageFields.lines(MessageFields.of(new LadderRow(1, entry), Locale.ROOT));
     }
 }

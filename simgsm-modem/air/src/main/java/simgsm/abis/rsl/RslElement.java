@@ -93,6 +93,11 @@ public enum RslElement {
         return length;
     }
 
+    /** Octets before the value: tag and length. */
+    public int overhead() {
+        return length == LONG ? 3 : length == VARIABLE ? 2 : 1;
+    }
+
     /** The element with this tag; null for an unknown one. */
     static RslElement ofTag(int tag) {
         return BY_TAG[tag];

@@ -1,5 +1,6 @@
 package simgsm.tools.fuzz;
 
+import java.util.Locale;
 import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
@@ -18,7 +19,6 @@ import simgsm.sms.Reassembler;
 import simgsm.sms.Tpdu;
 import simgsm.sms.TpduCodec;
 import simgsm.trace.MessageText;
-import simgsm.trace.TpduText;
 
 /** Decodes an RSL message down to the text of a short message and encodes it again. */
 final class SignallingRoundTrip {
@@ -33,7 +33,7 @@ final class SignallingRoundTrip {
     void check(byte[] payload, Direction direction) throws ProtocolViolation {
         RslMessage message = RslCodec.decode(payload);
         requireSame(message, RslCodec.decode(RslCodec.encode(message)));
-        MessageText.ofRsl(message).fields().forEach(Object::toString);
+        MessageText.ofRsl(OctetString.of(payload), Locale.ROOT).fields().forEach(Object::toString);
         if (message instanceof RslMessage.EstablishIndication establish) {
             layer3(establish.layer3(), direction);
         } else if (message instanceof RslMessage.DataIndication data) {
@@ -66,7 +66,6 @@ final class SignallingRoundTrip {
     }
 
     private void transferUnit(Tpdu tpdu) {
-        TpduText.of(tpdu);
         TpduCodec.encode(tpdu);
         if (tpdu instanceof DeliverTpdu deliver) {
             nowNanos += NANOS_PER_MESSAGE;
