@@ -8,13 +8,13 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import simgsm.octets.OctetString;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import simgsm.abis.IpaFrame;
+import simgsm.octets.OctetString;
 import simgsm.trace.MessageText;
 import simrobot.robot.SimulatedRobot;
 

@@ -179,6 +179,8 @@ public final class Element {
                 type.title() + " " + type.clause(),
                 presence.name(),
                 format == Format.HALF ? "V" : format.name(),
-                format == Format.HALF ? "1/2" : leastLength == mostLength ? "" + mostLength : leastLength + "-" + mostLength);
+                format == Format.HALF
+                        ? "1/2"
+                        : leastLength == mostLength ? "" + mostLength : leastLength + "-" + mostLength);
     }
 }

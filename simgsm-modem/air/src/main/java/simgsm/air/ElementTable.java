@@ -38,7 +38,8 @@ public final class ElementTable {
     ElementTable(Class<?> message, List<Element> elements) {
         RecordComponent[] parts = message.getRecordComponents();
         Class<?>[] types = Arrays.stream(parts).map(RecordComponent::getType).toArray(Class[]::new);
-        List<String> components = Arrays.stream(parts).map(RecordComponent::getName).toList();
+        List<String> components =
+                Arrays.stream(parts).map(RecordComponent::getName).toList();
         absent = new Object[parts.length];
         accessors = new MethodHandle[parts.length];
         try {
@@ -55,7 +56,8 @@ public final class ElementTable {
             throw new AssertionError(impossible);
         }
         for (Element row : elements) {
-            row.setPlaces(row.components().stream().mapToInt(components::indexOf).toArray());
+            row.setPlaces(
+                    row.components().stream().mapToInt(components::indexOf).toArray());
             for (int place : row.places()) {
                 if (place < 0) {
                     throw new IllegalArgumentException(row.components() + " are not components of " + message);
@@ -64,7 +66,9 @@ public final class ElementTable {
             }
         }
         for (Direction direction : Direction.values()) {
-            rows.put(direction, elements.stream().filter(row -> row.isIn(direction)).toList());
+            rows.put(
+                    direction,
+                    elements.stream().filter(row -> row.isIn(direction)).toList());
         }
     }
 
@@ -181,7 +185,9 @@ public final class ElementTable {
         for (Element row : rows.get(direction)) {
             int from = in.position();
             if (row.format() == Element.Format.HALF) {
-                int octet = in.hasMore() && !isSecondHalf ? in.peek() : in.octet(row.type().title());
+                int octet = in.hasMore() && !isSecondHalf
+                        ? in.peek()
+                        : in.octet(row.type().title());
                 byte[] half = {(byte) (isSecondHalf ? octet >> 4 : octet & 0x0f)};
                 parts.add(new Part(row, new MessageReader(half), from, from + 1));
                 isSecondHalf = !isSecondHalf;

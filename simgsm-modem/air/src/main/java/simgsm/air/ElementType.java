@@ -39,19 +39,21 @@ public final class ElementType<V> {
             "10.5.4.11",
             (out, values, direction) -> writeCause(out, (Cause) values[0], (CauseLocation) values[1]),
             (in, direction) -> readCause(in));
+
     static final ElementType<Integer> CALL_STATE = of(
             "Call state",
             "10.5.4.6",
             (out, state, direction) -> out.octet(0xc0 | state),
             (in, direction) -> in.octet("call state") & 0x3f);
-    static final ElementType<Character> KEYPAD_FACILITY = of(
-            "Keypad facility", "10.5.4.17", (out, key, direction) -> out.octet(key), (in, direction) -> readKey(in));
+    static final ElementType<Character> KEYPAD_FACILITY =
+            of("Keypad facility", "10.5.4.17", (out, key, direction) -> out.octet(key), (in, direction) -> readKey(in));
     /** True if the network sends tones (value 8, in-band information); coding GSM, public network of the local user. */
     static final ElementType<Boolean> PROGRESS_INDICATOR = of(
             "Progress indicator",
             "10.5.4.21",
             (out, isInBand, direction) -> out.octet(0xe2).octet(0x88),
             (in, direction) -> (in.twoOctets("progress indicator") & 0x7f) == 8);
+
     static final ElementType<CallControl.Signal> SIGNAL =
             coded("Signal", "10.5.4.23", 0xff, CallControl.Signal.values());
     static final ElementType<Msisdn> CONNECTED_NUMBER = of(
@@ -59,8 +61,7 @@ public final class ElementType<V> {
             "10.5.4.13",
             (out, number, direction) -> NumberElements.writeShown(out, number),
             (in, direction) -> NumberElements.read(in));
-    static final ElementType<Msisdn> CALLING_NUMBER =
-            CONNECTED_NUMBER.renamed("Calling party BCD number", "10.5.4.9");
+    static final ElementType<Msisdn> CALLING_NUMBER = CONNECTED_NUMBER.renamed("Calling party BCD number", "10.5.4.9");
     static final ElementType<Msisdn> CALLED_NUMBER = of(
             "Called party BCD number",
             "10.5.4.7",
@@ -69,8 +70,8 @@ public final class ElementType<V> {
     public static final ElementType<OctetString> FACILITY = octets("Facility", "10.5.4.15");
     static final ElementType<Integer> SS_VERSION = number("SS version indicator", "10.5.4.24", 0xff);
 
-    static final ElementType<MobilityManagement.LocationUpdatingType> LOCATION_UPDATING_TYPE = coded(
-            "Location updating type", "10.5.3.5", 0x03, MobilityManagement.LocationUpdatingType.values());
+    static final ElementType<MobilityManagement.LocationUpdatingType> LOCATION_UPDATING_TYPE =
+            coded("Location updating type", "10.5.3.5", 0x03, MobilityManagement.LocationUpdatingType.values());
     static final ElementType<MobilityManagement.ServiceType> SERVICE_TYPE =
             coded("CM service type", "10.5.3.3", 0x0f, MobilityManagement.ServiceType.values());
     static final ElementType<MobileIdentity.Type> IDENTITY_TYPE =
@@ -169,11 +170,7 @@ public final class ElementType<V> {
 
     /** A number in one octet. @param mask the bits of a received one */
     private static ElementType<Integer> number(String name, String clause, int mask) {
-        return of(
-                name,
-                clause,
-                (out, value, direction) -> out.octet(value),
-                (in, direction) -> in.octet(name) & mask);
+        return of(name, clause, (out, value, direction) -> out.octet(value), (in, direction) -> in.octet(name) & mask);
     }
 
     private static <V extends Coded> ElementType<V> coded(String name, String clause, int mask, V[] values) {

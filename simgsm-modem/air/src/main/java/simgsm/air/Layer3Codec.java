@@ -123,8 +123,7 @@ public final class Layer3Codec {
             Object[] head = header.transaction().stream().toArray();
             return (Layer3Message) type.table().read(in, header.direction(), head);
         } catch (ProtocolViolation violation) {
-            return clearing(type, header)
-                    .orElseThrow(() -> violation);
+            return clearing(type, header).orElseThrow(() -> violation);
         }
     }
 

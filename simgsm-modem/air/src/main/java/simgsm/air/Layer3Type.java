@@ -72,7 +72,10 @@ public enum Layer3Type {
     MM_STATUS(both(5, 0x31, MmStatus.class, "MM Status", "9.2.16")
             .with(row(REJECT_CAUSE, M, V, 1).to("cause"))),
     MM_INFORMATION(down(5, 0x32, MmInformation.class, "MM Information", "9.2.15a")
-            .with(row(0x43, NETWORK_NAME, O, TLV, 3, 257).named("Full name for network").to("networkName").absentAs(""))
+            .with(row(0x43, NETWORK_NAME, O, TLV, 3, 257)
+                    .named("Full name for network")
+                    .to("networkName")
+                    .absentAs(""))
             .with(row(0x46, TIME_ZONE, O, TV, 2))
             .with(row(0x47, TIME, O, TV, 8))),
 
@@ -83,7 +86,9 @@ public enum Layer3Type {
     PROGRESS(down(3, 0x03, Progress.class, "Progress", "9.3.17")
             .with(row(PROGRESS_INDICATOR, M, LV, 3).sends("e288"))),
     SETUP(both(3, 0x05, Setup.class, "Setup", "9.3.23")
-            .with(row(0x04, BEARER_CAPABILITY, M, TLV, 3, 16).sends("600402000581").up())
+            .with(row(0x04, BEARER_CAPABILITY, M, TLV, 3, 16)
+                    .sends("600402000581")
+                    .up())
             .with(row(0x04, BEARER_CAPABILITY, O, TLV, 3, 16).sends("a0").down())
             .with(row(0x34, SIGNAL, O, TV, 2).to("signal").down())
             .with(row(0x5c, CALLING_NUMBER, O, TLV, 3, 14).to("calling").down())
@@ -152,9 +157,10 @@ public enum Layer3Type {
     CHANNEL_MODE_MODIFY(down(6, 0x10, ChannelModeModify.class, "Channel Mode Modify", "9.1.5")
             .with(row(CHANNEL_DESCRIPTION, M, V, 3).to("channel"))
             .with(row(CHANNEL_MODE, M, V, 1).to("mode"))),
-    CHANNEL_MODE_MODIFY_ACKNOWLEDGE(up(6, 0x17, ChannelModeModifyAcknowledge.class, "Channel Mode Modify Acknowledge", "9.1.6")
-            .with(row(CHANNEL_DESCRIPTION, M, V, 3).to("channel"))
-            .with(row(CHANNEL_MODE, M, V, 1).to("mode"))),
+    CHANNEL_MODE_MODIFY_ACKNOWLEDGE(
+            up(6, 0x17, ChannelModeModifyAcknowledge.class, "Channel Mode Modify Acknowledge", "9.1.6")
+                    .with(row(CHANNEL_DESCRIPTION, M, V, 3).to("channel"))
+                    .with(row(CHANNEL_MODE, M, V, 1).to("mode"))),
     MEASUREMENT_REPORT(up(6, 0x15, MeasurementReport.class, "Measurement Report", "9.1.21")
             .with(row(MEASUREMENT_RESULTS, M, V, 16).to("results"))),
     CHANNEL_RELEASE(down(6, 0x0d, ChannelRelease.class, "Channel Release", "9.1.7")

@@ -22,9 +22,7 @@ final class CapabilityTexts {
             octet = in.octet("speech version");
             versions.append(' ').append(speechVersion(octet & 0x0f));
         }
-        return versions.length() == 0
-                ? words.toString()
-                : words + ", " + texts.of("speechVersions") + versions;
+        return versions.length() == 0 ? words.toString() : words + ", " + texts.of("speechVersions") + versions;
     }
 
     /** FR3 is full rate speech version 3: odd codes are half rate, versions count from 1. */
@@ -35,7 +33,7 @@ final class CapabilityTexts {
     /** Revision level and RF power capability (TS 24.008, 10.5.1.5). */
     static String classmark(MessageReader in, FieldTexts texts) throws ProtocolViolation {
         int classmark = in.octet("classmark");
-        return texts.of("revision." + (classmark >> 5 & 0x03)) + ", " + texts.of("powerClass")
-                + " " + ((classmark & 0x07) + 1);
+        return texts.of("revision." + (classmark >> 5 & 0x03)) + ", " + texts.of("powerClass") + " "
+                + ((classmark & 0x07) + 1);
     }
 }

@@ -96,7 +96,11 @@ final class ComponentText {
             next("errorOfInvoke", error.id());
             next("error", error.error() + " " + error(error.error()));
         } else if (component instanceof Component.Reject reject) {
-            next("rejectOfInvoke", reject.id().map(String::valueOf).orElseGet(() -> fields.texts().of("unknown")));
+            next(
+                    "rejectOfInvoke",
+                    reject.id()
+                            .map(String::valueOf)
+                            .orElseGet(() -> fields.texts().of("unknown")));
             next("problem", reject.problem().title());
         }
     }

@@ -166,10 +166,7 @@ public final class TpduText {
             next("TP-UDH", place, 1 + octets.octet(taken));
         }
         boolean isData = userData.coding().alphabet() == Alphabet.OCTETS;
-        next(
-                texts.of(isData ? "data" : "text"),
-                isData ? userData.body() : userData.text(),
-                octets.length() - taken);
+        next(texts.of(isData ? "data" : "text"), isData ? userData.body() : userData.text(), octets.length() - taken);
     }
 
     private String place(Concatenation place) {

@@ -65,6 +65,8 @@ class ComponentTextTest {
     void whatIsWrongWithAComponentIsReported() {
         FieldList fields = new FieldList(FieldTexts.in(Locale.ROOT));
         ComponentText.add(fields, OctetString.ofHex("ff00"), 0);
-        assertEquals("[wrong: unrecognized component: its tag is 0xff]", fields.fields().toString());
+        assertEquals(
+                "[wrong: unrecognized component: its tag is 0xff]",
+                fields.fields().toString());
     }
 }

@@ -22,7 +22,7 @@ class FieldOctetsTest {
     void aSetupsFieldsStandInTheirElementsWithIdentifierAndLength() {
         OctetString octets = OctetString.ofHex("13050401a05c0811819471000000105e0791947100000020");
         MessageText text = MessageText.ofLayer3(octets, Direction.DOWNLINK);
-        
+
         assertEquals("{0}", text.octetsOf(field(text, "transaction")).toString());
         assertEquals(range(2, 5), text.octetsOf(field(text, "bearer capability")));
         assertEquals(range(5, 15), text.octetsOf(field(text, "calling")));
@@ -43,7 +43,7 @@ class FieldOctetsTest {
     @MethodSource("examples")
     void everyFieldOfAMessageThatCanBeReadStandsSomewhere(Example example) {
         MessageText text = MessageText.ofLayer3(OctetString.ofHex(example.hex()), example.direction());
-        
+
         for (int i = 0; i < text.fields().size(); i++) {
             boolean isAbsence = text.fields().get(i).value().equals("false");
             assertEquals(
@@ -59,7 +59,7 @@ class FieldOctetsTest {
     @Test
     void aMessageThatCannotBeReadHasFieldsWithoutOctets() {
         MessageText text = MessageText.ofLayer3(OctetString.ofHex("03352c45"), Direction.UPLINK);
-        
+
         assertTrue(text.octetsOf(0).isEmpty());
         assertEquals(-1, text.fieldAt(2));
     }

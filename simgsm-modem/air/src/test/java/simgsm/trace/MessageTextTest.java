@@ -79,7 +79,8 @@ class MessageTextTest {
             List<Field> said = MessageText.ofLayer3(OctetString.ofHex(withClassmark), Direction.UPLINK)
                     .fields();
             assertEquals(
-                    "classmark: phase 2, power class 4", said.get(said.size() - 1).toString());
+                    "classmark: phase 2, power class 4",
+                    said.get(said.size() - 1).toString());
         }
     }
 
@@ -120,8 +121,7 @@ class MessageTextTest {
 
         assertEquals("Start DTMF", text.name());
         assertEquals(
-                "cause: 96 invalid mandatory information",
-                text.fields().get(1).toString());
+                "cause: 96 invalid mandatory information", text.fields().get(1).toString());
         assertEquals(
                 "unreadable message",
                 MessageText.ofLayer3(OctetString.ofHex(""), Direction.UPLINK).name());

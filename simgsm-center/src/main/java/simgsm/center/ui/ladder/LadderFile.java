@@ -17,7 +17,8 @@ final class LadderFile {
     /** Each message with its time, way and name, then its fields and octets. */
     static String text(List<LadderRow> rows, Locale language) {
         return rows.stream()
-                .map(row -> row + "\n" + MessageFields.lines(MessageFields.of(row, language)).indent(4))
+                .map(row -> row + "\n"
+                        + MessageFields.lines(MessageFields.of(row, language)).indent(4))
                 .collect(Collectors.joining("\n"));
     }
 

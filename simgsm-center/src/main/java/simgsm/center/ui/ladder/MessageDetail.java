@@ -98,9 +98,7 @@ public final class MessageDetail extends DressedPanel {
         int field = fields.getSelectedRow();
         if (!isFollowing && shown != null && field >= 0) {
             fields.scrollRectToVisible(fields.getCellRect(field, 0, true));
-            octets.mark(
-                    shown.octetsOf(field),
-                    shown.fields().get(field).name());
+            octets.mark(shown.octetsOf(field), shown.fields().get(field).name());
             note.explain(shown.fields().get(field).name());
         }
     }
@@ -111,9 +109,7 @@ public final class MessageDetail extends DressedPanel {
         if (field >= 0) {
             fields.setRowSelectionInterval(field, field);
             fields.scrollRectToVisible(fields.getCellRect(field, 0, true));
-            octets.mark(
-                    shown.octetsOf(field),
-                    shown.fields().get(field).name());
+            octets.mark(shown.octetsOf(field), shown.fields().get(field).name());
         } else {
             fields.clearSelection();
             octets.mark(new BitSet(), octet < 2 ? texts.of("window.ladder.header") : "");

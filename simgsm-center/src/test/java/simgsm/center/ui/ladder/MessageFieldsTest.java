@@ -47,8 +47,7 @@ class MessageFieldsTest {
     @Test
     void aShortMessagesFieldsStandInTheOctetsOfItsTransferUnit() {
         MessageText submit = MessageFields.of(new LadderRow(1, Scene.submit("** #*#90 **")), Locale.ROOT);
-        var names =
-                submit.fields().stream().map(field -> field.name()).toList();
+        var names = submit.fields().stream().map(field -> field.name()).toList();
         int length = submit.octets().length();
 
         assertEquals(length - 1, submit.octetsOf(names.indexOf("text")).length() - 1);
