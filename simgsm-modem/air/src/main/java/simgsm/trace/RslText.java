@@ -14,7 +14,7 @@ import simgsm.octets.OctetString;
 import simgsm.sms.CellBroadcast;
 import simgsm.sms.CellBroadcastPage;
 
-/** RSL messages in words: the elements in their order, and the page of a cell broadcast. */
+/** RSL messages in words: the elements in their order; of a cell broadcast its page. */
 final class RslText {
     private static final int HEADER_LENGTH = 2;
 
@@ -28,10 +28,10 @@ final class RslText {
             int from = at;
             at += entry.getKey().overhead() + entry.getValue().length();
             try {
-                if (message.type() == RslType.SMS_BROADCAST_COMMAND && entry.getKey() == RslElement.BROADCAST_MESSAGE) {
-                    addPage(fields, CellBroadcastPage.decode(entry.getValue()), from, at);
-                } else {
+                if (message.type() != RslType.SMS_BROADCAST_COMMAND) {
                     fields.add(entry.getKey().name(), text(entry.getKey(), entry.getValue(), fields.texts()), from, at);
+                } else if (entry.getKey() == RslElement.BROADCAST_MESSAGE) {
+                    addPage(fields, CellBroadcastPage.decode(entry.getValue()), at);
                 }
             } catch (ProtocolViolation violation) {
                 fields.add(entry.getKey().name(), entry.getValue(), from, at);
@@ -40,11 +40,11 @@ final class RslText {
         return new MessageText(message.type().title(), fields.fields(), octets);
     }
 
-    private static void addPage(FieldList fields, CellBroadcastPage page, int from, int to) {
+    private static void addPage(FieldList fields, CellBroadcastPage page, int to) {
         CellBroadcast joined = CellBroadcast.join(List.of(page));
         int start = to - CellBroadcastPage.LENGTH;
         fields.add("channel", page.messageIdentifier(), start + 2, start + 4);
-        fields.add("messageCode", page.serial().code(), from, start + 2);
+        fields.add("messageCode", page.serial().code(), start, start + 2);
         fields.add("update", page.serial().update(), start + 1, start + 2);
         fields.add("page", fields.texts().of("pageOf", page.page(), page.pages()), start + 5, start + 6);
         joined.language().ifPresent(name -> fields.add("language", name, start + 4, start + 5));
