@@ -1,7 +1,6 @@
 package simgsm.air;
 
 import java.util.Optional;
-import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 
 /** Call control messages (TS 24.008, 9.3), protocol discriminator 3. */
@@ -147,18 +146,10 @@ public sealed interface CallControl extends Layer3Message.OfTransaction {
     record RetrieveReject(TransactionIdentifier transaction, Cause cause) implements CallControl, Rejection {}
 
     /** A component of a supplementary service within the call (TS 24.008, 9.3.9). @param facility the element's value */
-    record Facility(TransactionIdentifier transaction, OctetString facility) implements CallControl {
-        public Facility {
-            facility.requireLength("facility", 0, SupplementaryService.MAX_FACILITY_LENGTH);
-        }
-    }
+    record Facility(TransactionIdentifier transaction, OctetString facility) implements CallControl {}
 
     record StatusEnquiry(TransactionIdentifier transaction) implements CallControl {}
 
     /** @param callState the sender's call state as coded in TS 24.008, 10.5.4.6 (0 to 28) */
-    record Status(TransactionIdentifier transaction, Cause cause, int callState) implements CallControl {
-        public Status {
-            Bounds.check("call state", callState, 0, 0x3f);
-        }
-    }
+    record Status(TransactionIdentifier transaction, Cause cause, int callState) implements CallControl {}
 }

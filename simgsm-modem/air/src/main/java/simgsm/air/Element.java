@@ -35,18 +35,22 @@ public final class Element {
 
     private static final int NO_IDENTIFIER = -1;
 
-    private final int identifier;
+    final int identifier;
+    final Format format;
+    /** The value sent of an element without a component; null for one that is not sent. */
+    OctetString sent;
+    /** The component's value when the element is absent; null for that of the component's type. */
+    Object absent;
+    /** The places of the components in the record; the message's table sets them. */
+    int[] places;
+
     private final ElementType<?> type;
     private final Presence presence;
-    private final Format format;
     private final int leastLength;
     private final int mostLength;
     private String name;
     private List<String> components = List.of();
-    private OctetString sent;
-    private Object absent;
     private Direction only;
-    private int[] places = {};
 
     private Element(int identifier, ElementType<?> type, Presence presence, Format format, int least, int most) {
         this.identifier = identifier;
@@ -116,40 +120,14 @@ public final class Element {
         return this;
     }
 
-    int identifier() {
-        return identifier;
-    }
-
     /** The type of the value. */
     public ElementType<?> type() {
         return type;
     }
 
-    Format format() {
-        return format;
-    }
-
     /** The components of the record that hold the value; none if the suite does not use it. */
     public List<String> components() {
         return components;
-    }
-
-    /** The value sent of an element without a component; null for one that is not sent. */
-    OctetString sent() {
-        return sent;
-    }
-
-    Object absent() {
-        return absent;
-    }
-
-    /** The places of the components in the record; the message's table sets them. */
-    int[] places() {
-        return places;
-    }
-
-    void setPlaces(int[] placesInRecord) {
-        places = placesInRecord;
     }
 
     boolean isIn(Direction direction) {

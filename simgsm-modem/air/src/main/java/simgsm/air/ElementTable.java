@@ -56,13 +56,12 @@ public final class ElementTable {
             throw new AssertionError(impossible);
         }
         for (Element row : elements) {
-            row.setPlaces(
-                    row.components().stream().mapToInt(components::indexOf).toArray());
-            for (int place : row.places()) {
+            row.places = row.components().stream().mapToInt(components::indexOf).toArray();
+            for (int place : row.places) {
                 if (place < 0) {
                     throw new IllegalArgumentException(row.components() + " are not components of " + message);
                 }
-                absent[place] = row.absent() == null ? absent[place] : row.absent();
+                absent[place] = row.absent == null ? absent[place] : row.absent;
             }
         }
         for (Direction direction : Direction.values()) {
@@ -81,7 +80,7 @@ public final class ElementTable {
         boolean isSecondHalf = false;
         for (Element row : rows.get(direction)) {
             write(out, row, message, direction);
-            boolean isHalf = row.format() == Element.Format.HALF;
+            boolean isHalf = row.format == Element.Format.HALF;
             if (isHalf && isSecondHalf) {
                 out.joinHalves();
             }
@@ -91,29 +90,33 @@ public final class ElementTable {
 
     @SuppressWarnings("unchecked")
     private void write(OctetWriter out, Element row, Object message, Direction direction) {
-        Object value = row.places().length == 0 ? row.sent() : value(row, message);
+        Object value = row.places.length == 0 ? row.sent : value(row, message);
         if (value == null) {
             return;
         }
-        if (row.format().hasIdentifier()) {
-            out.octet(row.identifier());
+        if (row.format.hasIdentifier()) {
+            out.octet(row.identifier);
         }
-        int start = row.format().hasLength() ? out.openLength() : 0;
-        if (row.places().length == 0) {
+        int start = row.format.hasLength() ? out.openLength() : out.length();
+        if (row.places.length == 0) {
             out.string((OctetString) value);
         } else {
             ((ElementType<Object>) row.type()).write(out, value, direction);
         }
-        if (row.format().hasLength()) {
+        int length = out.length() - start;
+        if (row.format != Element.Format.HALF && !row.allows(length)) {
+            throw new IllegalArgumentException(row.type().title() + " of " + length + " octets");
+        }
+        if (row.format.hasLength()) {
             out.closeLength(start);
         }
     }
 
     /** The value of the row's component, or the array of its components' values; null for an absent element. */
     private Object value(Element row, Object message) {
-        Object[] values = new Object[row.places().length];
+        Object[] values = new Object[row.places.length];
         for (int i = 0; i < values.length; i++) {
-            Object value = component(message, row.places()[i]);
+            Object value = component(message, row.places[i]);
             values[i] = value instanceof Optional<?> optional ? optional.orElse(null) : value;
             if (values[i] == null || values[i] == Boolean.FALSE) {
                 return null;
@@ -135,7 +138,7 @@ public final class ElementTable {
         List<Part> parts = split(in, direction);
         Object[] values = absent.clone();
         for (Part part : parts) {
-            if (part.row().places().length > 0) {
+            if (part.row().places.length > 0) {
                 take(part, values, direction);
             }
         }
@@ -159,7 +162,7 @@ public final class ElementTable {
     }
 
     private void take(Part part, Object[] values, Direction direction) throws ProtocolViolation {
-        int[] places = part.row().places();
+        int[] places = part.row().places;
         int first = places[0];
         boolean isOptional = absent[first] != null;
         if (isOptional && values[first] != absent[first]) {
@@ -184,17 +187,17 @@ public final class ElementTable {
         boolean isSecondHalf = false;
         for (Element row : rows.get(direction)) {
             int from = in.position();
-            if (row.format() == Element.Format.HALF) {
+            if (row.format == Element.Format.HALF) {
                 int octet = in.hasMore() && !isSecondHalf
                         ? in.peek()
                         : in.octet(row.type().title());
                 byte[] half = {(byte) (isSecondHalf ? octet >> 4 : octet & 0x0f)};
                 parts.add(new Part(row, new MessageReader(half), from, from + 1));
                 isSecondHalf = !isSecondHalf;
-            } else if (!row.format().hasIdentifier()) {
+            } else if (!row.format.hasIdentifier()) {
                 String what = row.type().title();
                 MessageReader value =
-                        row.format().hasLength() ? in.lengthAndValue(what) : in.part(row.fixedLength(), what);
+                        row.format.hasLength() ? in.lengthAndValue(what) : in.part(row.fixedLength(), what);
                 parts.add(new Part(row, value, from, in.position()));
             }
         }
@@ -216,7 +219,7 @@ public final class ElementTable {
                     String.format("element 0x%02x must be understood and is not known here", identifier));
         }
         int length;
-        if (row != null && !row.format().hasLength()) {
+        if (row != null && !row.format.hasLength()) {
             length = row.fixedLength();
         } else {
             length = in.hasMore() ? in.octet("element length") : 1;
@@ -233,7 +236,7 @@ public final class ElementTable {
 
     private Element find(int identifier, Direction direction) {
         for (Element row : rows.get(direction)) {
-            if (row.identifier() == identifier) {
+            if (row.identifier == identifier) {
                 return row;
             }
         }

@@ -1,6 +1,7 @@
 package simgsm.air;
 
-import java.util.List;
+import java.util.function.BiConsumer;
+import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
@@ -17,6 +18,11 @@ public final class ElementType<V> {
 
     private interface ValueReader<V> {
         V read(MessageReader in, Direction direction) throws ProtocolViolation;
+    }
+
+    /** Reads a value that means the same in both directions. */
+    private interface PlainReader<V> {
+        V read(MessageReader in) throws ProtocolViolation;
     }
 
     public static final ElementType<Void> BEARER_CAPABILITY = unread("Bearer capability", "10.5.4.5");
@@ -40,33 +46,24 @@ public final class ElementType<V> {
             (out, values, direction) -> writeCause(out, (Cause) values[0], (CauseLocation) values[1]),
             (in, direction) -> readCause(in));
 
-    static final ElementType<Integer> CALL_STATE = of(
-            "Call state",
-            "10.5.4.6",
-            (out, state, direction) -> out.octet(0xc0 | state),
-            (in, direction) -> in.octet("call state") & 0x3f);
+    static final ElementType<Integer> CALL_STATE = plain(
+            "Call state", "10.5.4.6", (out, state) -> out.octet(0xc0 | state), in -> in.octet("call state") & 0x3f);
     static final ElementType<Character> KEYPAD_FACILITY =
-            of("Keypad facility", "10.5.4.17", (out, key, direction) -> out.octet(key), (in, direction) -> readKey(in));
+            plain("Keypad facility", "10.5.4.17", (out, key) -> out.octet(key), ElementType::readKey);
     /** True if the network sends tones (value 8, in-band information); coding GSM, public network of the local user. */
-    static final ElementType<Boolean> PROGRESS_INDICATOR = of(
+    static final ElementType<Boolean> PROGRESS_INDICATOR = plain(
             "Progress indicator",
             "10.5.4.21",
-            (out, isInBand, direction) -> out.octet(0xe2).octet(0x88),
-            (in, direction) -> (in.twoOctets("progress indicator") & 0x7f) == 8);
+            (out, isInBand) -> out.octet(0xe2).octet(0x88),
+            in -> (in.twoOctets("progress indicator") & 0x7f) == 8);
 
     static final ElementType<CallControl.Signal> SIGNAL =
             coded("Signal", "10.5.4.23", 0xff, CallControl.Signal.values());
-    static final ElementType<Msisdn> CONNECTED_NUMBER = of(
-            "Connected number",
-            "10.5.4.13",
-            (out, number, direction) -> NumberElements.writeShown(out, number),
-            (in, direction) -> NumberElements.read(in));
+    static final ElementType<Msisdn> CONNECTED_NUMBER =
+            plain("Connected number", "10.5.4.13", NumberElements::writeShown, NumberElements::read);
     static final ElementType<Msisdn> CALLING_NUMBER = CONNECTED_NUMBER.renamed("Calling party BCD number", "10.5.4.9");
-    static final ElementType<Msisdn> CALLED_NUMBER = of(
-            "Called party BCD number",
-            "10.5.4.7",
-            (out, number, direction) -> NumberElements.writeCalled(out, number),
-            (in, direction) -> NumberElements.read(in));
+    static final ElementType<Msisdn> CALLED_NUMBER =
+            plain("Called party BCD number", "10.5.4.7", NumberElements::writeCalled, NumberElements::read);
     public static final ElementType<OctetString> FACILITY = octets("Facility", "10.5.4.15");
     static final ElementType<Integer> SS_VERSION = number("SS version indicator", "10.5.4.24", 0xff);
 
@@ -77,16 +74,10 @@ public final class ElementType<V> {
     static final ElementType<MobileIdentity.Type> IDENTITY_TYPE =
             coded("Identity type", "10.5.3.4", 0x07, MobileIdentity.Type.values());
     static final ElementType<Integer> KEY_SEQUENCE = number("Ciphering key sequence number", "10.5.1.2", 0x07);
-    static final ElementType<LocationArea> LOCATION_AREA = of(
-            "Location area identification",
-            "10.5.1.3",
-            (out, area, direction) -> IdentityElements.writeArea(out, area),
-            (in, direction) -> IdentityElements.readArea(in));
-    static final ElementType<MobileIdentity> MOBILE_IDENTITY = of(
-            "Mobile identity",
-            "10.5.1.4",
-            (out, identity, direction) -> IdentityElements.write(out, identity),
-            (in, direction) -> IdentityElements.read(in));
+    static final ElementType<LocationArea> LOCATION_AREA =
+            plain("Location area identification", "10.5.1.3", IdentityElements::writeArea, IdentityElements::readArea);
+    static final ElementType<MobileIdentity> MOBILE_IDENTITY =
+            plain("Mobile identity", "10.5.1.4", IdentityElements::write, IdentityElements::read);
     static final ElementType<OctetString> RAND = octets("Authentication parameter RAND", "10.5.3.1");
     static final ElementType<OctetString> AUTN = octets("Authentication parameter AUTN", "10.5.3.1.1");
     static final ElementType<OctetString> SRES = octets("Authentication response parameter", "10.5.3.2");
@@ -98,32 +89,26 @@ public final class ElementType<V> {
             "10.5.3.6",
             (out, cause, direction) -> out.octet(cause.code()),
             (in, direction) -> RejectCause.ofCode(in.octet("reject cause"), direction));
-    static final ElementType<String> NETWORK_NAME = of(
-            "Network name",
-            "10.5.3.5a",
-            (out, name, direction) -> NetworkName.write(out, name),
-            (in, direction) -> NetworkName.read(in));
+    static final ElementType<String> NETWORK_NAME =
+            plain("Network name", "10.5.3.5a", NetworkName::write, NetworkName::read);
 
     static final ElementType<Integer> RR_CAUSE = number("RR cause", "10.5.2.31", 0xff);
     static final ElementType<Integer> POWER_COMMAND = number("Power command", "10.5.2.28", 0x1f);
     static final ElementType<Integer> CHANNEL_MODE = number("Channel mode", "10.5.2.6", 0xff);
     static final ElementType<Integer> HANDOVER_REFERENCE = number("Handover reference", "10.5.2.15", 0xff);
     static final ElementType<Integer> TIMING_ADVANCE = number("Timing advance", "10.5.2.40", 0x3f);
-    static final ElementType<ChannelDescription> CHANNEL_DESCRIPTION = of(
+    static final ElementType<ChannelDescription> CHANNEL_DESCRIPTION = plain(
             "Channel description",
             "10.5.2.5a",
-            (out, channel, direction) -> out.string(channel.encode()),
-            (in, direction) -> ChannelDescription.read(in));
-    static final ElementType<RadioResource.CellDescription> CELL_DESCRIPTION = of(
+            (out, channel) -> out.string(channel.encode()),
+            ChannelDescription::read);
+    static final ElementType<RadioResource.CellDescription> CELL_DESCRIPTION = plain(
             "Cell description",
             "10.5.2.2",
-            (out, cell, direction) -> out.string(cell.encode()),
-            (in, direction) -> RadioResource.CellDescription.read(in));
-    static final ElementType<MeasurementResults> MEASUREMENT_RESULTS = of(
-            "Measurement results",
-            "10.5.2.20",
-            (out, results, direction) -> out.bytes(results.value()),
-            (in, direction) -> MeasurementResults.read(in));
+            (out, cell) -> out.string(cell.encode()),
+            RadioResource.CellDescription::read);
+    static final ElementType<MeasurementResults> MEASUREMENT_RESULTS = plain(
+            "Measurement results", "10.5.2.20", (out, results) -> out.bytes(results.value()), MeasurementResults::read);
 
     static final ElementType<Integer> CP_CAUSE = number("CP-Cause", "8.1.4.2", 0x7f);
     static final ElementType<RelayMessage> CP_USER_DATA =
@@ -132,11 +117,11 @@ public final class ElementType<V> {
     static final ElementType<Msisdn> RP_ORIGINATOR = CALLED_NUMBER.renamed("RP-Originator address", "8.2.5.1");
     static final ElementType<Msisdn> RP_DESTINATION = CALLED_NUMBER.renamed("RP-Destination address", "8.2.5.2");
     static final ElementType<OctetString> RP_USER_DATA = octets("RP-User data", "8.2.5.3");
-    static final ElementType<RpCause> RP_CAUSE = of(
+    static final ElementType<RpCause> RP_CAUSE = plain(
             "RP-Cause",
             "8.2.5.4",
-            (out, cause, direction) -> out.octet(cause.code()),
-            (in, direction) -> RpCause.ofCode(in.octet("RP cause") & 0x7f));
+            (out, cause) -> out.octet(cause.code()),
+            in -> RpCause.ofCode(in.octet("RP cause") & 0x7f));
 
     /** In the first octet of a cause: last octet of this part, coding standard defined for GSM. */
     private static final int GSM_CODING = 0xe0;
@@ -159,26 +144,35 @@ public final class ElementType<V> {
         return new ElementType<>(name, clause, writer, reader);
     }
 
+    private static <V> ElementType<V> plain(
+            String name, String clause, BiConsumer<OctetWriter, V> writer, PlainReader<V> reader) {
+        return of(
+                name, clause, (out, value, direction) -> writer.accept(out, value), (in, direction) -> reader.read(in));
+    }
+
     /** A type that no record holds a value of. */
     private static ElementType<Void> unread(String name, String clause) {
         return of(name, clause, (out, value, direction) -> {}, (in, direction) -> null);
     }
 
     private static ElementType<OctetString> octets(String name, String clause) {
-        return of(name, clause, (out, value, direction) -> out.string(value), (in, direction) -> in.rest());
+        return plain(name, clause, OctetWriter::string, MessageReader::rest);
     }
 
-    /** A number in one octet. @param mask the bits of a received one */
+    /** A number in one octet. @param mask the bits of a received one, and the greatest one that is sent */
     private static ElementType<Integer> number(String name, String clause, int mask) {
-        return of(name, clause, (out, value, direction) -> out.octet(value), (in, direction) -> in.octet(name) & mask);
+        return plain(
+                name,
+                clause,
+                (out, value) -> out.octet(Bounds.check(name, value, 0, mask)),
+                in -> in.octet(name) & mask);
     }
 
     private static <V extends Coded> ElementType<V> coded(String name, String clause, int mask, V[] values) {
-        return of(name, clause, (out, value, direction) -> out.octet(value.code()), (in, direction) -> {
+        return plain(name, clause, (out, value) -> out.octet(value.code()), in -> {
             int code = in.octet(name) & mask;
             return Coded.find(values, code)
-                    .orElseThrow(() -> ProtocolViolation.invalid(name + " " + code + " is none of "
-                            + List.of(values).stream().map(Coded::code).toList()));
+                    .orElseThrow(() -> ProtocolViolation.invalid(name + " " + code + " is not known here"));
         });
     }
 

@@ -1,7 +1,6 @@
 package simgsm.air;
 
 import java.util.Optional;
-import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 import simgsm.octets.Octets;
@@ -45,11 +44,7 @@ public sealed interface MobilityManagement extends Layer3Message {
     /** @param keySequence ciphering key sequence number, 0 to 6, or 7 for no key */
     record LocationUpdatingRequest(
             LocationUpdatingType updatingType, int keySequence, LocationArea oldArea, MobileIdentity identity)
-            implements MobilityManagement {
-        public LocationUpdatingRequest {
-            Bounds.check("ciphering key sequence number", keySequence, 0, NO_KEY);
-        }
-    }
+            implements MobilityManagement {}
 
     record LocationUpdatingAccept(LocationArea area, Optional<MobileIdentity> newIdentity)
             implements MobilityManagement {}
@@ -62,26 +57,11 @@ public sealed interface MobilityManagement extends Layer3Message {
 
     /** @param rand 16 octets; @param autn 16 octets, for a USIM only */
     record AuthenticationRequest(int keySequence, OctetString rand, Optional<OctetString> autn)
-            implements MobilityManagement {
-        public static final int RAND_LENGTH = 16;
-        public static final int AUTN_LENGTH = 16;
-
-        public AuthenticationRequest {
-            Bounds.check("ciphering key sequence number", keySequence, 0, NO_KEY);
-            rand.requireLength("RAND", RAND_LENGTH);
-            autn.ifPresent(octets -> octets.requireLength("AUTN", AUTN_LENGTH));
-        }
-    }
+            implements MobilityManagement {}
 
     /** @param sres SRES, or the first 4 octets of RES; @param extension the other octets of RES, at most 12 */
     record AuthenticationResponse(OctetString sres, Optional<OctetString> extension) implements MobilityManagement {
         private static final int SRES_LENGTH = 4;
-        private static final int MOST_EXTENSION = 12;
-
-        public AuthenticationResponse {
-            sres.requireLength("SRES", SRES_LENGTH);
-            extension.ifPresent(octets -> octets.requireLength("RES extension", 1, MOST_EXTENSION));
-        }
 
         /** @param response SRES of 4 octets or RES of 4 to 16 */
         public AuthenticationResponse(OctetString response) {
@@ -106,13 +86,7 @@ public sealed interface MobilityManagement extends Layer3Message {
 
     record AuthenticationReject() implements MobilityManagement {}
 
-    record AuthenticationFailure(RejectCause cause, Optional<OctetString> auts) implements MobilityManagement {
-        public static final int AUTS_LENGTH = 14;
-
-        public AuthenticationFailure {
-            auts.ifPresent(octets -> octets.requireLength("AUTS", AUTS_LENGTH));
-        }
-    }
+    record AuthenticationFailure(RejectCause cause, Optional<OctetString> auts) implements MobilityManagement {}
 
     record TmsiReallocationComplete() implements MobilityManagement {}
 
@@ -129,11 +103,7 @@ public sealed interface MobilityManagement extends Layer3Message {
     }
 
     record CmServiceRequest(ServiceType service, int keySequence, MobileIdentity identity)
-            implements MobilityManagement {
-        public CmServiceRequest {
-            Bounds.check("ciphering key sequence number", keySequence, 0, NO_KEY);
-        }
-    }
+            implements MobilityManagement {}
 
     record CmServiceAccept() implements MobilityManagement {}
 

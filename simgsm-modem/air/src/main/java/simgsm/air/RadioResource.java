@@ -17,11 +17,7 @@ public sealed interface RadioResource extends Layer3Message {
     int SPEECH_FULL_RATE = 0x01;
 
     /** The mobile's answer to paging; opens a radio connection for a mobile-terminated call or message. */
-    record PagingResponse(int keySequence, MobileIdentity identity) implements RadioResource {
-        public PagingResponse {
-            Bounds.check("ciphering key sequence number", keySequence, 0, MobilityManagement.NO_KEY);
-        }
-    }
+    record PagingResponse(int keySequence, MobileIdentity identity) implements RadioResource {}
 
     /**
      * How a mobile finds a cell (TS 44.018, 10.5.2.2).
@@ -57,18 +53,10 @@ public sealed interface RadioResource extends Layer3Message {
     }
 
     /** @param cause RR cause (TS 44.018, 10.5.2.31); 0 is normal event */
-    record ChannelRelease(int cause) implements RadioResource {
-        public ChannelRelease {
-            Bounds.checkOctet("RR cause", cause);
-        }
-    }
+    record ChannelRelease(int cause) implements RadioResource {}
 
     /** @param cause RR cause; 97 message type non-existent */
-    record RrStatus(int cause) implements RadioResource {
-        public RrStatus {
-            Bounds.checkOctet("RR cause", cause);
-        }
-    }
+    record RrStatus(int cause) implements RadioResource {}
 
     /**
      * Moves the mobile to another channel of its cell.
@@ -76,40 +64,19 @@ public sealed interface RadioResource extends Layer3Message {
      * @param powerLevel MS power control level, 0 to 31 (TS 45.005)
      * @param channelMode (TS 44.018, 10.5.2.6); {@link #SPEECH_FULL_RATE}
      */
-    record AssignmentCommand(ChannelDescription channel, int powerLevel, int channelMode) implements RadioResource {
-        public AssignmentCommand {
-            Bounds.check("power level", powerLevel, 0, 31);
-            Bounds.checkOctet("channel mode", channelMode);
-        }
-    }
+    record AssignmentCommand(ChannelDescription channel, int powerLevel, int channelMode) implements RadioResource {}
 
     /** Changes the mode of the channel on which the mobile is. @param mode (TS 44.018, 10.5.2.6) */
-    record ChannelModeModify(ChannelDescription channel, int mode) implements RadioResource {
-        public ChannelModeModify {
-            Bounds.checkOctet("channel mode", mode);
-        }
-    }
+    record ChannelModeModify(ChannelDescription channel, int mode) implements RadioResource {}
 
     /** @param mode that the mobile uses from now on: the old one if it does not have the other (TS 44.018, 3.4.6.1.3) */
-    record ChannelModeModifyAcknowledge(ChannelDescription channel, int mode) implements RadioResource {
-        public ChannelModeModifyAcknowledge {
-            Bounds.checkOctet("channel mode", mode);
-        }
-    }
+    record ChannelModeModifyAcknowledge(ChannelDescription channel, int mode) implements RadioResource {}
 
     /** @param cause RR cause */
-    record AssignmentComplete(int cause) implements RadioResource {
-        public AssignmentComplete {
-            Bounds.checkOctet("RR cause", cause);
-        }
-    }
+    record AssignmentComplete(int cause) implements RadioResource {}
 
     /** The mobile is back on the old channel. @param cause RR cause */
-    record AssignmentFailure(int cause) implements RadioResource {
-        public AssignmentFailure {
-            Bounds.checkOctet("RR cause", cause);
-        }
-    }
+    record AssignmentFailure(int cause) implements RadioResource {}
 
     /**
      * Moves the mobile to a channel of another cell. The cells are not synchronised: the mobile sends access bursts until
@@ -125,33 +92,16 @@ public sealed interface RadioResource extends Layer3Message {
             int reference,
             int powerLevel,
             Optional<Integer> channelMode)
-            implements RadioResource {
-        public HandoverCommand {
-            Bounds.checkOctet("handover reference", reference);
-            Bounds.check("power level", powerLevel, 0, 31);
-        }
-    }
+            implements RadioResource {}
 
     /** The first message on the new channel. @param cause RR cause */
-    record HandoverComplete(int cause) implements RadioResource {
-        public HandoverComplete {
-            Bounds.checkOctet("RR cause", cause);
-        }
-    }
+    record HandoverComplete(int cause) implements RadioResource {}
 
     /** The mobile is back on the old channel. @param cause RR cause */
-    record HandoverFailure(int cause) implements RadioResource {
-        public HandoverFailure {
-            Bounds.checkOctet("RR cause", cause);
-        }
-    }
+    record HandoverFailure(int cause) implements RadioResource {}
 
     /** Stops the access bursts. @param timingAdvance 0 to 63, in bits of 3.69 us */
-    record PhysicalInformation(int timingAdvance) implements RadioResource {
-        public PhysicalInformation {
-            Bounds.check("timing advance", timingAdvance, 0, 63);
-        }
-    }
+    record PhysicalInformation(int timingAdvance) implements RadioResource {}
 
     /** Sent every 480 ms on the SACCH. */
     record MeasurementReport(MeasurementResults results) implements RadioResource {}

@@ -1,7 +1,6 @@
 package simgsm.air;
 
 import java.util.Optional;
-import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 
 /**
@@ -18,10 +17,6 @@ public sealed interface RelayMessage {
         return octets > 0 && octets <= MAX_TPDU_LENGTH;
     }
 
-    private static void checkTpdu(OctetString tpdu) {
-        tpdu.requireLength("TPDU", 1, MAX_TPDU_LENGTH);
-    }
-
     /**
      * Carries a transfer unit.
      *
@@ -30,29 +25,15 @@ public sealed interface RelayMessage {
      */
     record RpData(int reference, Msisdn serviceCenter, OctetString tpdu) implements RelayMessage {
         public RpData {
-            Bounds.checkOctet("RP message reference", reference);
-            checkTpdu(tpdu);
+            tpdu.requireLength("TPDU", 1, MAX_TPDU_LENGTH);
         }
     }
 
     /** @param tpdu an optional DELIVER-REPORT or SUBMIT-REPORT */
-    record RpAck(int reference, Optional<OctetString> tpdu) implements RelayMessage {
-        public RpAck {
-            Bounds.checkOctet("RP message reference", reference);
-            tpdu.ifPresent(RelayMessage::checkTpdu);
-        }
-    }
+    record RpAck(int reference, Optional<OctetString> tpdu) implements RelayMessage {}
 
-    record RpError(int reference, RpCause cause) implements RelayMessage {
-        public RpError {
-            Bounds.checkOctet("RP message reference", reference);
-        }
-    }
+    record RpError(int reference, RpCause cause) implements RelayMessage {}
 
     /** The mobile has free memory for messages again. */
-    record RpSmma(int reference) implements RelayMessage {
-        public RpSmma {
-            Bounds.checkOctet("RP message reference", reference);
-        }
-    }
+    record RpSmma(int reference) implements RelayMessage {}
 }

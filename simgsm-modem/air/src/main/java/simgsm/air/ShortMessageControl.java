@@ -1,7 +1,5 @@
 package simgsm.air;
 
-import simgsm.octets.Bounds;
-
 /** The CP layer of short messages (TS 24.011, 7.2), protocol discriminator 9, on SAPI 3. */
 public sealed interface ShortMessageControl extends Layer3Message.OfTransaction {
     record CpData(TransactionIdentifier transaction, RelayMessage relay) implements ShortMessageControl {}
@@ -11,9 +9,5 @@ public sealed interface ShortMessageControl extends Layer3Message.OfTransaction 
     /** @param cause CP cause (TS 24.011, 8.1.4.2): 17 network failure, 22 congestion, 81 invalid transaction identifier,
      *     95 semantically incorrect, 96 invalid mandatory information, 97 message type non-existent, 98 not compatible
      *     with the protocol state, 111 protocol error */
-    record CpError(TransactionIdentifier transaction, int cause) implements ShortMessageControl {
-        public CpError {
-            Bounds.check("CP cause", cause, 0, 0x7f);
-        }
-    }
+    record CpError(TransactionIdentifier transaction, int cause) implements ShortMessageControl {}
 }

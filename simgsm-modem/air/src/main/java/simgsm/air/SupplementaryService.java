@@ -1,7 +1,6 @@
 package simgsm.air;
 
 import java.util.Optional;
-import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 
 /**
@@ -9,9 +8,6 @@ import simgsm.octets.OctetString;
  * {@code simgsm.ss}.
  */
 public sealed interface SupplementaryService extends Layer3Message.OfTransaction {
-    /** Octets of a facility element, at most (TS 24.008, 10.5.4.15: its length has one octet). */
-    int MAX_FACILITY_LENGTH = 255;
-
     /**
      * Begins a dialogue.
      *
@@ -21,27 +17,14 @@ public sealed interface SupplementaryService extends Layer3Message.OfTransaction
             implements SupplementaryService {
         /** Phase 2 with its error handling. */
         public static final int PHASE_2 = 0;
-
-        public SsRegister {
-            facility.requireLength("facility", 0, MAX_FACILITY_LENGTH);
-            version.ifPresent(value -> Bounds.checkOctet("SS version indicator", value));
-        }
     }
 
     /** Continues a dialogue. */
-    record SsFacility(TransactionIdentifier transaction, OctetString facility) implements SupplementaryService {
-        public SsFacility {
-            facility.requireLength("facility", 0, MAX_FACILITY_LENGTH);
-        }
-    }
+    record SsFacility(TransactionIdentifier transaction, OctetString facility) implements SupplementaryService {}
 
     /** Ends a dialogue, with its last component or the cause of its failure, or neither. */
     record SsReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause, Optional<OctetString> facility)
             implements SupplementaryService {
-        public SsReleaseComplete {
-            facility.ifPresent(octets -> octets.requireLength("facility", 0, MAX_FACILITY_LENGTH));
-        }
-
         /** The end of a dialogue that has nothing more to say. */
         public SsReleaseComplete(TransactionIdentifier transaction) {
             this(transaction, Optional.empty(), Optional.empty());
