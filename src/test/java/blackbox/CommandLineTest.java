@@ -22,7 +22,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** How every program answers its command line: help, version, clear usage errors, the right exit status. */
 class CommandLineTest {
     @ParameterizedTest
-    @ValueSource(strings = {"simgsm-center", "simgsm-cells", "simgsm-phone", "simrobot", "simgsm-modem", "vericommand"})
+    @ValueSource(
+            strings = {
+                "simgsm-center",
+                "simgsm-cells",
+                "simgsm-gateway",
+                "simgsm-phone",
+                "simrobot",
+                "simgsm-modem",
+                "vericommand"
+            })
     void helpAndVersionGoToStandardOutputWithStatusZero(String program) throws Exception {
         for (String option : new String[] {"-h", "--help"}) {
             FinishedProgram help = FinishedProgram.run(program, option);

@@ -47,7 +47,7 @@ class LayeringTest {
             simgsm.scope             : simgsm.tone simgsm.dtmf
             simgsm.console           : simgsm.event simgsm.file
             simgsm.lesson            : simgsm.file simgsm.console
-            simgsm.web               : simgsm.event simgsm.console
+            simgsm.web               : simgsm.net simgsm.event simgsm.console
             simgsm.audio             : simgsm.speech
             simgsm.draw              :
             simgsm.ui                : simgsm.console simgsm.draw
@@ -114,6 +114,7 @@ class LayeringTest {
             simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.town simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
             simgsm.cells.app         : simgsm.event simgsm.console simgsm.air simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
+            simgsm.gateway           : simgsm.event simgsm.air simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
             simrobot.behaviour       :
             simrobot.world           : simgsm.file
             simrobot.bitmap          : simgsm.file simgsm.octets simrobot.world
@@ -193,7 +194,13 @@ class LayeringTest {
     @Test
     void theLibrariesDoNotKnowTheProgramsNorAProgramAnother() {
         for (String program : List.of(
-                "simgsm.classroom", "simgsm.center", "simgsm.cells", "simgsm.phone", "simrobot", "simgsm.tools")) {
+                "simgsm.classroom",
+                "simgsm.center",
+                "simgsm.cells",
+                "simgsm.gateway",
+                "simgsm.phone",
+                "simrobot",
+                "simgsm.tools")) {
             MAY_USE.forEach((from, used) -> {
                 // the classroom is above the centre
                 boolean isAbove = program.equals("simgsm.center") && isIn("simgsm.classroom", from);

@@ -54,7 +54,7 @@ class ReferenceTest {
         for (String program : WINDOWED) {
             append(page, program, List.of(), without(shared, helps.get(program)));
         }
-        for (String program : List.of("vericommand", "simgsm-modem")) {
+        for (String program : List.of("simgsm-gateway", "vericommand", "simgsm-modem")) {
             append(page, program, List.of(), without(shared, entries(help(program, List.of()))));
         }
         for (String tool : TOOLS) {

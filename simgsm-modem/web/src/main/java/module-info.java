@@ -1,4 +1,4 @@
-/** Pages and data over HTTP, which the programs serve read-only. */
+/** Pages, data and WebSockets on one port. */
 module simgsm.web {
     requires transitive simgsm.base;
     requires simgsm.console;

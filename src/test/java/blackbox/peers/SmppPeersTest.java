@@ -41,8 +41,6 @@ import org.jsmpp.session.SMPPSession;
 import org.jsmpp.session.Session;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** SMPP applications that were written elsewhere drive the robot: smpplib, node-smpp, jSMPP and Kannel. */
 @Tag("peer")
@@ -83,17 +81,10 @@ class SmppPeersTest {
         }
     }
 
-    /** @param isStopped whether the centre is stopped for 1.5 s as the application begins */
-    @ParameterizedTest
-    @ValueSource(booleans = {false, true})
-    void jsmppDrivesTheRobot(boolean isStopped) throws Exception {
+    @Test
+    void jsmppDrivesTheRobot() throws Exception {
         try (Scenario scenario = new Scenario("jSMPP drives the robot")) {
-            RunningProgram center = scenario.center("--smpp", "0");
-            RunningProgram robot = scenario.robot("empty.map", "--speed", "20");
-            int port = scenario.smppPort();
-            if (isStopped) {
-                StoppedServerTest.stop(center);
-            }
+            RunningProgram robot = begin(scenario);
             BlockingQueue<String> receipts = new LinkedBlockingQueue<>();
             BlockingQueue<String> replies = new LinkedBlockingQueue<>();
             SMPPSession session = new SMPPSession();
@@ -113,7 +104,7 @@ class SmppPeersTest {
                     return null;
                 }
             });
-            session.connectAndBind("127.0.0.1", port, binding());
+            session.connectAndBind("127.0.0.1", scenario.smppPort(), binding());
             String id = session.submitShortMessage(
                             "",
                             TypeOfNumber.INTERNATIONAL,
@@ -157,10 +148,8 @@ class SmppPeersTest {
         return text;
     }
 
-    /** @param isStopped likewise */
-    @ParameterizedTest
-    @ValueSource(booleans = {false, true})
-    void kannelDrivesTheRobot(boolean isStopped) throws Exception {
+    @Test
+    void kannelDrivesTheRobot() throws Exception {
         Peer.BEARERBOX.require();
         Peer.SMSBOX.require();
         BlockingQueue<String> replies = new LinkedBlockingQueue<>();
@@ -172,8 +161,7 @@ class SmppPeersTest {
         });
         receiver.start();
         try (Scenario scenario = new Scenario("Kannel drives the robot")) {
-            RunningProgram center = scenario.center("--smpp", "0");
-            RunningProgram robot = scenario.robot("empty.map", "--speed", "20");
+            RunningProgram robot = begin(scenario);
             int statusPort = freePort();
             int sendPort = freePort();
             Path file = Files.writeString(
@@ -183,9 +171,6 @@ class SmppPeersTest {
                             statusPort,
                             sendPort,
                             receiver.getAddress().getPort()));
-            if (isStopped) {
-                StoppedServerTest.stop(center);
-            }
             Process bearerbox = start(scenario, Peer.BEARERBOX, file);
             awaitAnswer(bearerbox, statusPort, "/status.txt?password=test");
             Process smsbox = start(scenario, Peer.SMSBOX, file);

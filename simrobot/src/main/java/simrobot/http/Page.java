@@ -69,6 +69,11 @@ final class Page {
                 WorldMap.robots(scene, names) + filled(after, scene, source));
     }
 
+    /** The map of a scene as SVG. */
+    String map(SimulationSnapshot scene) {
+        return WorldMap.file(scene, texts.of("page.map", scene.world().name()), names);
+    }
+
     private synchronized PageBody.Part floor(World world) {
         if (known != world) {
             floor = new PageBody.Part(WorldMap.floor(world, names));

@@ -15,6 +15,7 @@ import simrobot.simulation.SimulationSnapshot;
 final class Router extends WebPages {
     private static final int MOST_NAMES = 20;
     private static final String CAMERA = "camera.jpg";
+    private static final String MAP = "map.svg";
     private static final String STREAM = "camera.mjpg";
 
     private final WebSource source;
@@ -52,6 +53,9 @@ final class Router extends WebPages {
     private WebResponse answer(List<String> parts, String path)
             throws IOException, InterruptedException, RequestException {
         SimulationSnapshot scene = scenes.now();
+        if (parts.equals(List.of(MAP))) {
+            return WebResponse.text("image/svg+xml", page.map(scene));
+        }
         if (parts.get(0).equals("robots") && parts.size() <= 3) {
             if (parts.size() == 1) {
                 return WebResponse.json(StatusJson.all(scene, source));
@@ -65,7 +69,7 @@ final class Router extends WebPages {
             }
         }
         throw RequestException.notFound(
-                path, "/, /robots, /robots/NAME, /robots/NAME/" + CAMERA + " or /robots/NAME/" + STREAM);
+                path, "/, /" + MAP + ", /robots, /robots/NAME, /robots/NAME/" + CAMERA + " or /robots/NAME/" + STREAM);
     }
 
     private static RobotSnapshot robot(SimulationSnapshot scene, String name) throws RequestException {

@@ -59,6 +59,14 @@ final class WorldMap {
         return g.elements() + "</svg>\n";
     }
 
+    /** The whole map as a file of its own, with its colours. */
+    static String file(SimulationSnapshot scene, String title, PlaceNames names) {
+        String opening =
+                opening(scene.world(), title).replaceFirst("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+        return opening + "<style>:root{" + variables(Appearance.LIGHT) + "}@media(prefers-color-scheme:dark){:root{"
+                + variables(Appearance.DARK) + "}}</style>" + floor(scene.world(), names) + robots(scene, names);
+    }
+
     /** What stands before the floor. */
     static String opening(World world, String title) {
         Viewport view = view(world);

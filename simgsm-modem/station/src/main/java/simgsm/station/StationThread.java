@@ -67,6 +67,14 @@ public final class StationThread implements AutoCloseable {
         });
     }
 
+    /** Runs an action of this thread once, after this time. After the close it is dropped. */
+    public void after(long nanos, Runnable action) {
+        loop.post(() -> loop.after(nanos, () -> {
+            advanceStations();
+            action.run();
+        }));
+    }
+
     /**
      * Runs a question on this thread and returns its answer, or throws its exception.
      *

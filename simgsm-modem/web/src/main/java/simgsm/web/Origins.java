@@ -1,6 +1,5 @@
 package simgsm.web;
 
-import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
@@ -31,8 +30,7 @@ final class Origins {
     }
 
     /** @throws RequestException if the request names another host */
-    static void requireOwnHost(Headers asked) throws RequestException {
-        String host = asked.getFirst("Host");
+    static void requireOwnHost(String host) throws RequestException {
         // without a name no browser sent it
         if (host != null
                 && !ADDRESS.matcher(host).matches()
@@ -40,6 +38,22 @@ final class Origins {
             throw new RequestException(
                     WebResponse.FORBIDDEN,
                     "the host of the request is not this machine, expected localhost or an address");
+        }
+    }
+
+    /**
+     * A page of another site may open a WebSocket to this machine, so its origin must be the host that it asks.
+     *
+     * @param admitsEveryHost see {@link WebPages}
+     */
+    static void requireSameOrigin(HttpHead asked, boolean admitsEveryHost) throws RequestException {
+        String host = asked.field("Host").orElse(null);
+        if (!admitsEveryHost) {
+            requireOwnHost(host);
+        }
+        String origin = asked.field("Origin").orElse("").replaceFirst("^https?://", "");
+        if (!origin.isEmpty() && !origin.equalsIgnoreCase(host)) {
+            throw new RequestException(WebResponse.FORBIDDEN, "the request comes from a page of another host");
         }
     }
 

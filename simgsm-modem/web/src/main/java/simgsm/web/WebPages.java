@@ -20,10 +20,21 @@ public abstract class WebPages implements HttpHandler {
     private static final Logger LOG = System.getLogger(WebPages.class.getName());
 
     private final String policy;
+    private final boolean admitsEveryHost;
 
     /** @param policy what pages may load and run (Content-Security-Policy) */
     protected WebPages(String policy) {
+        this(policy, false);
+    }
+
+    /**
+     * @param policy as above
+     * @param admitsEveryHost whether requests may name this machine as they like; only for pages that show nothing without
+     *     a key
+     */
+    protected WebPages(String policy, boolean admitsEveryHost) {
         this.policy = policy;
+        this.admitsEveryHost = admitsEveryHost;
     }
 
     /**
@@ -43,7 +54,9 @@ public abstract class WebPages implements HttpHandler {
         String path = Objects.requireNonNullElse(exchange.getRequestURI().getRawPath(), "");
         try {
             requireGetOrHead(exchange);
-            Origins.requireOwnHost(exchange.getRequestHeaders());
+            if (!admitsEveryHost) {
+                Origins.requireOwnHost(exchange.getRequestHeaders().getFirst("Host"));
+            }
             Origins.admit(exchange);
             Optional<WebResponse> answer = answer(exchange, UrlPaths.parts(path), path);
             if (answer.isPresent()) {

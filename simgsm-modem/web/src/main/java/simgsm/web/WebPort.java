@@ -1,17 +1,24 @@
 package simgsm.web;
 
+import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpHandler;
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
+import java.net.Inet4Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.util.List;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import simgsm.net.Acceptor;
+import simgsm.net.ConnectionLimits;
 
 /**
- * A port for HTTP, with at most 512 threads that end after 10 s without work. A client that reads nothing of its answer loses
+ * A port for HTTP and, where paths for them are given, WebSockets. HTTP is served with at most 512 threads that end after 10 s without work. A client that reads nothing of its answer loses
  * the connection within 10 s.
  */
 public final class WebPort implements AutoCloseable {
@@ -19,6 +26,10 @@ public final class WebPort implements AutoCloseable {
 
     /** A thread for each request: a connection that sends half a request blocks its own only. */
     private static final int MOST_WORKERS = 512;
+
+    private static final int MOST_CONNECTIONS = 1_024;
+    /** A class shares one address behind a router. */
+    private static final int MOST_PER_ADDRESS = 400;
 
     private static final int IDLE_SECONDS = 10;
     /** Less than the 10 s after which a stuck connection ends, by the time of a look. */
@@ -31,7 +42,18 @@ public final class WebPort implements AutoCloseable {
         System.getProperties().putIfAbsent("sun.net.httpserver.nodelay", "true");
     }
 
+    /** Opens a port on a loop's thread. */
+    public interface Listening {
+        Acceptor listen(InetSocketAddress address, ConnectionLimits limits, Acceptor.Factory factory)
+                throws IOException;
+    }
+
     private final HttpServer server;
+    /** Null if there are no WebSockets: the HTTP server has the port itself. */
+    private Acceptor acceptor;
+
+    private WebDoor door;
+    private InetSocketAddress address;
     private final ThreadPoolExecutor workers;
     private final WriteLimit writeLimit;
 
@@ -45,6 +67,26 @@ public final class WebPort implements AutoCloseable {
         this(address, port, pages, WRITE_LIMIT_NANOS);
     }
 
+    /**
+     * Opens a port for pages and WebSockets; both are answered after {@link #start}.
+     *
+     * @param loop whose thread owns the WebSockets
+     * @param admitsEveryHost see {@link WebPages}
+     * @throws IOException naming address and port
+     */
+    public WebPort(
+            Listening loop,
+            InetSocketAddress address,
+            WebPages pages,
+            List<WebSocketPath> sockets,
+            boolean admitsEveryHost)
+            throws IOException {
+        this(InetAddress.getLoopbackAddress(), 0, pages);
+        door = new WebDoor(server.getAddress(), sockets, admitsEveryHost);
+        acceptor = loop.listen(address, new ConnectionLimits(MOST_CONNECTIONS, MOST_PER_ADDRESS), door);
+        this.address = new InetSocketAddress(address.getAddress(), acceptor.port());
+    }
+
     /** @param writeLimitNanos how long a connection may take nothing of its answer */
     public WebPort(InetAddress address, int port, HttpHandler pages, long writeLimitNanos) throws IOException {
         writeLimit = new WriteLimit(writeLimitNanos);
@@ -53,6 +95,7 @@ public final class WebPort implements AutoCloseable {
         } catch (IOException e) {
             throw new IOException("HTTP port " + port + ": " + e.getMessage(), e);
         }
+        this.address = server.getAddress();
         AtomicInteger count = new AtomicInteger();
         workers = new ThreadPoolExecutor(
                 0, MOST_WORKERS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), work -> {
@@ -65,14 +108,33 @@ public final class WebPort implements AutoCloseable {
     }
 
     public int port() {
-        return server.getAddress().getPort();
+        return address.getPort();
     }
 
-    /** Where the port is: {@code http://127.0.0.1:8080/}. */
+    /** Where the port is: {@code http://127.0.0.1:8080/}; with a port on all addresses, that of this machine in its network. */
     public String url() {
-        InetAddress address = server.getAddress().getAddress();
-        String host = address.getHostAddress();
+        String host = reachable(address.getAddress()).getHostAddress();
         return "http://" + (host.contains(":") ? "[" + host + "]" : host) + ":" + port() + "/";
+    }
+
+    private static InetAddress reachable(InetAddress bound) {
+        if (bound.isAnyLocalAddress()) {
+            try {
+                return NetworkInterface.networkInterfaces()
+                        .flatMap(NetworkInterface::inetAddresses)
+                        .filter(each -> each instanceof Inet4Address && !each.isLoopbackAddress())
+                        .findFirst()
+                        .orElse(InetAddress.getLoopbackAddress());
+            } catch (SocketException e) {
+                // The interfaces are not known.
+            }
+        }
+        return bound;
+    }
+
+    /** The client behind a request: its own address, not that of the connection which the door passes on. */
+    public InetSocketAddress client(HttpExchange exchange) {
+        return door == null ? exchange.getRemoteAddress() : door.client(exchange.getRemoteAddress());
     }
 
     public void start() {
@@ -82,6 +144,9 @@ public final class WebPort implements AutoCloseable {
 
     @Override
     public void close() {
+        if (acceptor != null) {
+            acceptor.close();
+        }
         writeLimit.close();
         server.stop(0);
         workers.shutdownNow();

@@ -1,0 +1,169 @@
+package simgsm.gateway;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.Msisdn;
+import simgsm.console.Event;
+import simgsm.dtmf.DtmfReceiver;
+import simgsm.event.EventForm;
+import simgsm.speech.SpeechCodec;
+import simgsm.station.MobileStation;
+import simgsm.station.StationOptions;
+import simgsm.station.call.MobileCallTable.MobileCallState;
+import simgsm.station.call.SpeechSource;
+import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationIdentity;
+import simgsm.station.mobility.Sim;
+import simgsm.web.JsonText;
+import simgsm.web.WebSocket;
+
+/**
+ * One browser as a subscriber: its station, the sound in both directions, and the socket of its page while there is one.
+ * Belongs to the stations' thread.
+ */
+final class WebUser {
+    /** Messages that {@code inbox} lists; the oldest beyond them is forgotten, as the network has delivered it. */
+    private static final int MOST_MESSAGES = 100;
+
+    private record Received(String from, String text) {}
+
+    private final String token;
+    private final PageWords texts;
+    private final PageSpeech speech = new PageSpeech();
+    private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
+    private final DtmfReceiver receiver =
+            new DtmfReceiver(digit -> keyHeard(digit.key().symbol()));
+    private final MobileStation station;
+    private final List<Received> inbox = new ArrayList<>();
+    private Optional<WebSocket> page = Optional.empty();
+    private String from = "";
+    private String name = "";
+    private boolean isConnected;
+
+    WebUser(StationIdentity identity, String token, PageWords texts) {
+        this.token = token;
+        this.texts = texts;
+        SpeechSource source = speech;
+        station = new MobileStation(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, source, this::accept);
+    }
+
+    MobileStation station() {
+        return station;
+    }
+
+    Msisdn number() {
+        return station.identity().number();
+    }
+
+    String token() {
+        return token;
+    }
+
+    /** The page's address. */
+    String from() {
+        return from;
+    }
+
+    /** What the page's user is called; empty if they did not say. */
+    String name() {
+        return name;
+    }
+
+    boolean hasPage() {
+        return page.isPresent();
+    }
+
+    boolean isCalling() {
+        return station.snapshot().callState() != MobileCallState.NULL;
+    }
+
+    /** A page has come; an older one ends. @param newName of its user */
+    void attach(WebSocket socket, String newName) {
+        name = newName;
+        page.ifPresent(older -> older.close(CloseCode.OPENED_ELSEWHERE, "opened elsewhere"));
+        page = Optional.of(socket);
+        from = socket.peer().getHostAddress();
+        tell(Event.of("welcome").with("number", number()).with("token", token));
+        if (station.snapshot().registered()) {
+            tell(Event.of("registered").with("number", number()));
+        }
+        station.setMemoryAvailable(true);
+    }
+
+    /** The page has gone. Its call ends, so that the robot stands; the network keeps its messages. @return false if another page has come */
+    boolean detach(WebSocket socket) {
+        boolean isLast = page.filter(current -> current == socket).isPresent();
+        if (isLast) {
+            page = Optional.empty();
+            station.hangUp();
+            station.setMemoryAvailable(false);
+        }
+        return isLast;
+    }
+
+    void end(int code, String reason) {
+        page.ifPresent(socket -> socket.close(code, reason));
+    }
+
+    /** 20 ms of the page's sound. */
+    void hear(byte[] octets) {
+        if (isConnected) {
+            speech.accept(codec.decode(octets));
+        }
+    }
+
+    private void accept(StationEvent event) {
+        if (event instanceof StationEvent.SpeechReceived received) {
+            page.ifPresent(socket -> socket.send(codec.encode(received.samples())));
+            if (isConnected) {
+                receiver.accept(received.samples());
+            }
+            return;
+        }
+        if (event instanceof StationEvent.Connected) {
+            isConnected = true;
+            receiver.reset();
+            speech.clear();
+        } else if (event instanceof StationEvent.Released) {
+            isConnected = false;
+        } else if (event instanceof StationEvent.ShortMessageReceived message) {
+            keep(new Received(message.from(), message.text()));
+        }
+        if (EventForm.of(event).isPresent()) {
+            tell(Event.from(event));
+        }
+    }
+
+    private void keep(Received message) {
+        if (inbox.size() == MOST_MESSAGES) {
+            inbox.remove(0);
+        }
+        inbox.add(message);
+    }
+
+    private void keyHeard(char key) {
+        tell(Event.of("tone").with("key", key).with("meaning", texts.toneMeaning(key)));
+    }
+
+    /** Lists what has been received. */
+    void tellInbox() {
+        inbox.forEach(
+                message -> tell(Event.of("message").with("from", message.from()).with("text", message.text())));
+        tell(Event.of("end").with("of", "inbox").with("count", inbox.size()));
+    }
+
+    void tellError(String text) {
+        tell(Event.of("error").with("text", text));
+    }
+
+    private void tell(Event event) {
+        page.ifPresent(socket -> socket.send(json(event)));
+    }
+
+    private static String json(Event event) {
+        JsonText json = new JsonText().open('{').name("event").value(event.name());
+        event.fields().forEach((name, value) -> json.name(name).value(value));
+        return json.close('}').toString();
+    }
+}

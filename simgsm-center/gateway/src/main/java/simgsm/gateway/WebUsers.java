@@ -1,0 +1,168 @@
+package simgsm.gateway;
+
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.SecureRandom;
+import java.util.Collection;
+import java.util.HexFormat;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import simgsm.air.Imei;
+import simgsm.air.Msisdn;
+import simgsm.console.Event;
+import simgsm.station.StationThread;
+import simgsm.station.context.StationIdentity;
+import simgsm.web.WebSocket;
+
+/** The browsers that are subscribers: each has a number of its own for as long as its page is open, and 60 s more. */
+final class WebUsers {
+    /** Most browsers at once. */
+    static final int MOST = 200;
+
+    private static final long RETURN_NANOS = TimeUnit.SECONDS.toNanos(60);
+    private static final long GUESS_NANOS = TimeUnit.SECONDS.toNanos(1);
+    private static final int MOST_NAME = 30;
+    private static final int TOKEN_OCTETS = 16;
+    private static final String UNIT_NAME = "SimGSM web phone";
+
+    private final StationThread thread;
+    private final InetSocketAddress center;
+    private final GatewaySettings settings;
+    private final Consumer<Event> listener;
+    private final SecureRandom random = new SecureRandom();
+    private final PageWords texts;
+    private final Map<Long, WebUser> byNumber = new TreeMap<>();
+    private boolean isLocked;
+
+    WebUsers(StationThread thread, GatewaySettings settings, Consumer<Event> listener) {
+        this.thread = thread;
+        this.center = settings.center();
+        this.settings = settings;
+        this.listener = listener;
+        texts = new PageWords(settings.language());
+    }
+
+    /** Whether a key is the link's; takes the same time for every wrong one. */
+    boolean isKey(String key) {
+        return MessageDigest.isEqual(
+                key.getBytes(StandardCharsets.UTF_8), settings.key().getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** A page shows its key and says its user's name. @return empty if it is refused: its socket closes */
+    Optional<WebUser> join(WebSocket socket, String key, String token, String name) {
+        if (!isKey(key)) {
+            thread.after(GUESS_NANOS, () -> socket.close(CloseCode.WRONG_KEY, "wrong key"));
+            return refused(socket, CloseCode.WRONG_KEY, "wrong key");
+        }
+        Optional<WebUser> known = byNumber.values().stream()
+                .filter(user -> user.token().equals(token))
+                .findFirst();
+        if (known.isEmpty() && isLocked) {
+            socket.close(CloseCode.LOCKED, "locked");
+            return refused(socket, CloseCode.LOCKED, "locked");
+        }
+        Optional<WebUser> user = known.or(this::newUser);
+        if (user.isEmpty()) {
+            socket.close(CloseCode.NO_NUMBER, "no number free");
+            return refused(socket, CloseCode.NO_NUMBER, "no number free, at most " + most());
+        }
+        user.get().attach(socket, name.length() > MOST_NAME ? name.substring(0, MOST_NAME) : name);
+        listener.accept(event("joined", user.get()));
+        return user;
+    }
+
+    private int most() {
+        return (int) Math.min(MOST, settings.lastNumber() - settings.firstNumber() + 1);
+    }
+
+    private Optional<WebUser> newUser() {
+        for (long number = settings.firstNumber(); number < settings.firstNumber() + most(); number++) {
+            if (!byNumber.containsKey(number)) {
+                byte[] token = new byte[TOKEN_OCTETS];
+                random.nextBytes(token);
+                StationIdentity identity =
+                        StationIdentity.ofOpenNumber(new Msisdn(Long.toString(number)), Imei.random(random), UNIT_NAME);
+                WebUser user = new WebUser(identity, HexFormat.of().formatHex(token), texts);
+                byNumber.put(number, user);
+                thread.add(user.station(), center);
+                return Optional.of(user);
+            }
+        }
+        return Optional.empty();
+    }
+
+    private Optional<WebUser> refused(WebSocket socket, int cause, String text) {
+        listener.accept(Event.of("refused")
+                .with("kind", "web")
+                .with("from", socket.peer().getHostAddress())
+                .with("cause", cause)
+                .with("text", text));
+        return Optional.empty();
+    }
+
+    /** A page's socket has ended; within 60 s its token brings the number back. */
+    void pageGone(WebUser user, WebSocket socket) {
+        if (user.detach(socket)) {
+            listener.accept(event("left", user));
+            thread.after(RETURN_NANOS, () -> {
+                if (!user.hasPage()) {
+                    remove(user);
+                }
+            });
+        }
+    }
+
+    private void remove(WebUser user) {
+        long number = Long.parseLong(user.number().digits());
+        thread.remove(user.station(), () -> byNumber.remove(number, user));
+    }
+
+    /** Ends a user at once. @return false if nobody has the number */
+    boolean drop(Msisdn number) {
+        Optional<WebUser> user = byNumber.values().stream()
+                .filter(each -> each.number().equals(number))
+                .findFirst();
+        user.ifPresent(dropped -> {
+            dropped.end(CloseCode.DROPPED, "ended by the operator");
+            remove(dropped);
+        });
+        return user.isPresent();
+    }
+
+    /** Whether browsers without a token are refused. */
+    void setLocked(boolean locked) {
+        isLocked = locked;
+    }
+
+    Collection<WebUser> all() {
+        return byNumber.values();
+    }
+
+    private static Event event(String event, WebUser user) {
+        return named(
+                Event.of(event)
+                        .with("kind", "web")
+                        .with("number", user.number())
+                        .with("from", user.from()),
+                user);
+    }
+
+    /** The row of a user. */
+    static Event row(WebUser user) {
+        return named(
+                Event.of("user")
+                        .with("kind", "web")
+                        .with("number", user.number())
+                        .with("from", user.from())
+                        .with("state", user.isCalling() ? "call" : "idle"),
+                user);
+    }
+
+    private static Event named(Event event, WebUser user) {
+        return user.name().isEmpty() ? event : event.with("name", user.name());
+    }
+}

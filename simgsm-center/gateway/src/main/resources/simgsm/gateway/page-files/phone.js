@@ -1,0 +1,351 @@
+'use strict';
+(() => {
+  const LETTERS = { 2: 'abc', 3: 'def', 4: 'ghi', 5: 'jkl', 6: 'mno', 7: 'pqrs', 8: 'tuv', 9: 'wxyz', 0: '+' };
+  const MOST_ROWS = 60;
+  const FINAL = { 4001: 'closed.key', 4002: 'closed.full', 4003: 'closed.locked', 4004: 'closed.dropped', 4000: 'closed.elsewhere' };
+  const $ = id => document.getElementById(id);
+  const language = (navigator.language || 'en').startsWith('es') ? 'es' : 'en';
+  const key = location.hash.slice(1);
+  let words = {};
+  let socket = null;
+  let phase = 'idle';
+  let entry = '';
+  let keys = null;
+  let held = null;
+  let peer = '';
+  let connectedAt = 0;
+  let ringing = null;
+  let retry = 0;
+  let robots = [];
+  let chosen = '';
+  let showsCamera = false;
+
+  const word = (name, ...values) => values.reduce((text, value, i) => text.replace(`{${i}}`, value), words[name] || name);
+
+  function row(list, text, kind) {
+    const item = document.createElement('li');
+    item.textContent = text;
+    if (kind) {
+      item.className = kind;
+    }
+    list.append(item);
+    while (list.children.length > MOST_ROWS) {
+      list.firstElementChild.remove();
+    }
+    list.scrollTop = list.scrollHeight;
+    return item;
+  }
+
+  function show(text) {
+    $('line').textContent = text;
+  }
+
+  function showEntry() {
+    const shown = document.createElement('bdi');
+    shown.textContent = entry;
+    $('keyed').replaceChildren(shown);
+  }
+
+  function notice(text) {
+    $('notice').hidden = !text;
+    $('notice').textContent = text;
+  }
+
+  const send = message => {
+    if (socket && socket.readyState === WebSocket.OPEN) {
+      socket.send(JSON.stringify(message));
+    }
+  };
+
+  // Calls.
+
+  function setPhase(next) {
+    phase = next;
+    document.body.dataset.phase = next;
+    const inCall = next === 'connected';
+    if (inCall && !keys) {
+      keys = new Sound.KeySource(frame => socket && socket.readyState === WebSocket.OPEN && socket.send(frame));
+    } else if (!inCall && keys) {
+      release();
+      keys.stop();
+      keys = null;
+    }
+    clearInterval(ringing);
+    Sound.silence();
+    if (next === 'alerting' || next === 'ringing') {
+      let beat = 0;
+      ringing = setInterval(() => { Sound.ring(beat % 5 === 0); beat++; }, 1000);
+    }
+  }
+
+  const heard = {
+    welcome: event => {
+      sessionStorage.setItem('token', event.token);
+      $('own').textContent = event.number;
+      retry = 0;
+      notice('');
+      setPhase('idle');
+      show(word('searching'));
+    },
+    registered: () => { $('lamp').className = 'on'; if (phase === 'idle') { show(word('ready')); } },
+    unregistered: () => { $('lamp').className = ''; show(word('searching')); },
+    calling: event => { setPhase('calling'); show(word('calling', event.number)); },
+    alerting: () => { setPhase('alerting'); show(word('alerting', peer)); },
+    ringing: event => { peer = event.from; setPhase('ringing'); show(word('ringing', event.from)); },
+    connected: event => {
+      peer = event.number || peer;
+      connectedAt = Date.now();
+      entry = '';
+      showEntry();
+      setPhase('connected');
+      chooseByNumber(peer);
+    },
+    released: event => {
+      setPhase('idle');
+      show(word('released', words['cause.' + event.cause] || event.text));
+    },
+    tone: event => {
+      const item = row($('tones'), '');
+      const chip = document.createElement('b');
+      chip.textContent = event.key;
+      item.append(chip, words['tone.' + event.key] || '');
+    },
+    sms: event => { row($('box'), word('sms.from', event.from, event.text)); show(word('sms.new', event.from)); },
+    'sms-sent': event => row($('box'), word('sms.sent', event.to), 'quiet'),
+    'sms-delivered': event => row($('box'), word('sms.delivered', event.to), 'quiet'),
+    'sms-failed': event => row($('box'), word('sms.failed', event.to, event.text)),
+    'sms-undelivered': event => row($('box'), word('sms.failed', event.to, event.text)),
+    message: event => row($('box'), word('sms.from', event.from, event.text)),
+    error: event => show(event.text),
+  };
+
+  function call() {
+    if (phase === 'ringing') {
+      send({ do: 'answer' });
+    } else if (phase === 'idle' && entry) {
+      peer = entry;
+      send({ do: 'dial', number: entry });
+    }
+  }
+
+  function end() {
+    if (phase === 'idle') {
+      entry = '';
+      showEntry();
+    } else {
+      send({ do: 'hangup' });
+    }
+  }
+
+  function press(name) {
+    if (held === name || !Sound.context()) {
+      return;
+    }
+    release();
+    held = name;
+    button(name).classList.add('down');
+    Sound.wake();
+    Sound.keyTone(name);
+    if (keys) {
+      keys.down(name);
+    }
+    entry += name;
+    showEntry();
+  }
+
+  function release() {
+    if (held !== null) {
+      button(held).classList.remove('down');
+      held = null;
+      Sound.silence();
+      if (keys) {
+        keys.up();
+      }
+    }
+  }
+
+  const button = name => document.querySelector(`#keys [data-key="${name}"]`);
+
+  function makeKeys() {
+    for (const name of '123456789*0#') {
+      const each = document.createElement('button');
+      each.type = 'button';
+      each.dataset.key = name;
+      each.textContent = name;
+      each.setAttribute('aria-label', { '*': word('key.star'), '#': word('key.hash') }[name] || name);
+      const small = document.createElement('small');
+      small.textContent = LETTERS[name] || '\u00a0';
+      each.append(small);
+      each.addEventListener('pointerdown', event => {
+        event.preventDefault();
+        each.setPointerCapture(event.pointerId);
+        press(name);
+      });
+      for (const ending of ['pointerup', 'pointercancel', 'lostpointercapture']) {
+        each.addEventListener(ending, () => held === name && release());
+      }
+      each.addEventListener('keydown', event => (event.key === ' ' || event.key === 'Enter') && !event.repeat && press(name));
+      each.addEventListener('keyup', event => (event.key === ' ' || event.key === 'Enter') && release());
+      each.addEventListener('contextmenu', event => event.preventDefault());
+      $('keys').append(each);
+    }
+  }
+
+  function onKeyboard(event) {
+    const isTyping = /^(INPUT|TEXTAREA|SELECT)$/.test(event.target.tagName);
+    if (isTyping || event.ctrlKey || event.altKey || event.metaKey || $('phone').hidden) {
+      return;
+    }
+    if (event.key.length === 1 && '0123456789*#'.includes(event.key)) {
+      event.preventDefault();
+      if (!event.repeat) {
+        press(event.key);
+      }
+    } else if (event.key === 'Enter' && event.target.tagName !== 'BUTTON') {
+      call();
+    } else if (event.key === 'Escape') {
+      end();
+    } else if (event.key === 'Backspace' && phase === 'idle') {
+      entry = entry.slice(0, -1);
+      showEntry();
+    }
+  }
+
+  // The connection.
+
+  function connect() {
+    socket = new WebSocket(`ws${location.protocol === 'https:' ? 's' : ''}://${location.host}/phone`, ['simgsm.v1']);
+    socket.binaryType = 'arraybuffer';
+    socket.onopen = () => socket.send(JSON.stringify(
+      { key, token: sessionStorage.getItem('token') || '', name: $('name').value.trim() }));
+    socket.onmessage = message => {
+      if (typeof message.data === 'string') {
+        const event = JSON.parse(message.data);
+        (heard[event.event] || (() => {}))(event);
+      } else {
+        Sound.play(new Uint8Array(message.data));
+      }
+    };
+    socket.onclose = event => {
+      setPhase('idle');
+      $('lamp').className = '';
+      if (FINAL[event.code]) {
+        sessionStorage.removeItem('token');
+        notice(word(FINAL[event.code]));
+        return;
+      }
+      retry = Math.min(retry + 1, 5);
+      let seconds = retry;
+      const count = () => {
+        notice(word('lost', seconds));
+        if (seconds-- > 0) {
+          setTimeout(count, 1000);
+        } else {
+          connect();
+        }
+      };
+      count();
+    };
+  }
+
+  // The robot.
+
+  const fetchWithKey = path => fetch(path, { headers: { Authorization: 'Bearer ' + key }, cache: 'no-store' })
+    .then(answer => answer.ok ? answer : Promise.reject(new Error(String(answer.status))));
+
+  function chooseByNumber(number) {
+    const robot = robots.find(each => each.number === number);
+    if (robot) {
+      chosen = robot.name;
+      $('robots').value = chosen;
+    }
+  }
+
+  async function refreshRobots() {
+    try {
+      robots = await (await fetchWithKey('/robots')).json();
+    } catch {
+      robots = [];
+    }
+    const names = robots.map(each => each.name);
+    const shown = [...$('robots').options].map(each => each.value);
+    if (names.join('\n') !== shown.join('\n')) {
+      $('robots').replaceChildren(...robots.map(each => new Option(`${each.name} (${each.number})`, each.name)));
+      chosen = names.includes(chosen) ? chosen : names[0] || '';
+      $('robots').value = chosen;
+    }
+    $('robot').hidden = names.length === 0;
+    const robot = robots.find(each => each.name === chosen);
+    if (robot) {
+      $('state').textContent = word('robot.state', robot.status, robot.x.toFixed(2), robot.y.toFixed(2), Math.round(robot.heading));
+    }
+  }
+
+  async function refreshPicture() {
+    if (!chosen || document.hidden) {
+      return;
+    }
+    try {
+      const path = `/robots/${encodeURIComponent(chosen)}/${showsCamera ? 'camera.jpg' : 'map.svg'}`;
+      const url = URL.createObjectURL(await (await fetchWithKey(path)).blob());
+      const picture = $('picture');
+      await new Promise(done => { picture.onload = picture.onerror = done; picture.src = url; });
+      URL.revokeObjectURL(url);
+      picture.alt = word(showsCamera ? 'robot.camera.of' : 'robot.map.of', chosen);
+    } catch {
+      // The next attempt follows.
+    }
+  }
+
+  const again = async (action, millis) => {
+    await action();
+    setTimeout(() => again(action, millis), millis);
+  };
+
+  // Start.
+
+  async function begin() {
+    words = await (await fetch(`words-${language}.json`)).json();
+    document.documentElement.lang = language;
+    document.querySelectorAll('[data-word]').forEach(each => { each.textContent = word(each.dataset.word); });
+    document.querySelectorAll('[data-label]').forEach(each => each.setAttribute('aria-label', word(each.dataset.label)));
+    makeKeys();
+    $('name').value = sessionStorage.getItem('name') || '';
+    $('start').addEventListener('submit', event => {
+      event.preventDefault();
+      sessionStorage.setItem('name', $('name').value.trim());
+      Sound.wake();
+      $('start').hidden = true;
+      $('phone').hidden = false;
+      connect();
+      again(refreshRobots, 1000);
+      again(refreshPicture, 500);
+    });
+    $('call').addEventListener('click', () => { Sound.wake(); call(); });
+    $('end').addEventListener('click', end);
+    $('sms').addEventListener('click', () => { $('to').value ||= entry; $('messages').scrollIntoView(); $('to').focus(); });
+    $('robots').addEventListener('change', () => { chosen = $('robots').value; });
+    $('view').addEventListener('click', () => {
+      showsCamera = !showsCamera;
+      $('view').textContent = word(showsCamera ? 'robot.map' : 'robot.camera');
+    });
+    $('write').addEventListener('submit', event => {
+      event.preventDefault();
+      send({ do: 'sms', number: $('to').value.trim(), text: $('text').value });
+      row($('box'), word('sms.mine', $('to').value.trim(), $('text').value));
+      $('text').value = '';
+    });
+    document.addEventListener('keydown', onKeyboard);
+    document.addEventListener('keyup', event => event.key === held && release());
+    window.addEventListener('blur', release);
+    document.addEventListener('visibilitychange', () => document.hidden && release());
+    setInterval(() => {
+      if (phase === 'connected') {
+        const seconds = Math.floor((Date.now() - connectedAt) / 1000);
+        show(word('connected', peer, `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, '0')}`));
+      }
+    }, 250);
+  }
+
+  begin();
+})();

@@ -1,0 +1,157 @@
+package simgsm.web;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.WritableByteChannel;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.TimeUnit;
+import simgsm.net.Connection;
+import simgsm.net.OutputQueue;
+
+/** A client's connection: the head of its first request decides whether it is a WebSocket or passed on to the pages. */
+final class DoorConnection extends Connection implements WebSocketSession.Carrier {
+    private static final int MOST_HEAD_OCTETS = 16 * 1024;
+    private static final int HEAD_TOO_LARGE = 431;
+    private static final long HEAD_NANOS = TimeUnit.SECONDS.toNanos(3);
+    /** A client that has been sent a close frame has this time for its own (RFC 6455, 7.1.1). */
+    private static final long CLOSE_NANOS = TimeUnit.SECONDS.toNanos(1);
+
+    /** A client that has ended its side of the connection has this time for the answer. */
+    private static final long ANSWER_NANOS = TimeUnit.SECONDS.toNanos(10);
+
+    private static final int MOST_MESSAGES = 1_000;
+    private static final int MOST_DROPPABLE = 10;
+
+    private final WebDoor door;
+    private final Endpoint endpoint;
+    private final OutputQueue output = new OutputQueue(MOST_MESSAGES, MOST_DROPPABLE, written -> {});
+    private final StringBuilder head = new StringBuilder();
+    /** Null until the head has come, and of a passed connection. */
+    private WebSocketSession socket;
+    /** Null unless the connection is passed on. */
+    private PassedConnection passed;
+
+    private boolean isEnding;
+    private boolean isInputEnded;
+
+    DoorConnection(Endpoint endpoint, WebDoor door) {
+        super(endpoint);
+        this.endpoint = endpoint;
+        this.door = door;
+    }
+
+    @Override
+    protected void opened() {
+        after(HEAD_NANOS, () -> {
+            if (socket == null && passed == null) {
+                fail("no complete request within 3 s");
+            }
+        });
+    }
+
+    @Override
+    protected void received(ByteBuffer octets) {
+        if (socket != null) {
+            socket.received(octets);
+        } else if (passed != null) {
+            passed.fromClient(octets);
+        } else if (!isEnding) {
+            receiveHead(octets);
+        }
+    }
+
+    private void receiveHead(ByteBuffer octets) {
+        head.append(StandardCharsets.ISO_8859_1.decode(octets));
+        int end = head.indexOf("\r\n\r\n");
+        try {
+            if (end >= 0) {
+                begin(HttpHead.parse(head.substring(0, end)), end + 4);
+            } else if (head.length() > MOST_HEAD_OCTETS) {
+                throw new RequestException(
+                        HEAD_TOO_LARGE, "the head of the request has over " + MOST_HEAD_OCTETS + " octets");
+            }
+        } catch (RequestException refusal) {
+            end(WebSocketHandshake.refusal(refusal));
+        }
+    }
+
+    private void begin(HttpHead asked, int end) throws RequestException {
+        if (!WebSocketHandshake.isAsked(asked)) {
+            passed = new PassedConnection(endpoint.loop(), this, door);
+            passed.fromClient(rest(0));
+            return;
+        }
+        WebSocketPath path = door.path(asked);
+        send(WebSocketHandshake.answer(asked, path), false);
+        socket = new WebSocketSession(path, this);
+        socket.received(rest(end));
+    }
+
+    private ByteBuffer rest(int from) {
+        return ByteBuffer.wrap(head.substring(from).getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    @Override
+    public void send(byte[] octets, boolean isDroppable) {
+        flushLater();
+        if (!output.add(octets, isDroppable)) {
+            fail("the client does not read");
+        }
+    }
+
+    @Override
+    public void end(byte[] last) {
+        isEnding = true;
+        send(last, false);
+        after(CLOSE_NANOS, () -> fail("ended"));
+    }
+
+    @Override
+    public void later(long nanos, Runnable action) {
+        after(nanos, action);
+    }
+
+    @Override
+    public InetAddress peer() {
+        return address().getAddress();
+    }
+
+    /** Stops and resumes reading from the client. */
+    void setReading(boolean isReading) {
+        if (isReading && !isInputEnded) {
+            resumeReading();
+        } else {
+            pauseReading();
+        }
+    }
+
+    @Override
+    protected boolean outlivesInput() {
+        isInputEnded = true;
+        after(ANSWER_NANOS, () -> fail("the client has ended its side"));
+        return passed != null;
+    }
+
+    @Override
+    protected boolean hasOutput() {
+        return !output.isEmpty();
+    }
+
+    @Override
+    protected void writeTo(WritableByteChannel channel) throws IOException {
+        output.flush(channel);
+        if (passed != null && output.isEmpty()) {
+            passed.clientHasTakenAll();
+        }
+    }
+
+    @Override
+    protected void closing(boolean isByPeer) {
+        if (socket != null) {
+            socket.ended();
+        } else if (passed != null) {
+            passed.clientEnded();
+        }
+    }
+}

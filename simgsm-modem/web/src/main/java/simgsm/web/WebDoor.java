@@ -1,0 +1,57 @@
+package simgsm.web;
+
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import simgsm.net.Acceptor;
+import simgsm.net.Connection;
+
+/**
+ * Serves WebSockets and passes every other connection, octet by octet, to the JDK's HTTP server on a port of the loopback
+ * address. That server cannot upgrade a connection (JDK-8368695).
+ */
+final class WebDoor implements Acceptor.Factory {
+    private final InetSocketAddress pages;
+    private final Map<String, WebSocketPath> paths;
+    private final boolean admitsEveryHost;
+    /** The clients of passed connections, by their port on the loopback address. */
+    private final Map<Integer, InetSocketAddress> clients = new ConcurrentHashMap<>();
+
+    /** @param admitsEveryHost see {@link WebPages} */
+    WebDoor(InetSocketAddress pages, List<WebSocketPath> paths, boolean admitsEveryHost) {
+        this.pages = pages;
+        this.paths = paths.stream().collect(Collectors.toMap(WebSocketPath::path, Function.identity()));
+        this.admitsEveryHost = admitsEveryHost;
+    }
+
+    @Override
+    public Connection connection(Connection.Endpoint endpoint) {
+        return new DoorConnection(endpoint, this);
+    }
+
+    InetSocketAddress pages() {
+        return pages;
+    }
+
+    /** @throws RequestException if the handshake is refused */
+    WebSocketPath path(HttpHead head) throws RequestException {
+        Origins.requireSameOrigin(head, admitsEveryHost);
+        return WebSocketHandshake.path(head, paths);
+    }
+
+    /** The client whose connection the HTTP server sees at this address of the loopback. */
+    InetSocketAddress client(InetSocketAddress seen) {
+        return clients.getOrDefault(seen.getPort(), seen);
+    }
+
+    void passed(int port, InetSocketAddress client) {
+        clients.put(port, client);
+    }
+
+    void ended(int port) {
+        clients.remove(port);
+    }
+}

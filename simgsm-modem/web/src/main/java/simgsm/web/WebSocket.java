@@ -1,0 +1,20 @@
+package simgsm.web;
+
+import java.net.InetAddress;
+
+/** The server's end of one WebSocket; belongs to the port's thread. */
+public interface WebSocket {
+    /** Not acceptable data: {@link #close}. */
+    int UNSUPPORTED_DATA = 1003;
+
+    void send(String text);
+
+    /** Of binary messages that the client does not take, the oldest beyond 10 are dropped. */
+    void send(byte[] octets);
+
+    /** Ends the socket. What arrives from now on is dropped. @param reason at most 123 octets in UTF-8 */
+    void close(int code, String reason);
+
+    /** The client's address. */
+    InetAddress peer();
+}

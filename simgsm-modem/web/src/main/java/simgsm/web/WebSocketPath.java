@@ -1,0 +1,13 @@
+package simgsm.web;
+
+import java.util.function.Function;
+
+/**
+ * A path of a port that takes WebSockets.
+ *
+ * @param protocol named in the answer if the client offers it
+ * @param mostOctets of a message from the client
+ * @param listeners makes the receiver of a new socket
+ */
+public record WebSocketPath(
+        String path, String protocol, int mostOctets, Function<WebSocket, WebSocketListener> listeners) {}

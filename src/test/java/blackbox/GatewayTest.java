@@ -1,0 +1,221 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.dtmf.DtmfReceiver;
+
+/** Browsers as subscribers (spec/remote.md, 1 and 2): a page's socket drives a robot, as an attached phone does. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class GatewayTest {
+    private static final String JOIN = "{\"key\":\"word\",\"token\":\"\"}";
+
+    private Scenario scenario;
+    private RunningProgram robot;
+    private RunningProgram gateway;
+    private String port;
+
+    @BeforeAll
+    void start() {
+        scenario = new Scenario("browsers");
+        scenario.center();
+        robot = scenario.robot("empty.map", "--http", "0");
+        String robots = "http://127.0.0.1:" + robot.said("ready").field("http");
+        gateway = gateway("5550110-5550149", "--robots", robots);
+        ConsoleEvent ready = gateway.expect("ready");
+        port = ready.field("web");
+        assertEquals("http://127.0.0.1:" + port + "/#word", ready.field("link"));
+    }
+
+    private RunningProgram gateway(String numbers, String... options) {
+        return scenario.headless(
+                "gateway",
+                "simgsm-gateway",
+                List.of("--center", scenario.centerAddress(), "--web", "0", "--key", "word", "--numbers", numbers),
+                options);
+    }
+
+    @AfterAll
+    void end() throws Exception {
+        scenario.close();
+    }
+
+    private WebPhone join() {
+        WebPhone phone = new WebPhone(port, JOIN);
+        phone.expect("welcome");
+        phone.expect("registered");
+        return phone;
+    }
+
+    @Test
+    void aPagesKeysAreSoundThatDrivesTheRobotAndItsToneComesBack() {
+        try (WebPhone phone = join()) {
+            phone.say("{\"do\":\"dial\",\"number\":\"5550200\"}");
+            phone.expect("alerting");
+            phone.expect("connected");
+            phone.speak();
+            assertEquals("connection accepted", phone.expect("tone", "key", "1").get("meaning"));
+            phone.press("**#**20**");
+            robot.expect("order", "text", "**#**20**", "verdict", "accepted");
+            phone.expect("tone", "key", "6");
+            assertEquals("executed", phone.expect("tone", "key", "3").get("meaning"));
+            List<Character> keys = new ArrayList<>();
+            new DtmfReceiver(digit -> keys.add(digit.key().symbol())).accept(phone.heard());
+            assertEquals(List.of('1', '6', '3'), keys, "what the page plays");
+            phone.say("{\"do\":\"hangup\"}");
+            assertEquals("16", phone.expect("released").get("cause"));
+        }
+    }
+
+    @Test
+    void messagesGoBothWays() {
+        try (WebPhone phone = join()) {
+            phone.say("{\"do\":\"sms\",\"number\":\"5550200\",\"text\":\"** #*0 **\"}");
+            phone.expect("sms-sent");
+            assertEquals("5550200", phone.expect("sms").get("from"));
+            phone.say("{\"do\":\"inbox\"}");
+            assertEquals("5550200", phone.expect("message").get("from"));
+            assertEquals("1", phone.expect("end", "of", "inbox").get("count"));
+        }
+    }
+
+    @Test
+    void aCutConnectionEndsTheCallAndTheTokenBringsTheNumberBackWithWhatCameMeanwhile() {
+        WebPhone phone = new WebPhone(port, JOIN);
+        Map<String, Object> welcome = phone.expect("welcome");
+        phone.expect("registered");
+        String number = welcome.get("number").toString();
+        phone.say("{\"do\":\"dial\",\"number\":\"5550200\"}");
+        phone.expect("connected");
+        phone.cut();
+        gateway.expect("left", "number", number);
+        robot.expect("released", "cause", "16");
+
+        RunningProgram other = scenario.phone("5550101");
+        other.say("sms " + number + " meanwhile").expect("sms-sent");
+        try (WebPhone again =
+                new WebPhone(port, "{\"key\":\"word\",\"token\":\"" + welcome.get("token") + "\",\"name\":\"Ana\"}")) {
+            assertEquals(number, again.expect("welcome").get("number"));
+            assertEquals("meanwhile", again.expect("sms").get("text"));
+            gateway.expect("joined", "number", number, "name", "Ana");
+            assertEquals(
+                    "idle",
+                    gateway.say("users").expect("user", "number", number).field("state"));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "{\"key\":\"other\"}|4001",
+                "{}|4001",
+                "hello|1008",
+                "[]|1008",
+            })
+    void aPageWithoutTheKeyIsClosed(String first, int code) throws Exception {
+        try (WebPhone phone = new WebPhone(port, first)) {
+            assertEquals(code, phone.closeCode());
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "{\"do\":\"dial\",\"number\":\"none\"}|dial: ",
+                "{\"do\":\"hangup\"}|hangup: there is no call",
+                "{\"do\":\"answer\"}|answer: no call rings",
+                "{\"do\":\"sms\",\"number\":\"5550200\",\"text\":\"\"}|sms: expected a text",
+                "{\"do\":\"fly\"}|fly: expected dial, answer, hangup, sms or inbox",
+                "{\"do\":|JSON, position 7: ",
+            })
+    void aWrongMessageIsAnsweredByAnError(String message, String answer) {
+        try (WebPhone phone = join()) {
+            phone.say(message);
+            String text = phone.expect("error").get("text").toString();
+            assertTrue(text.startsWith(answer), text);
+        }
+    }
+
+    @Test
+    void aFrameOfAnotherLengthClosesWith1003() throws Exception {
+        try (WebPhone phone = join()) {
+            phone.sendOctets(new byte[100]);
+            assertEquals(1003, phone.closeCode());
+        }
+    }
+
+    @Test
+    void aLockedGatewayAdmitsNobodyNewAndADroppedPageIsClosed() throws Exception {
+        try (WebPhone phone = new WebPhone(port, JOIN)) {
+            String number = phone.expect("welcome").get("number").toString();
+            gateway.say("lock on");
+            try (WebPhone late = new WebPhone(port, JOIN)) {
+                assertEquals(4003, late.closeCode());
+                gateway.expect("refused", "kind", "web", "cause", "4003");
+            }
+            gateway.say("lock off").say("drop " + number);
+            assertEquals(4004, phone.closeCode());
+        }
+    }
+
+    @Test
+    void aPageWithoutAFreeNumberIsClosed() throws Exception {
+        String single = gateway("5550150-5550150").expect("ready").field("web");
+        try (WebPhone phone = new WebPhone(single, JOIN)) {
+            phone.expect("welcome");
+            try (WebPhone late = new WebPhone(single, JOIN)) {
+                assertEquals(4002, late.closeCode());
+            }
+        }
+    }
+
+    private HttpResponse<String> get(String path, String key) throws Exception {
+        HttpRequest request = HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + port + path))
+                .header("Authorization", "Bearer " + key)
+                .build();
+        return HttpClient.newHttpClient().send(request, HttpResponse.BodyHandlers.ofString());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "/,text/html",
+        "/link.html,text/html",
+        "/phone.css,text/css",
+        "/phone.js,text/javascript",
+        "/sound.js,text/javascript",
+        "/icon.svg,image/svg+xml",
+        "/words-es.json,application/json"
+    })
+    void thePagesFilesAreServedToEverybody(String path, String type) throws Exception {
+        HttpResponse<String> answer = get(path, "");
+        assertEquals(200, answer.statusCode());
+        assertTrue(answer.headers().firstValue("Content-Type").orElse("").startsWith(type));
+    }
+
+    @Test
+    void theRobotIsShownToThoseWhoHaveTheKey() throws Exception {
+        assertEquals(401, get("/robots", "other").statusCode());
+        assertTrue(get("/robots", "word").body().contains("\"name\":\"robot\""));
+        assertTrue(get("/link.svg", "word").body().contains("/#word"));
+        assertTrue(get("/users", "word").body().startsWith("["));
+        assertTrue(get("/robots/robot/map.svg", "word").body().startsWith("<svg "));
+        assertEquals(404, get("/robots/none/map.svg", "word").statusCode());
+        assertNotEquals(200, get("/robots/robot/../../x", "word").statusCode());
+    }
+}
