@@ -136,10 +136,13 @@ class LayeringTest {
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
             simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
             simrobot.ui.telephone    : vericommand simgsm.air simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.scope simrobot.ui
-            simrobot.ui.inspector    : vericommand simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor
+            simrobot.ui.inspector    : vericommand simgsm.modem simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor
             simrobot.ui.panel        : vericommand simgsm.air simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay simrobot.ui.telephone simrobot.ui.inspector
-            simrobot.app             : simgsm.modem.at simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.modem.client simrobot.bitmap simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.p2os simrobot.source simrobot.pioneer simrobot.replay simrobot.http simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.inspector simgsm.ui.window simgsm.file
-            simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.inspector simrobot.ui.panel simrobot.app
+            simrobot.app             : simgsm.air simgsm.audio simgsm.console simgsm.modem simgsm.modem.client simgsm.net simgsm.sim simgsm.speech simgsm.station simrobot.bitmap simrobot.control simrobot.pioneer simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.source simrobot.world vericommand
+            simrobot.app.ports       : simgsm.air simgsm.console simgsm.modem simgsm.modem.at simgsm.modem.at.port simgsm.modem.client simgsm.net simrobot.app simrobot.control simrobot.http simrobot.p2os simrobot.robot simrobot.simulation simrobot.world
+            simrobot.app.window      : simgsm.air simgsm.console simgsm.speech simgsm.station simgsm.tone simgsm.ui.window simrobot.app simrobot.app.ports simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.ui simrobot.ui.floor simrobot.ui.inspector simrobot.world vericommand
+            simrobot.app.batch       : simgsm.console simgsm.file simgsm.modem.client simgsm.net simgsm.sim simrobot.app simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.world vericommand
+            simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.inspector simrobot.ui.panel simrobot.app simrobot.app.batch simrobot.app.ports simrobot.app.window
             """);
 
     private static Map<String, Set<String>> rows(String table) {
@@ -320,6 +323,7 @@ class LayeringTest {
             "IpaConnection",
             "MediaSocket",
             "SimulationThread",
+            "PacedThread",
             "ModemLine",
             "LessonLibrary");
 

@@ -24,18 +24,19 @@ import simgsm.sim.SimSlot;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
 import simgsm.ui.window.WindowMemory;
-import simrobot.app.BatchRun;
-import simrobot.app.HeadlessReplay;
-import simrobot.app.ListeningPorts;
-import simrobot.app.ModemCheckRun;
-import simrobot.app.RecentWorlds;
-import simrobot.app.ReplayModel;
 import simrobot.app.RequestedBehaviours;
 import simrobot.app.RequestedRobots;
 import simrobot.app.SessionRecording;
 import simrobot.app.SimRobotOptions;
-import simrobot.app.WindowModel;
 import simrobot.app.WorldFile;
+import simrobot.app.batch.BatchRun;
+import simrobot.app.batch.HeadlessReplay;
+import simrobot.app.batch.ModemCheckRun;
+import simrobot.app.ports.ListeningPorts;
+import simrobot.app.window.RecentWorlds;
+import simrobot.app.window.ReplayModel;
+import simrobot.app.window.SessionModel;
+import simrobot.app.window.WindowModel;
 import simrobot.control.FileExports;
 import simrobot.control.Fleet;
 import simrobot.control.RobotConsole;
@@ -149,13 +150,18 @@ public final class SimRobotMain {
             replay.setSpeed(speed == 0 ? 1 : speed);
             replay.setPaused(speed == 0);
             replay.start();
-            String title = "SimRobot - " + file.getFileName();
-            window.show(chosen -> {
-                refusals.speak(chosen);
-                return SimRobotWindow.content(title, chosen, model::snapshot, model);
-            });
+            show(window, refusals, "SimRobot - " + file.getFileName(), model);
         }
         return ExitStatus.OK;
+    }
+
+    private static void show(ProgramWindow window, RefusalTexts refusals, String title, SessionModel model)
+            throws InterruptedException {
+        window.show(chosen -> {
+            refusals.speak(chosen);
+            return SimRobotWindow.content(title, chosen, model::snapshot, model);
+        });
+        model.close();
     }
 
     private record Built(Simulation simulation, SimRobot simRobot, Fleet fleet, RequestedBehaviours behaviours) {}
@@ -196,12 +202,7 @@ public final class SimRobotMain {
                 RobotConsole commands = commands(arguments, built, console.get()::emit);
                 window.withConsole(() -> Program.runConsole(console.get(), arguments, commands));
             }
-            String title = "SimRobot " + model.firstNumber();
-            window.show(chosen -> {
-                refusals.speak(chosen);
-                return SimRobotWindow.content(title, chosen, model::snapshot, model);
-            });
-            model.close();
+            show(window, refusals, "SimRobot " + model.firstNumber(), model);
             console.ifPresent(Console::close);
         }
         return ExitStatus.OK;

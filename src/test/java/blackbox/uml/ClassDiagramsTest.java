@@ -35,7 +35,7 @@ class ClassDiagramsTest {
             "motion",
             List.of(
                     "What moves a robot?",
-                    "Pioneer SteeredRobot SimulatedRobot OrderedMotion MotionProgress DrivenMotion Drive Axis Trapezoid"
+                    "Pioneer SimulatedRobot OrderedMotion MotionProgress DrivenMotion Drive Axis Trapezoid"
                             + " Wheels Floor SimulatedFloor Autonomy Odometry Noise"),
             "world",
             List.of(

@@ -53,7 +53,7 @@ public final class RequestedBehaviours implements AutoCloseable {
      * The same for one of several runs without a clock: gives the loaded processes to the list of its simulation, and chooses
      * from that, which has goals of its own. Its processes are waited for.
      */
-    BehaviourKind chosenForRun(Arguments arguments, BehaviourList ofRun) throws UsageException {
+    public BehaviourKind chosenForRun(Arguments arguments, BehaviourList ofRun) throws UsageException {
         folder.ifPresent(BehaviourFolder::waitForDecisions);
         list.kinds().stream()
                 .filter(kind -> !BehaviourKind.BUILT_IN.contains(kind))

@@ -14,7 +14,7 @@ import simrobot.simulation.SimulationThread;
 /** A recording of the session that can be started and stopped, by {@code --record} or from the window. */
 public final class SessionRecording implements AutoCloseable {
     /** A file that could not be written to the end. */
-    record Failure(Path file, IOException why) {}
+    public record Failure(Path file, IOException why) {}
 
     private final SimulationThread simulation;
     private volatile SessionRecorder recorder;
@@ -32,7 +32,7 @@ public final class SessionRecording implements AutoCloseable {
     }
 
     /** Stops it, and starts another one if a file is named. @param problem takes the failure, on any thread */
-    void restart(Optional<Path> path, BiConsumer<Path, IOException> problem) {
+    public void restart(Optional<Path> path, BiConsumer<Path, IOException> problem) {
         simulation.withSimulation(owned -> {
             close();
             if (path.isPresent()) {
@@ -46,12 +46,12 @@ public final class SessionRecording implements AutoCloseable {
     }
 
     /** The file that is being written; empty when its disk has refused it. */
-    Optional<Path> file() {
+    public Optional<Path> file() {
         return failure().isPresent() ? Optional.empty() : Optional.ofNullable(file);
     }
 
     /** Why the recording ended by itself, such as a full disk, until it is stopped or another one starts. */
-    Optional<Failure> failure() {
+    public Optional<Failure> failure() {
         SessionRecorder current = recorder;
         Path path = file;
         return current == null || path == null

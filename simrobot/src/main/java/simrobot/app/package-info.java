@@ -1,6 +1,5 @@
 /**
- * SimRobot's wiring: the robots, ports, recordings and views that a command line asks for. Read first {@link
- * simrobot.SimRobotMain}, then {@link simrobot.app.WindowModel}, {@link simrobot.app.BatchRun} or {@link
- * simrobot.app.HeadlessReplay}, one for each way to run.
+ * What a command line asks for, beside the ways to run: the options, robots, processes, recordings and the world's file. Read
+ * first {@link simrobot.SimRobotMain}.
  */
 package simrobot.app;

@@ -15,6 +15,7 @@ import simgsm.console.ConsoleCommand;
 import simrobot.camera.Camera;
 import simrobot.camera.PictureFile;
 import simrobot.process.BehaviourKind;
+import simrobot.robot.LaserField;
 import simrobot.robot.Pioneer;
 import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
@@ -88,7 +89,7 @@ final class RobotCommands {
                 .orElseThrow(() -> new CommandException("laser: " + robot.name() + " has none that is simulated"));
         onSimulation(() -> console.answer(new ConsoleRow.LaserRanges(
                 robot.name(),
-                Arrays.stream(simulated.laserRangesMeters())
+                Arrays.stream(simulated.laser().rangesMeters(LaserField.USUAL))
                         .mapToObj(meters -> (int) Math.round(meters * 1000))
                         .toList())));
     }

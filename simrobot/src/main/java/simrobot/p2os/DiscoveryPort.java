@@ -90,7 +90,11 @@ public final class DiscoveryPort implements AutoCloseable {
     }
 
     @Override
-    public void close() throws IOException {
-        channel.close();
+    public void close() {
+        try {
+            channel.close();
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "closing the discovery port failed", e);
+        }
     }
 }

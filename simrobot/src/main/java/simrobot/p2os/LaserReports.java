@@ -37,7 +37,7 @@ final class LaserReports {
         switch (setting.part()) {
             case MODE -> {
                 mode = setting.value();
-                robot.setLaserOn(mode != 0);
+                robot.laser().setOn(mode != 0);
             }
             case START -> startDegrees = setting.value();
             case END -> endDegrees = setting.value();
@@ -48,7 +48,7 @@ final class LaserReports {
     /** The client has left. */
     void end() {
         mode = 0;
-        robot.setLaserOn(false);
+        robot.laser().setOn(false);
     }
 
     /** The packets of one scan; none while the laser is off. */
@@ -57,7 +57,7 @@ final class LaserReports {
         if (field == null) {
             return List.of();
         }
-        double[] ranges = robot.laserRangesMeters(field);
+        double[] ranges = robot.laser().rangesMeters(field);
         List<byte[]> packets = new ArrayList<>();
         for (int first = 0; first < ranges.length; first += MOST_READINGS) {
             packets.add(packet(ranges, first, Math.min(MOST_READINGS, ranges.length - first)));

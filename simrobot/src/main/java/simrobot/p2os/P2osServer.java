@@ -27,8 +27,6 @@ public final class P2osServer implements AutoCloseable {
         P2osCommandCodec.packet(P2osCommandNumber.CLOSE)
     };
 
-    private static final int LAST_PORT = 0xFFFF;
-
     /** Period of the ports' client checks, and of the sessions' ticks while the simulation makes no steps. */
     private static final long TICK_NANOS = 50_000_000;
 
@@ -38,39 +36,30 @@ public final class P2osServer implements AutoCloseable {
     private final List<P2osPort> ports = new CopyOnWriteArrayList<>();
     private final List<P2osSession> sessions = new CopyOnWriteArrayList<>();
     private final AtomicBoolean tickPosted = new AtomicBoolean();
-    private volatile SimulatorRequests requests = SimulatorRequests.IGNORED;
-    private int nextPort;
+    private final SimulatorRequests requests;
 
     /**
      * Creates a server without open ports.
      *
-     * @param firstPort port of the first robot, incremented for each further one; 0 selects any free ports
+     * @param requests receives what clients ask of the simulator
      */
-    public P2osServer(SimulationThread simulation, InetAddress address, int firstPort) {
+    public P2osServer(SimulationThread simulation, InetAddress address, SimulatorRequests requests) {
         this.simulation = simulation;
         this.address = address;
-        nextPort = firstPort;
+        this.requests = requests;
     }
 
     /**
      * Opens a port for the robot; before the start, or on the simulation's thread.
      *
+     * @param number 0 selects any free port
      * @return the port
      * @throws IOException if the port cannot be opened; the message names it
      */
-    public int add(SimulatedRobot robot) throws IOException {
-        if (nextPort > LAST_PORT) {
-            throw new IOException("no P2OS port left for " + robot.name() + " above " + LAST_PORT);
-        }
-        P2osPort port = new P2osPort(this, loop, robot, new InetSocketAddress(address, nextPort));
-        nextPort += nextPort == 0 ? 0 : 1;
+    public int add(SimulatedRobot robot, int number) throws IOException {
+        P2osPort port = new P2osPort(this, loop, robot, new InetSocketAddress(address, number));
         ports.add(port);
         return port.port();
-    }
-
-    /** Sets the receiver of clients' requests to the simulator; of none, they are ignored. */
-    public void setRequests(SimulatorRequests receiver) {
-        requests = receiver;
     }
 
     SimulatorRequests requests() {

@@ -66,18 +66,14 @@ final class P2osClientSession {
         this.said = said;
     }
 
-    boolean isOpen() {
-        return stage == Stage.OPEN;
-    }
-
     /** The robot's units, from its introduction; empty if its type is not known. */
     Optional<RobotKind> kind() {
         return kind;
     }
 
-    /** The type that the robot has named: at most 19 printable ASCII characters. */
-    String subclass() {
-        return subclass;
+    /** The type that the robot has named, if it is not known: at most 19 printable ASCII characters. */
+    Optional<String> unknownType() {
+        return stage == Stage.OPEN && kind.isEmpty() ? Optional.of(subclass) : Optional.empty();
     }
 
     /** Starts the synchronisation on a new connection. */

@@ -9,9 +9,9 @@ import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.process.Decision;
 import simrobot.process.RobotProcess;
-import simrobot.process.Surroundings;
 import simrobot.world.Position;
 import vericommand.RobotStatus;
+import vericommand.StatusEvent;
 
 /**
  * The autonomous process in a robot: it sets the drive's speeds at the process's period until it ends by itself or is ended
@@ -28,8 +28,7 @@ public final class Autonomy {
         void ended(BehaviourKind kind, Decision.End how);
     }
 
-    private final SteeredRobot robot;
-    private final Surroundings surroundings;
+    private final Pioneer robot;
     private final List<Consumer<BehaviourKind>> listeners = new CopyOnWriteArrayList<>();
     private final List<EndListener> endListeners = new CopyOnWriteArrayList<>();
     private BehaviourKind kind = BehaviourKind.NONE;
@@ -50,9 +49,8 @@ public final class Autonomy {
     private Runnable standListener;
 
     /** The process of a robot, none at first. */
-    public Autonomy(SteeredRobot robot, Surroundings surroundings) {
+    Autonomy(Pioneer robot) {
         this.robot = robot;
-        this.surroundings = surroundings;
     }
 
     public BehaviourKind kind() {
@@ -122,7 +120,7 @@ public final class Autonomy {
         if (!robot.hasMotors() || robot.isUnderOrder()) {
             return false;
         }
-        change(next, next.begin(surroundings).orElse(null), new Decision.Replaced());
+        change(next, next.begin(robot.surroundings()).orElse(null), new Decision.Replaced());
         prepare();
         return true;
     }
@@ -137,13 +135,13 @@ public final class Autonomy {
         }
         RobotProcess old = process;
         kind = version;
-        process = version.begin(surroundings).orElseThrow();
+        process = version.begin(robot.surroundings()).orElseThrow();
         old.close();
         prepare();
     }
 
     private void prepare() {
-        senses = robot.newSenses();
+        senses = new ProcessSenses(robot);
         inCollisionNanos = 0;
         if (isActive()) {
             sinceDecisionNanos = process.periodNanos();
@@ -202,9 +200,10 @@ public final class Autonomy {
         }
     }
 
+    /** A process begins to steer a robot that is Stopped: it is Moving until the process ends, also while it stands. */
     private void countAsMoving() {
         if (robot.status() == RobotStatus.STOPPED) {
-            robot.countAsMoving();
+            robot.change(StatusEvent.MOTION_STARTED);
         }
     }
 

@@ -1,6 +1,9 @@
 package simrobot.robot;
 
-/** The laser range finder: single rays from one place; computed when it is read. */
+import java.util.stream.IntStream;
+import simrobot.behaviour.Senses;
+
+/** The laser range finder of one robot: single rays from one place; computed when it is read. */
 public final class Laser {
     /** Maximum range, also reported without an echo: MobileSim's SICK LMS 200. */
     public static final double RANGE_METERS = 32;
@@ -8,15 +11,43 @@ public final class Laser {
     /** Ahead of the centre of rotation: LaserX of ARIA's p3dx.p. */
     public static final double MOUNT_METERS = 0.018;
 
-    private Laser() {}
+    private final SimulatedRobot robot;
+    private final Floor floor;
+    private boolean on;
 
-    /**
-     * What a robot's laser measures now in one direction, metres.
-     *
-     * @param bearing from straight ahead, radians anticlockwise
-     */
-    static double rangeMeters(SimulatedRobot robot, Floor floor, double bearing) {
+    Laser(SimulatedRobot robot, Floor floor) {
+        this.robot = robot;
+        this.floor = floor;
+    }
+
+    /** Whether windows show what the laser measures. */
+    public boolean isOn() {
+        return on;
+    }
+
+    /** Switches the laser; off, it can be read nevertheless. */
+    public void setOn(boolean isOn) {
+        on = isOn;
+    }
+
+    /** What the laser measures now, without noise: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */
+    double rangeMeters(int reading) {
+        if (reading < 0 || reading >= Senses.LASER_READINGS) {
+            throw new IndexOutOfBoundsException("laser reading " + reading + ", expected 0 to 180");
+        }
+        return rangeMeters(LaserField.USUAL, reading);
+    }
+
+    /** What the laser measures now in the directions of a field, metres. */
+    public double[] rangesMeters(LaserField field) {
+        return IntStream.range(0, field.count())
+                .mapToDouble(reading -> rangeMeters(field, reading))
+                .toArray();
+    }
+
+    private double rangeMeters(LaserField field, int reading) {
         double heading = robot.headingRadians();
+        double bearing = field.radians(reading);
         return floor.rayRange(
                 robot,
                 robot.xMeters() + MOUNT_METERS * StrictMath.cos(heading),

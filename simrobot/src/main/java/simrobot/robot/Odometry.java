@@ -27,15 +27,8 @@ public final class Odometry {
         right += meters + half;
     }
 
-    /** Sets place and heading to 0; the wheels' distances go on. */
-    public void reset() {
-        x = 0;
-        y = 0;
-        heading = 0;
-    }
-
-    /** Sets place and heading, for a replay. */
-    void restore(double xMeters, double yMeters, double headingRadians) {
+    /** Sets place and heading; the wheels' distances go on. */
+    void set(double xMeters, double yMeters, double headingRadians) {
         x = xMeters;
         y = yMeters;
         heading = headingRadians;

@@ -1,7 +1,5 @@
 package simrobot.robot;
 
-import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
@@ -12,17 +10,12 @@ import vericommand.StatusEvent;
 final class OrderedMotion {
     private final SimulatedRobot robot;
     private final Wheels wheels;
-    private final List<Runnable> firstMotionListeners = new CopyOnWriteArrayList<>();
     private MotionProgress motion;
     private boolean hasMoved;
 
     OrderedMotion(SimulatedRobot robot, Wheels wheels) {
         this.robot = robot;
         this.wheels = wheels;
-    }
-
-    void addFirstMotionListener(Runnable listener) {
-        firstMotionListeners.add(listener);
     }
 
     boolean isUnderWay() {
@@ -87,7 +80,7 @@ final class OrderedMotion {
     private void notifyFirstMotion() {
         if (!hasMoved && !isStanding()) {
             hasMoved = true;
-            firstMotionListeners.forEach(Runnable::run);
+            robot.tellFirstMotion();
         }
     }
 

@@ -1,20 +1,17 @@
 package simrobot.robot;
 
-import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import java.util.stream.IntStream;
-import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
+import simrobot.process.Surroundings;
+import simrobot.process.WaitBudget;
+import simrobot.world.Position;
+import simrobot.world.World;
 import vericommand.Instruction;
 import vericommand.MotionOutcome;
 import vericommand.Pose;
 import vericommand.RobotStatus;
 import vericommand.StatusEvent;
-import vericommand.StatusMachine;
-import vericommand.StatusRules;
 
 /**
  * A simulated Pioneer 2-DX. It moves only in {@link #step}; owned by the simulation's thread.
@@ -22,16 +19,12 @@ import vericommand.StatusRules;
  * <p>A step takes the wheels' distance from the motion's profile and the belt's from the floor, sweeps the robot's circle along
  * their sum, and stops it at the first contact. Goals are judged by the true place, so wheels that slip go on.
  */
-public final class SimulatedRobot implements SteeredRobot {
+public final class SimulatedRobot extends Pioneer implements Surroundings {
     /** A turn made in Collision frees the robot if the path ahead is free over this distance. */
     private static final double FREE_PATH_METERS = 0.01;
 
-    private final String name;
     private final int number;
     private final Floor floor;
-    private StatusMachine machine = new StatusMachine(RobotStatus.STOPPED);
-    private final List<Consumer<RobotStatus>> statusListeners = new CopyOnWriteArrayList<>();
-    private final Trail trail = new Trail();
     private double x;
     private double y;
     private double heading;
@@ -46,14 +39,13 @@ public final class SimulatedRobot implements SteeredRobot {
     private final Wheels wheels;
     private final OrderedMotion ordered;
     private final DrivenMotion driven;
-    private final Autonomy autonomy;
     private final Odometry odometry = new Odometry();
     private Pose odometryZero;
     private final Battery battery = new Battery();
     private ContactDirection touch = ContactDirection.NONE;
     private Noise noise = Noise.NONE;
     private final Sonars sonars;
-    private boolean laserOn;
+    private final Laser laser;
 
     /**
      * A robot that stands there with power and motors on.
@@ -61,43 +53,18 @@ public final class SimulatedRobot implements SteeredRobot {
      * @param number unique on the floor, from 0 in the order in which the robots were added
      */
     public SimulatedRobot(String name, int number, Floor floor, double xMeters, double yMeters, double headingRadians) {
-        this.name = Objects.requireNonNull(name);
+        super(name, RobotStatus.STOPPED);
         this.number = number;
-        this.floor = Objects.requireNonNull(floor);
+        this.floor = floor;
         x = xMeters;
         y = yMeters;
         heading = headingRadians;
         odometryZero = pose();
+        laser = new Laser(this, floor);
         wheels = new Wheels(this, floor);
         ordered = new OrderedMotion(this, wheels);
         driven = new DrivenMotion(this, wheels);
-        autonomy = new Autonomy(this, new FloorSurroundings(this, floor));
         sonars = new Sonars(this, floor);
-    }
-
-    @Override
-    public String name() {
-        return name;
-    }
-
-    /** From 0, in the order in which the robots were added. */
-    public int number() {
-        return number;
-    }
-
-    @Override
-    public RobotStatus status() {
-        return machine.status();
-    }
-
-    @Override
-    public void addStatusListener(Consumer<RobotStatus> listener) {
-        statusListeners.add(listener);
-    }
-
-    @Override
-    public void addFirstMotionListener(Runnable listener) {
-        ordered.addFirstMotionListener(listener);
     }
 
     /** Switches the power; on leaves the motors off. Off ends a motion at once. */
@@ -117,32 +84,27 @@ public final class SimulatedRobot implements SteeredRobot {
     }
 
     private void cut(StatusEvent event) {
-        autonomy.end();
+        autonomy().end();
         ordered.finish(event, MotionOutcome.Ending.ABORTED);
     }
 
     // ---- motion --------------------------------------------------------------------------------------------------
 
     @Override
-    public void start(Instruction.Motion motion, Consumer<MotionOutcome> ended) {
-        Objects.requireNonNull(ended);
-        if (StatusRules.treatment(status(), motion) != StatusRules.Treatment.EXECUTED) {
-            throw new IllegalStateException(motion.keys() + " is not possible in " + status().text());
-        }
-        autonomy.end();
+    protected void begin(Instruction.Motion motion, Consumer<MotionOutcome> ended) {
         ordered.begin(motion, ended);
     }
 
     @Override
     public void brake() {
-        autonomy.end();
+        autonomy().end();
         ordered.brake();
         driven.drive().stop();
     }
 
     /** Stops at once, without deceleration; a motion of an order ends as one that was braked. */
     public void brakeAtOnce() {
-        autonomy.end();
+        autonomy().end();
         stand();
         if (ordered.isUnderWay()) {
             ordered.endBraked();
@@ -151,10 +113,9 @@ public final class SimulatedRobot implements SteeredRobot {
         }
     }
 
-    /** True while it executes an instruction or slows down for one: its drive must not be used. */
     @Override
-    public boolean isUnderOrder() {
-        return ordered.isUnderWay() || autonomy.isAwaited();
+    protected boolean isInMotion() {
+        return ordered.isUnderWay();
     }
 
     /** The drive, for direct control: targets take effect in the next step, with motors on and without an order. */
@@ -163,35 +124,49 @@ public final class SimulatedRobot implements SteeredRobot {
     }
 
     @Override
-    public Autonomy autonomy() {
-        return autonomy;
-    }
-
-    @Override
-    public void steer(Steering steering) {
+    protected void steer(Steering steering) {
         drive().setSpeed(steering.metersPerSecond());
         drive().setTurnSpeed(steering.radiansPerSecond());
     }
 
     @Override
-    public void stopSteering() {
+    protected void stopSteering() {
         drive().stop();
     }
 
+    // ---- what its processes may know -----------------------------------------------------------------------------
+
     @Override
-    public void countAsMoving() {
-        change(StatusEvent.MOTION_STARTED);
+    protected Surroundings surroundings() {
+        return this;
     }
 
     @Override
-    public ProcessSenses newSenses() {
-        return new RobotSenses(this);
+    public int robotNumber() {
+        return number;
     }
+
+    @Override
+    public World world() {
+        return floor.world();
+    }
+
+    @Override
+    public List<Position> otherRobots() {
+        return floor.others(this);
+    }
+
+    @Override
+    public WaitBudget waitBudget() {
+        return floor.waitBudget();
+    }
+
+    // ---- steps ---------------------------------------------------------------------------------------------------
 
     /** Moves the robot through a step of simulated time. */
     public void step(long nanos) {
         double seconds = nanos * 1e-9;
-        autonomy.step(nanos);
+        autonomy().step(nanos);
         if (isPowered()) {
             battery.drain(seconds, speed, turnSpeed);
         }
@@ -270,11 +245,6 @@ public final class SimulatedRobot implements SteeredRobot {
         return touch.persists(this, floor);
     }
 
-    void change(StatusEvent event) {
-        RobotStatus status = machine.apply(event);
-        statusListeners.forEach(listener -> listener.accept(status));
-    }
-
     /** Stops at once and aborts the motion; for a change of the world. */
     public void halt() {
         if (ordered.isUnderWay()) {
@@ -303,9 +273,9 @@ public final class SimulatedRobot implements SteeredRobot {
         y = yMeters;
         heading = headingRadians;
         floor.placed(this);
-        trail.lift();
+        trail().lift();
         if (status() == RobotStatus.COLLISION && !isPathBlocked()) {
-            machine.apply(StatusEvent.MOTION_STARTED);
+            setStatus(RobotStatus.MOVING);
             change(StatusEvent.MOTION_ENDED);
         }
         return Placement.DONE;
@@ -322,27 +292,29 @@ public final class SimulatedRobot implements SteeredRobot {
         y = state.yMeters();
         heading = state.headingRadians();
         setSpeeds(state.speedMetersPerSecond(), state.turnRadiansPerSecond());
-        machine = new StatusMachine(state.status());
-        autonomy.show(state.behaviour());
-        odometry.restore(state.odometryXMeters(), state.odometryYMeters(), state.odometryHeadingRadians());
+        setStatus(state.status());
+        autonomy().show(state.behaviour());
+        odometry.set(state.odometryXMeters(), state.odometryYMeters(), state.odometryHeadingRadians());
         floor.placed(this);
         return this;
     }
 
+    @Override
     public double xMeters() {
         return x;
     }
 
+    @Override
     public double yMeters() {
         return y;
     }
 
-    /** Anticlockwise from +X, not wrapped. */
+    @Override
     public double headingRadians() {
         return heading;
     }
 
-    /** Speed of the wheels, metres per second ahead. */
+    @Override
     public double speedMetersPerSecond() {
         return speed;
     }
@@ -352,12 +324,6 @@ public final class SimulatedRobot implements SteeredRobot {
         return 0 - turnSpeed;
     }
 
-    /** The true pose, its heading in [0, 360), rounded to 1 nm and 1e-9 degrees. */
-    @Override
-    public Pose pose() {
-        return PoseRounding.pose(x, y, heading);
-    }
-
     /** The pose by its wheels. */
     public Odometry odometry() {
         return odometry;
@@ -365,11 +331,11 @@ public final class SimulatedRobot implements SteeredRobot {
 
     /** Sets the odometry to 0. */
     public void resetOdometry() {
-        odometry.reset();
+        odometry.set(0, 0, 0);
         odometryZero = pose();
     }
 
-    /** The bumpers that are pressed. */
+    @Override
     public Bumpers bumpers() {
         return Bumpers.pressed(this, floor, touch);
     }
@@ -403,79 +369,23 @@ public final class SimulatedRobot implements SteeredRobot {
         noise = newNoise;
     }
 
-    /** Its path, for drawing. */
-    public Trail trail() {
-        return trail;
-    }
-
-    Sonars sonars() {
+    /** Its sonars, which remember where it was when they fired. */
+    public Sonars sonars() {
         return sonars;
     }
 
-    /** Where it is or was at a moment of the sonar clock. */
-    public double xMetersAt(int moment) {
-        return moment == SonarClock.NOW ? x : sonars.xMeters(moment);
+    /** Its laser range finder. */
+    public Laser laser() {
+        return laser;
     }
 
-    /** As {@link #xMetersAt}. */
-    public double yMetersAt(int moment) {
-        return moment == SonarClock.NOW ? y : sonars.yMeters(moment);
-    }
-
-    /** As {@link #xMetersAt}; not wrapped. */
-    public double headingRadiansAt(int moment) {
-        return moment == SonarClock.NOW ? heading : sonars.headingRadians(moment);
-    }
-
-    /** What the sixteen sonars measured when they last fired, metres, sonar 0 first. */
-    public double[] sonarRangesMeters() {
-        double[] ranges = new double[SonarRing.COUNT];
-        for (int i = 0; i < ranges.length; i++) {
-            ranges[i] = sonarRangeMeters(i);
-        }
-        return ranges;
-    }
-
-    /** What the laser measures now, metres: 181 readings from 90 degrees at the right to 90 degrees at the left. */
-    public double[] laserRangesMeters() {
-        return laserRangesMeters(LaserField.USUAL);
-    }
-
-    /** Whether windows show what the laser measures. */
-    public boolean isLaserOn() {
-        return laserOn;
-    }
-
-    /** Switches the laser; off, it can be read nevertheless. */
-    public void setLaserOn(boolean on) {
-        laserOn = on;
-    }
-
-    /** The same over another field. */
-    public double[] laserRangesMeters(LaserField field) {
-        return IntStream.range(0, field.count())
-                .mapToDouble(reading -> Laser.rangeMeters(this, floor, field.radians(reading)))
-                .toArray();
-    }
-
-    /** What one sonar measured when it last fired, noise included. */
-    double sonarRangeMeters(int sonar) {
+    @Override
+    public double sonarMeters(int sonar) {
         return sonars.rangeMeters(sonar);
     }
 
-    /** What the laser measures now, without noise: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */
-    double laserRangeMeters(int reading) {
-        if (reading < 0 || reading >= Senses.LASER_READINGS) {
-            throw new IndexOutOfBoundsException("laser reading " + reading + ", expected 0 to 180");
-        }
-        return Laser.rangeMeters(this, floor, LaserField.USUAL.radians(reading));
-    }
-
-    /** The same in whole millimetres. */
     @Override
-    public int[] sonarRangesMillimeters() {
-        return Arrays.stream(sonarRangesMeters())
-                .mapToInt(meters -> (int) Math.round(meters * 1000))
-                .toArray();
+    public double laserMeters(int reading) {
+        return laser.rangeMeters(reading);
     }
 }

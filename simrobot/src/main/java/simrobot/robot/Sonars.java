@@ -11,7 +11,7 @@ import simrobot.world.Cone;
  * <p>A range is computed when it is read, from where everything was when the sonar fired: sonars that are not read cost
  * nothing, and reading changes nothing.
  */
-final class Sonars {
+public final class Sonars {
     private static final int EACH_ARRAY = SonarRing.COUNT / 2;
     private static final double HALF_CONE_RADIANS = Pioneer2Dx.SONAR_CONE_RADIANS / 2;
 
@@ -101,16 +101,19 @@ final class Sonars {
         }
     }
 
-    double xMeters(int moment) {
-        return xs[moment];
+    /** Where the robot is or was at a moment of the clock. */
+    public double xMeters(int moment) {
+        return moment == SonarClock.NOW ? robot.xMeters() : xs[moment];
     }
 
-    double yMeters(int moment) {
-        return ys[moment];
+    /** As {@link #xMeters}. */
+    public double yMeters(int moment) {
+        return moment == SonarClock.NOW ? robot.yMeters() : ys[moment];
     }
 
-    double headingRadians(int moment) {
-        return headings[moment];
+    /** As {@link #xMeters}; not wrapped. */
+    public double headingRadians(int moment) {
+        return moment == SonarClock.NOW ? robot.headingRadians() : headings[moment];
     }
 
     // ---- ranges --------------------------------------------------------------------------------------------------
@@ -148,9 +151,9 @@ final class Sonars {
      */
     private double exactRangeMeters(int sonar, int moment) {
         Mount mount = MOUNTS[sonar];
-        double x = robot.xMetersAt(moment);
-        double y = robot.yMetersAt(moment);
-        direction.to(robot.headingRadiansAt(moment));
+        double x = xMeters(moment);
+        double y = yMeters(moment);
+        direction.to(headingRadians(moment));
         double cos = direction.cos();
         double sin = direction.sin();
         double armX = mount.x * cos - mount.y * sin;

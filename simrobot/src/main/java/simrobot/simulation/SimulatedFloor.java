@@ -100,8 +100,8 @@ final class SimulatedFloor implements Floor {
     }
 
     void remove(SimulatedRobot robot) {
-        robots[robot.number()] = null;
-        places.remove(robot.number());
+        robots[robot.robotNumber()] = null;
+        places.remove(robot.robotNumber());
         seer = null;
         epoch++;
         sonarClock.renew();
@@ -109,7 +109,7 @@ final class SimulatedFloor implements Floor {
 
     @Override
     public void moved(SimulatedRobot robot) {
-        int number = robot.number();
+        int number = robot.robotNumber();
         if (number >= robots.length) {
             robots = Arrays.copyOf(robots, Math.max(2 * robots.length, number + 1));
             int known = spaces.length;
@@ -160,7 +160,7 @@ final class SimulatedFloor implements Floor {
     public Encounter sweep(SimulatedRobot robot, double dx, double dy) {
         double x = robot.xMeters();
         double y = robot.yMeters();
-        FreeSpace space = spaces[robot.number()];
+        FreeSpace space = spaces[robot.robotNumber()];
         Contact wall = isClearOfWalls(space, x, y, dx, dy) ? Contact.NONE : obstacles.sweep(x, y, dx, dy, RADIUS);
         Encounter first = wall.touches() ? new Encounter(wall, null) : Encounter.NONE;
         return isClearOfRobots(space, robot, dx, dy) ? first : sweepRobots(first, robot, dx, dy);
@@ -186,7 +186,7 @@ final class SimulatedFloor implements Floor {
         if (!space.mayLookForRobots(steps)) {
             return false;
         }
-        space.setRobots(x, y, places.clearance(robot.number(), x, y, LOOK_METERS), steps, epoch);
+        space.setRobots(x, y, places.clearance(robot.robotNumber(), x, y, LOOK_METERS), steps, epoch);
         return space.isClearOfRobots(x, y, dx, dy, steps, epoch, mostPerStep);
     }
 
@@ -221,7 +221,7 @@ final class SimulatedFloor implements Floor {
         if (!Double.isFinite(x) || !Double.isFinite(y) || !obstacles.isFree(x, y, RADIUS)) {
             return false;
         }
-        return !places.isCrowded(robot == null ? -1 : robot.number(), x, y, 2 * RADIUS);
+        return !places.isCrowded(robot == null ? -1 : robot.robotNumber(), x, y, 2 * RADIUS);
     }
 
     @Override
@@ -262,8 +262,8 @@ final class SimulatedFloor implements Floor {
         NearbyRobots others = range > Pioneer2Dx.SONAR_RANGE_METERS ? inLaserReach(robot, range) : inSonarReach(robot);
         for (int i = 0; i < others.count(); i++) {
             SimulatedRobot other = others.get(i);
-            double otherX = other.xMetersAt(moment);
-            double otherY = other.yMetersAt(moment);
+            double otherX = other.sonars().xMeters(moment);
+            double otherY = other.sonars().yMeters(moment);
             if (Distances.alongRayToDisc(x, y, ux, uy, otherX, otherY, OCTAGON_REACH) < nearest) {
                 nearest = Math.min(
                         nearest,
@@ -279,7 +279,7 @@ final class SimulatedFloor implements Floor {
         NearbyRobots others = inSonarReach(robot);
         for (int i = 0; i < others.count(); i++) {
             SimulatedRobot other = others.get(i);
-            if (cone.mayHold(other.xMetersAt(moment), other.yMetersAt(moment), OCTAGON_REACH, nearest)) {
+            if (cone.mayHold(other.sonars().xMeters(moment), other.sonars().yMeters(moment), OCTAGON_REACH, nearest)) {
                 nearest = Math.min(nearest, toBody(cone::distanceToSegment, other, moment));
             }
         }
@@ -288,10 +288,15 @@ final class SimulatedFloor implements Floor {
 
     /** The obstacles in reach of the robot's sonars, looked up anew after each metre. */
     private NearbyObstacles around(SimulatedRobot robot, double range, int moment) {
-        FreeSpace space = spaces[robot.number()];
+        FreeSpace space = spaces[robot.robotNumber()];
         NearbyObstacles nearby = space.obstacles();
         double reach = range + MOUTH_REACH;
-        if (nearby == null || !nearby.covers(obstacles, robot.xMetersAt(moment), robot.yMetersAt(moment), reach)) {
+        if (nearby == null
+                || !nearby.covers(
+                        obstacles,
+                        robot.sonars().xMeters(moment),
+                        robot.sonars().yMeters(moment),
+                        reach)) {
             nearby = obstacles.near(robot.xMeters(), robot.yMeters(), reach + LIST_SPARE_METERS);
             space.setObstacles(nearby);
         }
@@ -300,7 +305,7 @@ final class SimulatedFloor implements Floor {
 
     /** The robots that a sonar may measure at any moment that the clock remembers; looked up anew after as many steps. */
     private NearbyRobots inSonarReach(SimulatedRobot robot) {
-        NearbyRobots nearby = spaces[robot.number()].robots();
+        NearbyRobots nearby = spaces[robot.robotNumber()].robots();
         long most = sonarClock.rememberedSteps();
         if (!nearby.isValid(steps, most, epoch)) {
             // both robots may move for the remembered time before the look and for as long after it
@@ -338,10 +343,10 @@ final class SimulatedFloor implements Floor {
     }
 
     private static double toBody(BodySide side, SimulatedRobot other, int moment) {
-        double x = other.xMetersAt(moment);
-        double y = other.yMetersAt(moment);
-        double cos = Math.cos(other.headingRadiansAt(moment));
-        double sin = Math.sin(other.headingRadiansAt(moment));
+        double x = other.sonars().xMeters(moment);
+        double y = other.sonars().yMeters(moment);
+        double cos = Math.cos(other.sonars().headingRadians(moment));
+        double sin = Math.sin(other.sonars().headingRadians(moment));
         double nearest = Double.POSITIVE_INFINITY;
         double[] from = OCTAGON[OCTAGON.length - 1];
         for (double[] to : OCTAGON) {

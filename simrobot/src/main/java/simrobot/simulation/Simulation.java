@@ -15,6 +15,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import simrobot.process.BehaviourList;
 import simrobot.process.WaitBudget;
+import simrobot.robot.LaserField;
 import simrobot.robot.Noise;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.RobotState;
@@ -299,7 +300,7 @@ public final class Simulation {
     }
 
     public SimulationSnapshot snapshot() {
-        return snapshot(SimulatedRobot::isLaserOn);
+        return snapshot(robot -> robot.laser().isOn());
     }
 
     /** The same with the laser ranges of all robots whose sonar ranges it holds, whether their lasers are on or not. */
@@ -332,7 +333,7 @@ public final class Simulation {
                 robot.speedMetersPerSecond(),
                 robot.turnRadiansPerSecond(),
                 sonars ? robot.sonarRangesMeters() : new double[0],
-                sonars && lasers.test(robot) ? robot.laserRangesMeters() : new double[0],
+                sonars && lasers.test(robot) ? robot.laser().rangesMeters(LaserField.USUAL) : new double[0],
                 robot.condition(),
                 robot.trail().points(),
                 robot.autonomy().kind(),

@@ -2,11 +2,7 @@ package simrobot.simulation;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.Executor;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /**
@@ -16,10 +12,7 @@ import java.util.function.Consumer;
  * <p>Elapsed real time is converted to whole steps; the remainder is carried over. After a stall of more than 250 ms the rest
  * of the debt is dropped.
  */
-public final class SimulationThread implements Executor, AutoCloseable {
-    /** A speed without limit: steps follow each other as fast as the machine can. */
-    public static final double AS_FAST_AS_IT_CAN = Double.POSITIVE_INFINITY;
-
+public final class SimulationThread extends PacedThread {
     private static final Logger LOG = System.getLogger(SimulationThread.class.getName());
 
     /** Real time that is made up for after a stall, such as a suspended laptop. */
@@ -30,18 +23,10 @@ public final class SimulationThread implements Executor, AutoCloseable {
 
     private static final int MOST_STEPS_IN_BURST = 100;
     private static final long SNAPSHOT_NANOS = 15_000_000;
-    private static final long CLOSE_MILLIS = 5000;
 
     private final Simulation simulation;
-    private final BlockingQueue<Runnable> acts = new LinkedBlockingQueue<>();
-    private final Thread thread;
     private volatile SimulationSnapshot newest;
     private volatile boolean wanted;
-    private volatile double speed = 1;
-    private volatile boolean paused;
-    private volatile boolean closed;
-    private volatile Consumer<Throwable> onFailure =
-            fault -> LOG.log(Level.ERROR, "the simulation has ended by a fault", fault);
 
     // ---- owned by the thread -------------------------------------------------------------------------------------
     private long bankNanos;
@@ -52,37 +37,14 @@ public final class SimulationThread implements Executor, AutoCloseable {
 
     /** A thread that has not started; until then the caller may still use the simulation. */
     public SimulationThread(Simulation simulation) {
+        super("simulation");
         this.simulation = simulation;
         newest = simulation.snapshot();
-        thread = new Thread(this::run, "simulation");
-        thread.setDaemon(true);
     }
 
-    /**
-     * Sets what happens when a step or an error ends the simulation: called once, as the thread's last act. It must not wait
-     * for this thread.
-     */
-    public void onFailure(Consumer<Throwable> listener) {
-        onFailure = listener;
-    }
-
-    public void start() {
-        thread.start();
-    }
-
-    /** Performs the act on the owner thread, before the next step. Acts keep their order. */
-    public void post(Runnable act) {
-        acts.add(act);
-    }
-
-    /** The same for an act on the simulation itself. */
+    /** Performs an act on the simulation itself. */
     public void withSimulation(Consumer<Simulation> act) {
         post(() -> act.accept(simulation));
-    }
-
-    @Override
-    public void execute(Runnable act) {
-        post(act);
     }
 
     /** The simulation itself, for acts on this thread. */
@@ -93,31 +55,7 @@ public final class SimulationThread implements Executor, AutoCloseable {
         return simulation;
     }
 
-    public boolean isOwner() {
-        return Thread.currentThread() == thread;
-    }
-
-    /** Simulated seconds per second, above 0, or {@link #AS_FAST_AS_IT_CAN}. */
-    public void setSpeed(double simulatedSecondsPerSecond) {
-        if (!(simulatedSecondsPerSecond > 0)) {
-            throw new IllegalArgumentException("speed " + simulatedSecondsPerSecond + ", expected above 0");
-        }
-        post(() -> speed = simulatedSecondsPerSecond);
-    }
-
-    public double speed() {
-        return speed;
-    }
-
-    public void setPaused(boolean pause) {
-        post(() -> paused = pause);
-    }
-
-    public boolean isPaused() {
-        return paused;
-    }
-
-    /** Makes one step; meant for a paused simulation. */
+    @Override
     public void stepOnce() {
         steps(1);
     }
@@ -134,7 +72,7 @@ public final class SimulationThread implements Executor, AutoCloseable {
     }
 
     private void burst(int count, CompletableFuture<Void> done) {
-        if (closed) {
+        if (isClosed()) {
             done.cancel(false);
             return;
         }
@@ -160,70 +98,27 @@ public final class SimulationThread implements Executor, AutoCloseable {
     }
 
     /** The newest snapshot. Asking for one makes the thread take the next: without readers it takes none. */
+    @Override
     public SimulationSnapshot snapshot() {
         wanted = true;
         return newest;
     }
 
-    /** Ends the thread after the acts posted so far; waits for it at most 5 s. Safe to call twice. */
-    @Override
-    public void close() {
-        post(() -> closed = true);
-        if (!isOwner() && thread.isAlive()) {
-            try {
-                thread.join(CLOSE_MILLIS);
-            } catch (InterruptedException interrupted) {
-                Thread.currentThread().interrupt();
-            }
-        }
-    }
-
-    private void run() {
-        try {
-            loop();
-        } catch (RuntimeException | Error fault) {
-            LOG.log(Level.DEBUG, "the simulation ends by a fault", fault);
-            onFailure.accept(fault);
-        }
-    }
-
-    private void loop() {
-        long before = System.nanoTime();
-        while (!closed) {
-            try {
-                performActs(waitNanos());
-            } catch (InterruptedException interrupted) {
-                LOG.log(Level.WARNING, "the simulation's thread was interrupted and ends");
-                return;
-            }
-            long now = System.nanoTime();
-            makeSteps(now - before);
-            before = now;
-            publish(now);
-        }
-    }
-
     /** Time until the next step or snapshot is due. */
-    private long waitNanos() {
+    @Override
+    protected long waitNanos() {
         long picture = changed ? SNAPSHOT_NANOS : 100_000_000;
-        if (paused) {
+        if (isPaused()) {
             return picture;
         }
-        double toStep = speed == AS_FAST_AS_IT_CAN ? 0 : (Simulation.STEP_NANOS - bankNanos) / speed;
+        double toStep = isUnlimited() ? 0 : (Simulation.STEP_NANOS - bankNanos) / speed();
         return Math.max(0, Math.min(picture, (long) toStep));
     }
 
-    private void performActs(long waitNanos) throws InterruptedException {
-        Runnable act = acts.poll(waitNanos, TimeUnit.NANOSECONDS);
-        while (act != null) {
-            perform(act);
-            changed = true;
-            act = acts.poll();
-        }
-    }
-
     /** Logs an act that fails, and goes on; a step that fails leaves the world half moved, so it ends the simulation. */
-    private void perform(Runnable act) {
+    @Override
+    protected void perform(Runnable act) {
+        changed = true;
         try {
             act.run();
         } catch (RuntimeException fault) {
@@ -241,25 +136,31 @@ public final class SimulationThread implements Executor, AutoCloseable {
         changed = true;
     }
 
+    @Override
+    protected void pass(long wallNanos) {
+        makeSteps(wallNanos);
+        publish(System.nanoTime());
+    }
+
     private void makeSteps(long wallNanos) {
-        if (paused) {
+        if (isPaused()) {
             bankNanos = 0;
             return;
         }
         long end = System.nanoTime() + BURST_NANOS;
-        if (speed == AS_FAST_AS_IT_CAN) {
+        if (isUnlimited()) {
             bankNanos = 0;
             do {
                 step();
-            } while (System.nanoTime() < end && acts.isEmpty());
+            } while (System.nanoTime() < end && !hasActs());
             return;
         }
-        bankNanos += (long) (Math.min(wallNanos, MAX_DEBT_NANOS) * speed);
-        while (bankNanos >= Simulation.STEP_NANOS && acts.isEmpty() && System.nanoTime() < end) {
+        bankNanos += (long) (Math.min(wallNanos, MAX_DEBT_NANOS) * speed());
+        while (bankNanos >= Simulation.STEP_NANOS && !hasActs() && System.nanoTime() < end) {
             step();
             bankNanos -= Simulation.STEP_NANOS;
         }
-        bankNanos = Math.min(bankNanos, Math.max(Simulation.STEP_NANOS, (long) (MAX_DEBT_NANOS * speed)));
+        bankNanos = Math.min(bankNanos, Math.max(Simulation.STEP_NANOS, (long) (MAX_DEBT_NANOS * speed())));
     }
 
     private void publish(long now) {

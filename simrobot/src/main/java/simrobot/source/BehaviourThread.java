@@ -85,7 +85,7 @@ final class BehaviourThread implements RobotProcess {
                 return decided;
             }
         }
-        ask(new SensesSnapshot(senses));
+        ask(SensesSnapshot.of(senses));
         return last;
     }
 

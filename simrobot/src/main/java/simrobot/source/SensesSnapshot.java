@@ -1,49 +1,51 @@
 package simrobot.source;
 
+import java.util.stream.IntStream;
 import simrobot.behaviour.Senses;
 
-/** Senses at one moment, for another thread. */
-final class SensesSnapshot implements Senses {
+/**
+ * Senses at one moment, for another thread.
+ *
+ * @param laser null if the robot has none
+ * @param bumpers pressed or not: the front ones, then the rear ones
+ */
+record SensesSnapshot(
+        double[] sonars,
+        double[] laser,
+        boolean[][] bumpers,
+        double xMeters,
+        double yMeters,
+        double headingRadians,
+        double metersPerSecond,
+        boolean isBlocked,
+        double seconds)
+        implements Senses {
     private static final int BUMPERS = 5;
 
-    private final double[] sonars = new double[SONARS];
-    /** Null if the robot has none. */
-    private final double[] laser;
-
-    private final boolean[] front = new boolean[BUMPERS];
-    private final boolean[] rear = new boolean[BUMPERS];
-    private final double x;
-    private final double y;
-    private final double heading;
-    private final double speed;
-    private final boolean blocked;
-    private final double seconds;
-
     /** @param live read on the thread that owns the robot */
-    SensesSnapshot(Senses live) {
-        for (int i = 0; i < sonars.length; i++) {
-            sonars[i] = live.sonarMeters(i);
-        }
-        laser = laser(live);
+    static SensesSnapshot of(Senses live) {
+        boolean[][] bumpers = new boolean[2][BUMPERS];
         for (int i = 0; i < BUMPERS; i++) {
-            front[i] = live.isFrontBumperPressed(i);
-            rear[i] = live.isRearBumperPressed(i);
+            bumpers[0][i] = live.isFrontBumperPressed(i);
+            bumpers[1][i] = live.isRearBumperPressed(i);
         }
-        x = live.xMeters();
-        y = live.yMeters();
-        heading = live.headingRadians();
-        speed = live.metersPerSecond();
-        blocked = live.isBlocked();
-        seconds = live.seconds();
+        return new SensesSnapshot(
+                IntStream.range(0, SONARS).mapToDouble(live::sonarMeters).toArray(),
+                laser(live),
+                bumpers,
+                live.xMeters(),
+                live.yMeters(),
+                live.headingRadians(),
+                live.metersPerSecond(),
+                live.isBlocked(),
+                live.seconds());
     }
 
     private static double[] laser(Senses live) {
-        double[] ranges = new double[LASER_READINGS];
         try {
-            for (int i = 0; i < ranges.length; i++) {
-                ranges[i] = live.laserMeters(i);
-            }
-            return ranges;
+            return IntStream.range(0, LASER_READINGS)
+                    .mapToDouble(live::laserMeters)
+                    .toArray();
         } catch (UnsupportedOperationException none) {
             return null;
         }
@@ -63,42 +65,12 @@ final class SensesSnapshot implements Senses {
     }
 
     @Override
-    public double xMeters() {
-        return x;
-    }
-
-    @Override
-    public double yMeters() {
-        return y;
-    }
-
-    @Override
-    public double headingRadians() {
-        return heading;
-    }
-
-    @Override
-    public double metersPerSecond() {
-        return speed;
-    }
-
-    @Override
-    public boolean isBlocked() {
-        return blocked;
-    }
-
-    @Override
     public boolean isFrontBumperPressed(int bumper) {
-        return front[bumper];
+        return bumpers[0][bumper];
     }
 
     @Override
     public boolean isRearBumperPressed(int bumper) {
-        return rear[bumper];
-    }
-
-    @Override
-    public double seconds() {
-        return seconds;
+        return bumpers[1][bumper];
     }
 }

@@ -8,12 +8,12 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Assumptions;
 
 /** A file whose disk takes the first octets and refuses what is written after {@link #breakOff}: a pipe without a reader. */
-final class BrokenPipe implements AutoCloseable {
+public final class BrokenPipe implements AutoCloseable {
     private final Path path;
     private final CountDownLatch broken = new CountDownLatch(1);
     private final Thread reader = new Thread(this::read, "reader");
 
-    BrokenPipe(Path path) throws InterruptedException {
+    public BrokenPipe(Path path) throws InterruptedException {
         this.path = path;
         Assumptions.assumeTrue(isMade(), "no mkfifo");
         reader.setDaemon(true);
@@ -39,12 +39,12 @@ final class BrokenPipe implements AutoCloseable {
         }
     }
 
-    Path path() {
+    public Path path() {
         return path;
     }
 
     /** From the first octet on nothing is taken; what waits in the pipe is lost. */
-    void breakOff() {
+    public void breakOff() {
         broken.countDown();
     }
 

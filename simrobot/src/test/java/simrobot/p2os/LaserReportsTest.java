@@ -72,17 +72,17 @@ class LaserReportsTest {
     @Test
     void aScanComesWithEveryInformationPacketUntilTheClientSwitchesItOffOrLeaves() {
         SessionBench bench = withLaser(2);
-        assertTrue(bench.robot.isLaserOn());
+        assertTrue(bench.robot.laser().isOn());
         assertEquals(181, bench.simulation.snapshot().robots().get(0).laserRangesMeters().length);
         bench.seconds(0.9);
         assertEquals(60, bench.packets(0x61).size());
         bench.say(P2osCommandNumber.LASER, 0).seconds(1);
         assertEquals(60, bench.packets(0x61).size());
-        assertFalse(bench.robot.isLaserOn());
+        assertFalse(bench.robot.laser().isOn());
         bench.say(P2osCommandNumber.SIM_LRF_ENABLE, 2).seconds(0.1);
         assertEquals(66, bench.packets(0x61).size());
         bench.say(P2osCommandNumber.CLOSE);
-        assertFalse(bench.robot.isLaserOn());
+        assertFalse(bench.robot.laser().isOn());
         assertEquals(0, bench.simulation.snapshot().robots().get(0).laserRangesMeters().length);
     }
 

@@ -32,9 +32,9 @@ class P2osServerTest {
     void twoRobots() throws IOException {
         Simulation floor = new Simulation(World.bare(), 1);
         simulation = new SimulationThread(floor);
-        server = new P2osServer(simulation, InetAddress.getLoopbackAddress(), 0);
-        port = server.add(floor.addRobot("one"));
-        secondPort = server.add(floor.addRobot("two"));
+        server = new P2osServer(simulation, InetAddress.getLoopbackAddress(), SimulatorRequests.IGNORED);
+        port = server.add(floor.addRobot("one"), 0);
+        secondPort = server.add(floor.addRobot("two"), 0);
         simulation.start();
         server.start(fault -> failures.add(fault));
     }
@@ -112,9 +112,9 @@ class P2osServerTest {
     @Test
     void aPortThatIsTakenIsNamed() {
         IOException refused = assertThrows(IOException.class, () -> {
-            P2osServer other = new P2osServer(simulation, InetAddress.getLoopbackAddress(), port);
+            P2osServer other = new P2osServer(simulation, InetAddress.getLoopbackAddress(), SimulatorRequests.IGNORED);
             try (other) {
-                other.add(anotherRobot());
+                other.add(anotherRobot(), port);
             }
         });
         assertTrue(refused.getMessage().contains(String.valueOf(port)), refused.getMessage());
@@ -131,8 +131,9 @@ class P2osServerTest {
         server.close();
         client.close();
         Simulation floor = new Simulation(World.bare(), 1);
-        try (P2osServer again = new P2osServer(simulation, InetAddress.getLoopbackAddress(), port)) {
-            assertEquals(port, again.add(floor.addRobot("one")));
+        try (P2osServer again =
+                new P2osServer(simulation, InetAddress.getLoopbackAddress(), SimulatorRequests.IGNORED)) {
+            assertEquals(port, again.add(floor.addRobot("one"), port));
         }
     }
 

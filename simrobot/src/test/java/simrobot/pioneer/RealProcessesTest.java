@@ -169,8 +169,6 @@ class RealProcessesTest {
     @Test
     void aRealRobotHasNoLaserHere() {
         LineBench bench = LineBench.connected(ROOM);
-        assertThrows(
-                UnsupportedOperationException.class,
-                () -> bench.robot.newSenses().laserMeters(90));
+        assertThrows(UnsupportedOperationException.class, () -> bench.robot.laserMeters(90));
     }
 }

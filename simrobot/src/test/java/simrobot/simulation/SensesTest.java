@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import simrobot.process.BehaviourKind;
 import simrobot.robot.Battery;
 import simrobot.robot.Bumpers;
+import simrobot.robot.LaserField;
 import simrobot.robot.SimulatedRobot;
 import simrobot.world.Position;
 import simrobot.world.Segment;
@@ -43,7 +44,7 @@ class SensesTest {
         SimulatedRobot robot = robot(simulation);
         simulation.addRobot("other", new Position(20, 0), 0);
         robot.sonarRangesMeters();
-        double[] ranges = robot.laserRangesMeters();
+        double[] ranges = robot.laser().rangesMeters(LaserField.USUAL);
         assertEquals(181, ranges.length);
         assertEquals(20 - 0.04 - 0.22 - 0.018, ranges[90], 1e-9, "the other robot's back");
         assertEquals(30, ranges[180], 1e-9, "the wall at the left");

@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -30,6 +30,9 @@ import simgsm.modem.ModemOptions;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
+import simrobot.app.BrokenPipe;
+import simrobot.app.SimRobotOptions;
+import simrobot.app.ports.ListeningPorts;
 import simrobot.control.Fleet;
 import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;

@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.window;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -13,6 +13,7 @@ import java.util.Set;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.ui.window.WindowMemory;
+import simrobot.app.WorldFile;
 import simrobot.world.World;
 
 /**

@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.batch;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -23,6 +23,8 @@ import simgsm.console.UsageException;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
+import simrobot.app.BrokenPipe;
+import simrobot.app.SimRobotOptions;
 import simrobot.control.Fleet;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;

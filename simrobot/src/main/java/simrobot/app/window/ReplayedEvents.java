@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.window;
 
 import java.util.Optional;
 import simgsm.console.CommandException;

@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.window;
 
 import java.io.IOException;
 import java.lang.System.Logger;
@@ -9,16 +9,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import simgsm.air.Msisdn;
 import simgsm.speech.CallMonitor;
 import simgsm.tone.ToneExperiment;
-import simrobot.control.FileExports;
+import simrobot.app.SessionRecording;
+import simrobot.app.WorldFile;
+import simrobot.app.ports.ClientRequests;
+import simrobot.app.ports.ListeningPorts;
 import simrobot.control.Fleet;
 import simrobot.control.RobotEvent;
 import simrobot.control.RobotEventLog;
@@ -31,19 +30,16 @@ import simrobot.robot.Placement;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationThread;
 import simrobot.ui.OpenPort;
-import simrobot.ui.OperatorActions;
 import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.WindowSnapshot;
-import simrobot.ui.floor.WorldPictures;
 import simrobot.ui.inspector.RefusalTexts;
 import simrobot.world.MapWriter;
 import simrobot.world.World;
 import vericommand.Pose;
 
 /** The running program as the window shows it: combines the snapshots of all threads and passes actions to their owners. */
-public final class WindowModel implements OperatorActions, AutoCloseable {
+public final class WindowModel extends SessionModel {
     private static final Logger LOG = System.getLogger(WindowModel.class.getName());
-    private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
     private final SimulationThread simulation;
     private final CallMonitor callMonitor;
@@ -53,25 +49,13 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
     private final SessionRecording recording;
     private final List<SessionRecording> recordings = new CopyOnWriteArrayList<>();
     private List<SessionRecording.Failure> recordingFailures = List.of();
-    private final FileExports exports;
     private final RefusalTexts refusals;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
-    private final ExecutorService worker = new ThreadPoolExecutor(
-            1,
-            1,
-            0,
-            TimeUnit.SECONDS,
-            new LinkedBlockingQueue<>(),
-            WindowModel::daemon,
-            new ThreadPoolExecutor.DiscardPolicy());
     private final WorldFileWatch watch;
     private final RecentWorlds recent;
     private final DraftFiles drafts = new DraftFiles();
     private volatile Path worldFile;
     private volatile OptionalDouble resolutionMeters = OptionalDouble.empty();
-    private volatile String notice = "";
-    private volatile long noticeNanos;
-    private WindowSnapshot newest;
 
     /** A robot with its modem, and the tones that it has sent. */
     private record Line(TelephoneRobot robot, SentTones sent) {}
@@ -106,33 +90,21 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
             Path worldFile,
             RecentWorlds recent,
             RefusalTexts refusals) {
+        super(simRobot.simulation(), simRobot.tracks()::csv, refusals);
         this.recent = recent;
         this.refusals = refusals;
         this.worldFile = worldFile;
-        watch = new WorldFileWatch(worker, worldFile);
+        watch = new WorldFileWatch(worker(), worldFile);
         this.fleet = fleet;
         this.ports = ports;
-        exports = new FileExports(simRobot.tracks()::csv, new WorldPictures());
         simulation = simRobot.simulation();
         callMonitor = simRobot.callMonitor();
         recording = new SessionRecording(simulation);
         recordings.add(recording);
         log = new RobotEventLog(() -> simulation.isOwner() ? simulation.owned().timeNanos() : 0);
-        ports.p2os().setWorldLoader(file -> read(file, ClientRequests::mayLoad, () -> {}));
+        ports.setWorldLoader(file -> read(file, ClientRequests::mayLoad, () -> {}));
         simRobot.onAdded(this::added);
         simRobot.onRemoved(this::removed);
-    }
-
-    /** Ends the worker once it has performed what was asked; the window has been closed. */
-    @Override
-    public void close() {
-        worker.shutdown();
-    }
-
-    private static Thread daemon(Runnable acts) {
-        Thread thread = new Thread(acts, "window worker");
-        thread.setDaemon(true);
-        return thread;
     }
 
     private void added(TelephoneRobot robot) {
@@ -159,25 +131,21 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
         resolutionMeters = meters;
     }
 
-    /** The newest snapshot; the same object as long as nothing has changed. For the event thread only. */
-    public WindowSnapshot snapshot() {
+    @Override
+    WindowSnapshot observe() {
         tellOfFailure();
-        WindowSnapshot now = new WindowSnapshot(
+        return new WindowSnapshot(
                 simulation.snapshot(),
                 lines.stream().map(this::snapshot).toList(),
                 simulation.speed(),
                 simulation.isPaused(),
                 worldFile,
-                System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : "",
+                notice(""),
                 openPorts(),
                 log.newest(),
                 Optional.empty(),
                 recording.file(),
                 watch.hasChanged());
-        if (!now.equals(newest)) {
-            newest = now;
-        }
-        return newest;
     }
 
     /** A recording that ends by itself is reported once. */
@@ -197,7 +165,7 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
         List<OpenPort> open = new ArrayList<>();
         for (Line line : lines) {
             String name = line.robot().name();
-            ports.p2os().of(name).ifPresent(port -> open.add(new OpenPort("P2OS", name, port)));
+            ports.p2os(name).ifPresent(port -> open.add(new OpenPort("P2OS", name, port)));
         }
         ports.http().ifPresent(port -> open.add(new OpenPort("HTTP", "", port)));
         return open;
@@ -244,31 +212,26 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
 
     @Override
     public void tryOut(String robot, ToneExperiment experiment) {
-        lines.stream()
-                .map(Line::robot)
-                .filter(each -> each.name().equals(robot))
-                .forEach(each -> each.tryOut(experiment));
+        robot(robot).ifPresent(named -> named.tryOut(experiment));
     }
 
     @Override
     public void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer) {
-        worker.execute(() -> answer.accept(add(name, number, place)));
+        worker().execute(() -> answer.accept(add(name, number, place)));
     }
 
     private Optional<String> add(String name, String number, Optional<Pose> place) {
         Msisdn called;
-        RobotName wanted;
         try {
             called = Msisdn.parse(number).plain();
         } catch (IllegalArgumentException noNumber) {
             return Optional.of(refusals.noNumber(number));
         }
         try {
-            wanted = new RobotName(name, called);
+            return add(new RobotName(name, called), place);
         } catch (IllegalArgumentException noName) {
             return Optional.of(refusals.noName(name));
         }
-        return add(wanted, place);
     }
 
     private Optional<String> add(RobotName wanted, Optional<Pose> place) {
@@ -288,7 +251,7 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
 
     @Override
     public void removeRobot(String robot) {
-        worker.execute(() -> {
+        worker().execute(() -> {
             try {
                 fleet.remove(robot);
             } catch (IllegalStateException e) {
@@ -321,25 +284,10 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
     }
 
     @Override
-    public void setSpeed(double simulatedSecondsPerSecond) {
-        simulation.setSpeed(simulatedSecondsPerSecond);
-    }
-
-    @Override
-    public void setPaused(boolean paused) {
-        simulation.setPaused(paused);
-    }
-
-    @Override
-    public void stepOnce() {
-        simulation.stepOnce();
-    }
-
-    @Override
     public void load(Path file) {
-        worker.execute(() -> {
+        worker().execute(() -> {
             Path place = WorldFile.find(Optional.of(file));
-            read(place, owned -> true, () -> worker.execute(() -> recent.add(place)));
+            read(place, owned -> true, () -> worker().execute(() -> recent.add(place)));
         });
     }
 
@@ -368,7 +316,7 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
 
     @Override
     public void save(World world, Path file, Consumer<Optional<String>> answer) {
-        worker.execute(() -> {
+        worker().execute(() -> {
             try {
                 MapWriter.save(world, file);
                 if (file.equals(worldFile)) {
@@ -384,22 +332,12 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
 
     @Override
     public void keep(World draft, Path file) {
-        drafts.keep(draft, file, worker);
+        drafts.keep(draft, file, worker());
     }
 
     @Override
     public void dropKept(Path file) {
         drafts.drop(file);
-    }
-
-    @Override
-    public void export(String robot, Path file, Consumer<Optional<String>> answer) {
-        exports.export(
-                simulation.snapshot(),
-                robot,
-                file,
-                worker,
-                failure -> answer.accept(failure.map(why -> refusals.unwritable(file, why))));
     }
 
     /** Loads a world; a file that cannot be read changes nothing and is reported. */
@@ -434,12 +372,6 @@ public final class WindowModel implements OperatorActions, AutoCloseable {
     @Override
     public void record(Optional<Path> file) {
         recording.restart(file, (path, why) -> tell(refusals.unwritable(path, why)));
-    }
-
-    @Override
-    public void tell(String message) {
-        noticeNanos = System.nanoTime();
-        notice = message;
     }
 
     /** The first robot's number, for the title. */

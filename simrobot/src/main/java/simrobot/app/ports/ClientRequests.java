@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.ports;
 
 import java.io.IOException;
 import java.lang.System.Logger;
@@ -11,6 +11,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simrobot.app.WorldFile;
 import simrobot.control.SimRobot;
 import simrobot.p2os.SimulatorRequests;
 import simrobot.robot.SimulatedRobot;
@@ -22,7 +23,7 @@ import simrobot.world.World;
  * of the requests that come meanwhile only the newest is kept. While a robot is under order requests are refused, because a
  * new world ends all orders.
  */
-final class ClientRequests implements SimulatorRequests {
+public final class ClientRequests implements SimulatorRequests {
     private static final Logger LOG = System.getLogger(ClientRequests.class.getName());
 
     private static final int KEPT_REQUESTS = 1;
@@ -53,7 +54,7 @@ final class ClientRequests implements SimulatorRequests {
     }
 
     /** Whether no robot executes an order, so that a client may change the world; on the simulation's thread. */
-    static boolean mayLoad(Simulation simulation) {
+    public static boolean mayLoad(Simulation simulation) {
         boolean free = simulation.robots().stream().noneMatch(SimulatedRobot::isUnderOrder);
         if (!free) {
             LOG.log(Level.WARNING, "a P2OS client's world is not loaded: a robot executes an order");

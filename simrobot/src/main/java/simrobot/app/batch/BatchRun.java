@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.batch;
 
 import java.io.IOException;
 import java.io.PrintStream;
@@ -14,6 +14,9 @@ import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
 import simgsm.sim.SimSlot;
+import simrobot.app.RequestedBehaviours;
+import simrobot.app.RequestedRobots;
+import simrobot.app.SimRobotOptions;
 import simrobot.control.RobotEvent;
 import simrobot.control.RobotName;
 import simrobot.process.BehaviourKind;
@@ -35,57 +38,47 @@ public final class BatchRun {
     /** Options that need real time or a peer. */
     private static final List<String> LIVE_OPTIONS = List.of("pioneer", "http", "p2os", "at", "modem");
 
-    private BatchRun() {}
+    private final Arguments arguments;
+    private final RequestedBehaviours behaviours;
+    private final World world;
+    private final List<String> names;
+    private final long seed;
+    private final double seconds;
 
-    public static int run(Arguments arguments, World world) throws UsageException, IOException {
-        for (String live : LIVE_OPTIONS) {
-            if (arguments.has(live)) {
-                throw new UsageException("--" + live + ": a run (--run) has no clients, expected one of the two");
-            }
-        }
-        List<String> names = RequestedRobots.of(arguments, SimSlot.of(arguments.path("sim")), world).stream()
+    private BatchRun(Arguments arguments, RequestedBehaviours behaviours, World world)
+            throws UsageException, IOException {
+        this.arguments = arguments;
+        this.behaviours = behaviours;
+        this.world = world;
+        names = RequestedRobots.of(arguments, SimSlot.of(arguments.path("sim")), world).stream()
                 .map(RobotName::name)
                 .toList();
-        long seed = SimRobotOptions.seed(arguments);
-        double seconds = arguments.number("run", 0, 0.001, MAX_SECONDS);
+        seed = SimRobotOptions.seed(arguments);
+        seconds = arguments.number("run", 0, 0.001, MAX_SECONDS);
+    }
+
+    public static int run(Arguments arguments, World world) throws UsageException, IOException {
+        refuse(arguments, LIVE_OPTIONS, ": a run (--run) has no clients, expected one of the two");
         try (RequestedBehaviours behaviours = RequestedBehaviours.of(arguments, new BehaviourList())) {
-            return arguments.has("runs")
-                    ? runAll(arguments, behaviours, world, names, seed, seconds)
-                    : runOne(arguments, behaviours, world, names, seed, seconds);
+            BatchRun batch = new BatchRun(arguments, behaviours, world);
+            return arguments.has("runs") ? batch.runAll() : batch.runOne();
+        }
+    }
+
+    private static void refuse(Arguments arguments, List<String> options, String why) throws UsageException {
+        for (String option : options) {
+            if (arguments.has(option)) {
+                throw new UsageException("--" + option + why);
+            }
         }
     }
 
     /** One run, with its files. */
-    private static int runOne(
-            Arguments arguments,
-            RequestedBehaviours behaviours,
-            World world,
-            List<String> names,
-            long seed,
-            double seconds)
-            throws UsageException, IOException {
-        Optional<Path> record = arguments.path("record");
-        Optional<Path> track = arguments.path("track");
+    private int runOne() throws UsageException, IOException {
         long began = System.nanoTime();
-        Simulation simulation = simulation(arguments, world, names, seed);
-        // without a thread that performs acts, records are written when they are full
-        try (SessionRecorder recorder =
-                record.isPresent() ? SessionRecorder.open(record.get(), simulation, act -> {}) : null) {
-            if (recorder != null) {
-                simulation.robots().forEach(robot -> record(robot, recorder));
-            }
-            begin(arguments, behaviours, simulation);
-            RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null;
-            try {
-                simulate(simulation, seconds);
-            } finally {
-                if (written != null) {
-                    written.close();
-                }
-            }
-            if (recorder != null) {
-                recorder.finish();
-            }
+        Simulation simulation = simulation(seed);
+        try {
+            record(simulation);
         } catch (UncheckedIOException e) {
             throw e.getCause();
         } finally {
@@ -101,29 +94,41 @@ public final class BatchRun {
         return ExitStatus.OK;
     }
 
-    /** {@code --runs N}: a line of CSV for each of N seeds, counting up. */
-    private static int runAll(
-            Arguments arguments,
-            RequestedBehaviours behaviours,
-            World world,
-            List<String> names,
-            long seed,
-            double seconds)
-            throws UsageException, IOException {
-        for (String file : List.of("record", "track")) {
-            if (arguments.has(file)) {
-                throw new UsageException("--" + file + ": a file holds one run, expected no --runs beside it");
+    private void record(Simulation simulation) throws UsageException, IOException {
+        Optional<Path> record = arguments.path("record");
+        // without a thread that performs acts, records are written when they are full
+        try (SessionRecorder recorder =
+                record.isPresent() ? SessionRecorder.open(record.get(), simulation, act -> {}) : null) {
+            if (recorder != null) {
+                simulation.robots().forEach(robot -> record(robot, recorder));
+            }
+            begin(simulation);
+            track(simulation);
+            if (recorder != null) {
+                recorder.finish();
             }
         }
+    }
+
+    private void track(Simulation simulation) throws IOException, UsageException {
+        Optional<Path> track = arguments.path("track");
+        try (RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null) {
+            simulate(simulation);
+        }
+    }
+
+    /** {@code --runs N}: a line of CSV for each of N seeds, counting up. */
+    private int runAll() throws UsageException, IOException {
+        refuse(arguments, List.of("record", "track"), ": a file holds one run, expected no --runs beside it");
         long runs = arguments.integer("runs", 1, 1, MAX_RUNS);
         PrintStream out = Program.standardOutput();
         out.println(RunTally.HEADER);
         for (long run = seed; run < seed + runs; run++) {
-            Simulation simulation = simulation(arguments, world, names, run);
+            Simulation simulation = simulation(run);
             RunTally tally = new RunTally(simulation);
             try {
-                begin(arguments, behaviours, simulation);
-                simulate(simulation, seconds);
+                begin(simulation);
+                simulate(simulation);
             } finally {
                 endAll(simulation);
             }
@@ -132,9 +137,8 @@ public final class BatchRun {
         return ExitStatus.OK;
     }
 
-    private static Simulation simulation(Arguments arguments, World world, List<String> names, long seed)
-            throws UsageException {
-        Simulation simulation = new Simulation(world, seed);
+    private Simulation simulation(long ofRun) throws UsageException {
+        Simulation simulation = new Simulation(world, ofRun);
         simulation.setStartInMiddle(arguments.has("robots"));
         simulation.setNoise(arguments.number("noise", 0, 0, Noise.MAX_SCALE));
         simulation.setTrails(false);
@@ -147,8 +151,7 @@ public final class BatchRun {
         simulation.robots().forEach(robot -> robot.autonomy().end());
     }
 
-    private static void begin(Arguments arguments, RequestedBehaviours behaviours, Simulation simulation)
-            throws UsageException {
+    private void begin(Simulation simulation) throws UsageException {
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         boolean power = arguments.choice("power", "on", "off").equals("on");
         BehaviourKind behaviour = behaviours.chosenForRun(arguments, simulation.behaviours());
@@ -159,7 +162,7 @@ public final class BatchRun {
         }
     }
 
-    private static void simulate(Simulation simulation, double seconds) {
+    private void simulate(Simulation simulation) {
         for (long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS); left > 0; left--) {
             simulation.step();
         }

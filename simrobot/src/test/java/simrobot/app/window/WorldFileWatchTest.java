@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.window;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,40 +1,32 @@
-package simrobot.app;
+package simrobot.app.window;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import simrobot.control.FileExports;
 import simrobot.control.LoggedEvent;
 import simrobot.replay.RecordedEvent;
 import simrobot.replay.Recording;
 import simrobot.replay.ReplayThread;
 import simrobot.robot.Placement;
 import simrobot.simulation.SimulationSnapshot;
-import simrobot.ui.OperatorActions;
 import simrobot.ui.Timeline;
 import simrobot.ui.WindowSnapshot;
-import simrobot.ui.floor.WorldPictures;
 import simrobot.ui.inspector.RefusalTexts;
 import simrobot.world.World;
 import vericommand.Pose;
 
 /** A recorded session as the window shows it: a view that can be moved in time, but not changed. */
-public final class ReplayModel implements OperatorActions {
-    private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
-
+public final class ReplayModel extends SessionModel {
     private final ReplayThread replay;
     private final RefusalTexts refusals;
     private final Timeline timeline;
     private final List<LoggedEvent> events = new ArrayList<>();
-    private final FileExports exports;
-    private volatile String notice = "";
-    private volatile long noticeNanos;
-    private WindowSnapshot newest;
+    private List<LoggedEvent> shown = List.of();
 
     public ReplayModel(ReplayThread replay, RefusalTexts refusals) {
+        super(replay, robot -> RecordedTrack.csv(replay.recording().path(), robot), refusals);
         this.replay = replay;
         this.refusals = refusals;
         Recording recording = replay.recording();
@@ -42,32 +34,27 @@ public final class ReplayModel implements OperatorActions {
         for (RecordedEvent event : recording.events()) {
             ReplayedEvents.of(event).ifPresent(events::add);
         }
-        exports = new FileExports(robot -> RecordedTrack.csv(recording.path(), robot), new WorldPictures());
     }
 
     private String damage() {
         return replay.recording().damage().map(refusals::damaged).orElse("");
     }
 
-    /** The newest snapshot; the same object as long as nothing has changed. For the event thread only. */
-    public WindowSnapshot snapshot() {
+    @Override
+    WindowSnapshot observe() {
         SimulationSnapshot scene = replay.snapshot();
-        WindowSnapshot now = new WindowSnapshot(
+        return new WindowSnapshot(
                 scene,
                 List.of(),
                 replay.speed(),
                 replay.isPaused(),
                 replay.recording().path(),
-                System.nanoTime() - noticeNanos < NOTICE_NANOS ? notice : damage(),
+                notice(damage()),
                 List.of(),
                 until(scene.timeNanos()),
                 Optional.of(timeline),
                 Optional.empty(),
                 false);
-        if (!now.equals(newest)) {
-            newest = now;
-        }
-        return newest;
     }
 
     /** The events up to then; the same list as long as there are no more. */
@@ -82,7 +69,10 @@ public final class ReplayModel implements OperatorActions {
                 high = middle;
             }
         }
-        return newest != null && newest.events().size() == low ? newest.events() : List.copyOf(events.subList(0, low));
+        if (shown.size() != low) {
+            shown = List.copyOf(events.subList(0, low));
+        }
+        return shown;
     }
 
     // ---- looking ---------------------------------------------------------------------------------------------------
@@ -93,46 +83,8 @@ public final class ReplayModel implements OperatorActions {
     }
 
     @Override
-    public void setSpeed(double simulatedSecondsPerSecond) {
-        replay.setSpeed(simulatedSecondsPerSecond);
-    }
-
-    @Override
-    public void setPaused(boolean paused) {
-        replay.setPaused(paused);
-    }
-
-    @Override
-    public void stepOnce() {
-        replay.stepOnce();
-    }
-
-    @Override
     public void watch(String robot) {
         replay.watch(robot == null ? "" : robot);
-    }
-
-    @Override
-    public void tell(String message) {
-        noticeNanos = System.nanoTime();
-        notice = message;
-    }
-
-    /** Pictures show the present moment; a track goes from the recording's beginning to its end. */
-    @Override
-    public void export(String robot, Path file, Consumer<Optional<String>> answer) {
-        exports.export(
-                replay.snapshot(),
-                robot,
-                file,
-                ReplayModel::startDaemon,
-                failure -> answer.accept(failure.map(why -> refusals.unwritable(file, why))));
-    }
-
-    private static void startDaemon(Runnable act) {
-        Thread thread = new Thread(act, "export");
-        thread.setDaemon(true);
-        thread.start();
     }
 
     // ---- what a recording refuses -----------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -22,6 +22,7 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.modem.ModemOptions;
 import simgsm.speech.AudioOutput;
+import simrobot.app.SessionRecording;
 import simrobot.control.LoggedEvent;
 import simrobot.control.SimRobot;
 import simrobot.replay.Recording;

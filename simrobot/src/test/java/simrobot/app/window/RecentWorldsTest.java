@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.window;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -10,6 +10,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import simgsm.ui.window.WindowMemory;
+import simrobot.app.SimRobotOptions;
 
 class RecentWorldsTest {
     @TempDir

@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.batch;
 
 import java.io.BufferedWriter;
 import java.io.IOException;

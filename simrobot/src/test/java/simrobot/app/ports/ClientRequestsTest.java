@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.ports;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

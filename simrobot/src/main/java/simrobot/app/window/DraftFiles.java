@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.window;
 
 import java.io.IOException;
 import java.lang.System.Logger;

@@ -1,4 +1,4 @@
-package simrobot.app;
+package simrobot.app.batch;
 
 import java.util.Arrays;
 import java.util.List;

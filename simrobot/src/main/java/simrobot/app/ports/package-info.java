@@ -1,0 +1,2 @@
+/** The ports on which SimRobot listens: read {@link simrobot.app.ports.ListeningPorts}. */
+package simrobot.app.ports;
