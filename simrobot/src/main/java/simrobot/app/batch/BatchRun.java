@@ -112,8 +112,13 @@ public final class BatchRun {
 
     private void track(Simulation simulation) throws IOException, UsageException {
         Optional<Path> track = arguments.path("track");
-        try (RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null) {
+        RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null;
+        try {
             simulate(simulation);
+        } finally {
+            if (written != null) {
+                written.close();
+            }
         }
     }
 
