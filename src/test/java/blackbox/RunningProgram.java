@@ -1,10 +1,6 @@
 package blackbox;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.Writer;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,8 +9,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import simgsm.classroom.session.ProgramConsole;
+import simgsm.classroom.session.UnreadEvents;
 
 /** One of the programs as a process of its own, driven over its console. Every line must parse as an event. */
 public final class RunningProgram implements AutoCloseable {
@@ -23,12 +22,11 @@ public final class RunningProgram implements AutoCloseable {
 
     private final String name;
     private final Process process;
-    private final Writer input;
+    private final ProgramConsole console;
     private final Path log;
     private final List<String> transcript = new ArrayList<>();
     private final List<ConsoleEvent> events = new ArrayList<>();
-    private int cursor;
-    private boolean ended;
+    private final UnreadEvents<ConsoleEvent> unread = new UnreadEvents<>();
 
     /** @param environment added to the tests' own, DISPLAY taken away */
     public RunningProgram(String name, List<String> command, Path folder, Map<String, String> environment)
@@ -40,38 +38,30 @@ public final class RunningProgram implements AutoCloseable {
         builder.environment().remove("DISPLAY");
         builder.environment().putAll(environment);
         this.process = builder.start();
-        this.input = process.outputWriter(StandardCharsets.UTF_8);
-        Thread reader = new Thread(this::read, name + " output");
-        reader.setDaemon(true);
-        reader.start();
-    }
-
-    private void read() {
-        try (BufferedReader lines =
-                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
-            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+        this.console = new ProgramConsole(name, process, new ProgramConsole.Listener() {
+            @Override
+            public void line(String line) {
                 add(line);
             }
-        } catch (IOException e) {
-            add("error text=\"output broke: " + e.getMessage().replace('"', '\'') + "\"");
-        }
-        synchronized (this) {
-            ended = true;
-            notifyAll();
-        }
+
+            @Override
+            public void ended() {
+                unread.end();
+            }
+        });
     }
 
     private synchronized void add(String line) {
         transcript.add(line);
-        events.add(ConsoleEvent.parse(line));
-        notifyAll();
+        ConsoleEvent event = ConsoleEvent.parse(line);
+        events.add(event);
+        unread.add(event);
     }
 
     /** Types a line. */
     public RunningProgram say(String line) {
         try {
-            input.write(line + "\n");
-            input.flush();
+            console.command(line);
             synchronized (this) {
                 transcript.add("> " + line);
             }
@@ -83,7 +73,7 @@ public final class RunningProgram implements AutoCloseable {
 
     /** Ends its standard input. */
     public void endInput() throws IOException {
-        input.close();
+        console.close();
     }
 
     /**
@@ -110,44 +100,38 @@ public final class RunningProgram implements AutoCloseable {
         return await(event, fields(keysAndValues), forbidden);
     }
 
-    private synchronized ConsoleEvent await(String event, Map<String, String> fields, Set<String> forbidden) {
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
-        while (true) {
-            while (cursor < events.size()) {
-                ConsoleEvent candidate = events.get(cursor++);
-                if (candidate.matches(event, fields)) {
-                    return candidate;
-                }
-                if (forbidden.contains(candidate.name())) {
-                    throw new AssertionError(
-                            "expected " + event + " " + fields + ", but before it " + candidate + "\n" + this);
-                }
+    private ConsoleEvent await(String event, Map<String, String> fields, Set<String> forbidden) {
+        return await(event, fields, forbidden, candidate -> {});
+    }
+
+    /** @param seen receives the events that are passed over, and the match */
+    private ConsoleEvent await(
+            String event, Map<String, String> fields, Set<String> forbidden, Consumer<ConsoleEvent> seen) {
+        try {
+            ConsoleEvent found = unread.await(
+                            candidate -> {
+                                seen.accept(candidate);
+                                return candidate.matches(event, fields) || forbidden.contains(candidate.name());
+                            },
+                            PATIENCE_SECONDS)
+                    .orElseThrow(
+                            () -> new AssertionError(name + (unread.isEnded() ? " ended without " : " did not say ")
+                                    + event + " " + fields + "\n" + this));
+            if (!found.matches(event, fields)) {
+                throw new AssertionError("expected " + event + " " + fields + ", but before it " + found + "\n" + this);
             }
-            long left = end - System.nanoTime();
-            if (ended || left <= 0) {
-                throw new AssertionError(
-                        name + (ended ? " ended without " : " did not say ") + event + " " + fields + "\n" + this);
-            }
-            try {
-                TimeUnit.NANOSECONDS.timedWait(this, left);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-                throw new AssertionError("interrupted", e);
-            }
+            return found;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError("interrupted", e);
         }
     }
 
     /** Like {@link #expect}; returns the events passed over too, the match last. */
     List<ConsoleEvent> expectAll(String event, String... keysAndValues) {
-        int from = position();
-        await(event, fields(keysAndValues), Set.of());
-        synchronized (this) {
-            return List.copyOf(events.subList(from, cursor));
-        }
-    }
-
-    private synchronized int position() {
-        return cursor;
+        List<ConsoleEvent> seen = new ArrayList<>();
+        await(event, fields(keysAndValues), Set.of(), seen::add);
+        return seen;
     }
 
     /** The first event of this name among all that have come, wherever the last match was. */
@@ -168,9 +152,7 @@ public final class RunningProgram implements AutoCloseable {
 
     /** Asks and waits for the answer; what was printed before the question is passed over. */
     public ConsoleEvent ask(String command, String answer) {
-        synchronized (this) {
-            cursor = events.size();
-        }
+        unread.clear();
         say(command);
         return expect(answer);
     }

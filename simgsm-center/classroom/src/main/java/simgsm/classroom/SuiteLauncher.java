@@ -76,33 +76,39 @@ public final class SuiteLauncher implements CenterLauncher {
         }
         Arguments arguments = WindowMemory.recall(given, given.has("demo") ? WindowedDemo.CENTER : "center");
         CenterSettings settings = CenterSettings.read(arguments);
-        boolean isHeadless = arguments.has("headless");
         if (arguments.has("demo")) {
-            if (arguments.has("class")) {
-                return ClassDemo.run(arguments, settings, given.has("zoom"));
-            }
-            if (!arguments.has("lesson") && (isHeadless || !Display.isAvailable())) {
-                return HeadlessDemo.run(arguments, settings);
-            }
-            return lessons(
-                    arguments,
-                    given.has("zoom"),
-                    arguments.has("lesson")
-                            ? arguments.text("lesson")
-                            : WindowedDemo.run(arguments, settings, given.has("zoom")));
+            return demo(arguments, settings, given.has("zoom"));
         }
         requireTogether(arguments, "lesson", "demo");
-        Optional<ProgramWindow> window =
-                isHeadless ? Optional.empty() : Optional.of(ProgramWindow.of(arguments, Optional.empty()));
+        return center(arguments, settings, given.has("zoom"));
+    }
+
+    private static int demo(Arguments arguments, CenterSettings settings, boolean isZoomGiven) throws Exception {
+        if (arguments.has("class")) {
+            return ClassDemo.run(arguments, settings, isZoomGiven);
+        }
+        if (arguments.has("lesson")) {
+            return lessons(arguments, isZoomGiven, arguments.text("lesson"));
+        }
+        if (arguments.has("headless") || !Display.isAvailable()) {
+            return HeadlessDemo.run(arguments, settings);
+        }
+        return lessons(arguments, isZoomGiven, WindowedDemo.run(arguments, settings, isZoomGiven));
+    }
+
+    private static int center(Arguments arguments, CenterSettings settings, boolean isZoomGiven) throws Exception {
+        Optional<ProgramWindow> window = arguments.has("headless")
+                ? Optional.empty()
+                : Optional.of(ProgramWindow.of(arguments, Optional.empty()));
         Path data = settings.data().orElseGet(() -> DataDirectory.defaultPath(System.getenv(), System.getProperties()));
         Optional<String> chosen;
         try (Center center = Center.open(settings, data, settings.port().orElse(CenterSettings.DEFAULT_PORT))) {
             if (window.isEmpty()) {
-                return runConsole(center, arguments, settings);
+                return runConsole(center, arguments);
             }
             chosen = CenterWindow.run(center, arguments, settings, null, window.get(), CenterWindow.Watch.NONE);
         }
-        return lessons(arguments, given.has("zoom"), chosen);
+        return lessons(arguments, isZoomGiven, chosen);
     }
 
     /** Opens the lesson that was chosen, and those that are chosen in its windows. */
@@ -121,7 +127,7 @@ public final class SuiteLauncher implements CenterLauncher {
         }
     }
 
-    private static int runConsole(Center center, Arguments arguments, CenterSettings settings) throws Exception {
+    private static int runConsole(Center center, Arguments arguments) throws Exception {
         try (Console console = Console.onStandardOutput()) {
             center.start(console::tell);
             console.ready(center.ready());

@@ -14,7 +14,7 @@ import simgsm.console.Event;
  */
 public record EventPattern(String source, String event, List<FieldTest> tests) {
     /** Reads {@code SOURCE EVENT [TEST]...}. */
-    static EventPattern parse(String text) throws LessonException {
+    public static EventPattern parse(String text) throws LessonException {
         List<String> words = words(text);
         if (words.size() < 2) {
             throw new LessonException("expected SOURCE EVENT [FIELD=VALUE]..., found " + text);
@@ -35,7 +35,7 @@ public record EventPattern(String source, String event, List<FieldTest> tests) {
         }
     }
 
-    boolean matches(String from, Event found, UnaryOperator<String> variables) {
+    public boolean matches(String from, Event found, UnaryOperator<String> variables) {
         return source.equals(from)
                 && event.equals(found.name())
                 && tests.stream().allMatch(test -> test.isPassedBy(found.fields(), variables));

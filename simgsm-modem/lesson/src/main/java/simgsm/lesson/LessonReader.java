@@ -17,20 +17,7 @@ final class LessonReader {
 
     /** Words with a meaning of their own where programs are named. */
     private static final Set<String> TAKEN = Set.of(
-            "predict",
-            "answer",
-            "start",
-            "stop",
-            "tool",
-            "java",
-            "drive",
-            "capture",
-            "give",
-            "use",
-            "at",
-            "submit",
-            "act",
-            "different");
+            ("predict answer start stop tool java drive capture give use at submit act " + "different").split(" "));
 
     private static final String ACTION = "action NAME [text|number LEAST..MOST|integer LEAST..MOST|file [ENDING]]";
     private static final Pattern RANGE = Pattern.compile("(number|integer) (-?[0-9]{1,6})[.][.](-?[0-9]{1,6})");
@@ -38,26 +25,10 @@ final class LessonReader {
     private static final List<String> PROGRAMS = List.of("simgsm-phone", "simrobot", "simgsm-cells");
     private static final List<String> CENTRE_OPTIONS =
             List.of("--call-waiting", "--handover", "--rtp", "--t303", "--tones");
-    private static final List<String> WORDS = List.of(
-            "minutes",
-            "centre",
-            "program",
-            "later",
-            "closed",
-            "capture",
-            "draw",
-            "let",
-            "keep",
-            "action",
-            "do",
-            "step",
-            "after",
-            "again",
-            "answer",
-            "when",
-            "then",
-            "at-least",
-            "at-most");
+    private static final List<String> WORDS =
+            List.of(("minutes centre program later closed capture draw let keep action do step after "
+                            + "again answer when then at-least at-most")
+                    .split(" "));
 
     private final Map<Integer, String> lines = new LinkedHashMap<>();
     private final Map<Integer, EventPattern> patterns = new LinkedHashMap<>();

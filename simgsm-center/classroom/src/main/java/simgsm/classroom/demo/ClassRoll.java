@@ -6,13 +6,14 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import simgsm.air.Msisdn;
 import simgsm.center.app.CenterSettings;
+import simgsm.classroom.session.Session;
 import simgsm.console.HostPort;
 import simgsm.console.UsageException;
 
 /** The students of a class, counted from 0: their numbers, their robots, and what their machines start. */
 final class ClassRoll {
-    private static final long FIRST_PHONE = Long.parseLong(DemoPrograms.PHONE_NUMBER);
-    private static final long FIRST_ROBOT = Long.parseLong(DemoPrograms.ROBOT_NUMBER);
+    private static final long FIRST_PHONE = Long.parseLong(Session.PHONE_NUMBER);
+    private static final long FIRST_ROBOT = Long.parseLong(Session.ROBOT_NUMBER);
 
     private final int students;
     private final CenterSettings settings;

@@ -1,6 +1,13 @@
 package simgsm.classroom.demo;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
+import simgsm.console.Arguments;
+import simgsm.console.UnavailableException;
+import simgsm.console.UsageException;
+import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowPlace;
 
@@ -53,6 +60,20 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
                     zoomPercent);
         }
         return this;
+    }
+
+    /** The options of a program with its window at a place, and more. */
+    public List<String> options(WindowPlace place, String... more) {
+        return Stream.concat(
+                        Stream.of("--zoom", String.valueOf(zoomPercent), "--window", place.toString()), Stream.of(more))
+                .toList();
+    }
+
+    /** The window of the centre. */
+    public ProgramWindow centerWindow(Arguments arguments) throws UsageException, UnavailableException {
+        return ProgramWindow.of(
+                arguments.with("zoom", String.valueOf(zoomPercent)).with("window", center.toString()),
+                Optional.empty());
     }
 
     private static int comfortablePercent(WindowPlace area) {

@@ -2,9 +2,10 @@ package simgsm.classroom.demo;
 
 import java.io.PrintStream;
 import java.util.Locale;
+import simgsm.classroom.session.Consoles;
 
-/** Prints the events of a demo, one per line: seconds, program, event. Any thread may print. */
-final class DemoTranscript {
+/** Prints the lines of a demo: seconds, program, event. Any thread may print. */
+class DemoTranscript implements Consoles.Listener {
     private static final double NANOS_PER_SECOND = 1e9;
 
     private final PrintStream out;
@@ -19,7 +20,8 @@ final class DemoTranscript {
         out.flush();
     }
 
-    synchronized void line(String who, String what) {
+    @Override
+    public synchronized void line(String who, String what) {
         double seconds = (System.nanoTime() - startNanos) / NANOS_PER_SECOND;
         out.print(String.format(Locale.ROOT, "%8.3f  %-7s %s%n", seconds, who, what));
         out.flush();

@@ -1,27 +1,42 @@
 package simgsm.classroom.demo;
 
 import java.io.IOException;
-import java.lang.ProcessBuilder.Redirect;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
 import simgsm.center.app.CenterSettings;
-import simgsm.center.app.CenterTexts;
+import simgsm.classroom.session.Consoles;
+import simgsm.classroom.session.Session;
+import simgsm.classroom.session.SessionFailure;
+import simgsm.classroom.ui.ClassroomTexts;
 import simgsm.console.Arguments;
-import simgsm.console.Event;
 import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
 
-/** The demo without a display: the same programs, driven by a script, with a printed transcript. */
+/** The demo without a display: the same programs perform the script {@code demo.txt}, and a transcript is printed. */
 public final class HeadlessDemo {
+    static final String WORLD = "worlds/demo.map";
+
+    private static final String HEADING = "== ";
+
     private HeadlessDemo() {}
 
     public static int run(Arguments arguments, CenterSettings settings)
             throws IOException, InterruptedException, UsageException {
         DemoTranscript transcript = new DemoTranscript(Program.standardOutput());
-        TextBundle texts = CenterTexts.in(settings.language());
-        try (DemoPrograms programs = DemoPrograms.open(arguments, settings)) {
-            play(programs, transcript, texts);
-        } catch (DemoFailure failure) {
+        TextBundle texts = ClassroomTexts.in(settings.language());
+        try (Session session = Session.open(arguments, folder -> settings)) {
+            transcript.heading(
+                    texts.of("demo.start", Integer.toString(session.center().port())));
+            session.consoles().listen(transcript);
+            session.center().start(session.centerEvents());
+            session.start(
+                    "robot", "simrobot", Session.ROBOT_NUMBER, List.of("--headless", "--no-sound", "--world", WORLD));
+            session.start("phone", "simgsm-phone", Session.PHONE_NUMBER, List.of("--headless", "--no-sound"));
+            play(session.consoles(), transcript, texts);
+        } catch (SessionFailure failure) {
             transcript.heading(texts.of("demo.failed", failure.getMessage()));
             return ExitStatus.FAILED;
         }
@@ -29,16 +44,30 @@ public final class HeadlessDemo {
         return ExitStatus.OK;
     }
 
-    private static void play(DemoPrograms programs, DemoTranscript transcript, TextBundle texts)
-            throws IOException, DemoFailure, InterruptedException {
-        transcript.heading(
-                texts.of("demo.start", Integer.toString(programs.center().port())));
-        programs.center()
-                .start(event -> transcript.line("centre", Event.from(event).toString()));
-        DemoConsole robot =
-                new DemoConsole("robot", programs.startRobot(Redirect.PIPE, "--headless", "--no-sound"), transcript);
-        DemoConsole phone =
-                new DemoConsole("phone", programs.startPhone(Redirect.PIPE, "--headless", "--no-sound"), transcript);
-        new DemoSession(phone, robot, transcript, texts).play();
+    private static void play(Consoles consoles, DemoTranscript transcript, TextBundle texts)
+            throws IOException, SessionFailure, InterruptedException {
+        for (String line : script()) {
+            if (line.startsWith(HEADING)) {
+                transcript.heading(texts.of(line.substring(HEADING.length())));
+            } else {
+                consoles.perform(line.replace("{robot}", Session.ROBOT_NUMBER));
+            }
+        }
+        for (String name : List.of("phone", "robot")) {
+            consoles.perform(name + " quit");
+            int status = consoles.awaitEnd(name);
+            if (status != ExitStatus.OK) {
+                throw new SessionFailure(name + ": expected to end with status 0, found " + status);
+            }
+        }
+    }
+
+    private static List<String> script() throws IOException {
+        try (InputStream in = HeadlessDemo.class.getResourceAsStream("demo.txt")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8)
+                    .lines()
+                    .filter(line -> !line.isBlank() && !line.startsWith("#"))
+                    .toList();
+        }
     }
 }

@@ -1,12 +1,15 @@
 package simgsm.classroom.demo;
 
-import java.lang.ProcessBuilder.Redirect;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicReference;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterWindow;
+import simgsm.classroom.session.Consoles;
+import simgsm.classroom.session.Session;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.ui.window.Display;
@@ -33,51 +36,51 @@ public final class WindowedDemo {
         OptionalInt wanted = ProgramWindow.zoomPercent(arguments);
         // Centre and desktop libraries load at the same time; the other programs start before the centre's window. The
         // thread that loads the desktop must be the main one: X11 desktops group windows by its class (WM_CLASS).
-        FutureTask<DemoPrograms> opening = new FutureTask<>(() -> DemoPrograms.open(arguments, settings));
+        FutureTask<Session> opening = new FutureTask<>(() -> Session.open(arguments, folder -> settings));
         new Thread(opening, "opening of the demo").start();
         WindowPlace screen = Display.usableArea();
-        try (DemoPrograms programs = result(opening)) {
+        try (Session session = result(opening)) {
             Optional<DemoLayout> left = asLeft(arguments);
             DemoLayout layout = left.isPresent() ? left.get() : DemoLayout.of(screen, wanted);
             layout.saying(isZoomGiven, wanted);
-            String zoom = String.valueOf(layout.zoomPercent());
-            LessonChoice choice = new LessonChoice();
-            choice.listenTo(programs.startPhone(
-                    Redirect.PIPE,
-                    "--console",
-                    "--remember-as",
-                    PHONE,
-                    "--zoom",
-                    zoom,
-                    "--window",
-                    layout.phone().toString()));
+            CompletableFuture<ProgramWindow> opened = new CompletableFuture<>();
+            AtomicReference<String> lesson = new AtomicReference<>();
+            session.consoles().listen(new Consoles.Listener() {
+                @Override
+                public void lessonChosen(String name) {
+                    lesson.set(name);
+                    opened.thenAccept(ProgramWindow::close);
+                }
+            });
+            session.start(
+                    "phone",
+                    "simgsm-phone",
+                    Session.PHONE_NUMBER,
+                    layout.options(layout.phone(), "--console", "--remember-as", PHONE));
             // On one machine each tone is heard once, from the phone.
-            choice.listenTo(programs.startRobot(
-                    Redirect.PIPE,
-                    "--no-sound",
-                    "--unfocused",
-                    "--console",
-                    "--remember-as",
-                    ROBOT,
-                    "--zoom",
-                    zoom,
-                    "--window",
-                    layout.robot().toString()));
+            session.start(
+                    "robot",
+                    "simrobot",
+                    Session.ROBOT_NUMBER,
+                    layout.options(
+                            layout.robot(),
+                            "--no-sound",
+                            "--unfocused",
+                            "--console",
+                            "--world",
+                            HeadlessDemo.WORLD,
+                            "--remember-as",
+                            ROBOT));
             // The phone has the keyboard: the user dials first.
-            ProgramWindow window = ProgramWindow.of(
-                    arguments
-                            .with("unfocused", "")
-                            .with("zoom", zoom)
-                            .with("window", layout.center().toString()),
-                    Optional.empty());
-            choice.onChosen(window::close);
-            Optional<String> chosen = CenterWindow.run(
-                    programs.center(), arguments, settings, programs.children(), window, CenterWindow.Watch.NONE);
-            return chosen.or(choice::chosen);
+            ProgramWindow window = layout.centerWindow(arguments.with("unfocused", ""));
+            opened.complete(window);
+            return CenterWindow.run(
+                            session.center(), arguments, settings, session.children(), window, CenterWindow.Watch.NONE)
+                    .or(() -> Optional.ofNullable(lesson.get()));
         }
     }
 
-    private static DemoPrograms result(FutureTask<DemoPrograms> opening) throws Exception {
+    private static Session result(FutureTask<Session> opening) throws Exception {
         try {
             return opening.get();
         } catch (ExecutionException e) {

@@ -2,14 +2,14 @@ package simgsm.classroom.lesson;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import simgsm.classroom.demo.DemoPrograms;
+import simgsm.classroom.session.Session;
+import simgsm.classroom.session.SessionFailure;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.ExitStatus;
@@ -84,18 +84,20 @@ public final class LessonCheck {
         if (result.isPresent()) {
             FileErrors.requireWritable(result.get());
         }
-        Path folder = LessonNetwork.newFolder();
         LessonRun run = new LessonRun(lesson, seed(arguments), new LessonFigures());
-        try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {
+        try (Session network = LessonSession.open(lesson, arguments)) {
             LessonSession session = new LessonSession(
-                    run, programs, folder, library.folder(lesson.name()), LessonCheck::options, arguments.language());
-            play(session, solution, programs);
-            session.events().withRun(each -> print(each, texts));
+                    run, network, library.folder(lesson.name()), LessonCheck::options, arguments.language());
+            network.center().publishSnapshots(session.trace());
+            network.center().start(session.centerEvents());
+            play(session, solution);
+            String score = session.ofRun(each -> score(each, texts));
+            Program.standardOutput().print(score);
+            Program.standardOutput().flush();
             if (result.isPresent()) {
-                session.events().withRun(each -> write(result.get(), LessonResult.text(each, "", Instant.now())));
+                String text = session.ofRun(each -> LessonResult.text(each, "", Instant.now()));
+                Files.writeString(result.get(), text);
             }
-        } finally {
-            DemoPrograms.remove(folder);
         }
         return run.score() == lesson.steps().size() ? ExitStatus.OK : ExitStatus.FAILED;
     }
@@ -127,37 +129,26 @@ public final class LessonCheck {
         return arguments.integer("seed", FIRST_SEED, Long.MIN_VALUE, Long.MAX_VALUE);
     }
 
-    private static void play(LessonSession session, Solution solution, DemoPrograms programs)
-            throws IOException, InterruptedException {
-        programs.center().publishSnapshots(session.trace());
-        programs.center().start(session.centerEvents());
+    private static void play(LessonSession session, Solution solution) throws IOException, InterruptedException {
         try {
             session.start();
             solution.play(session);
             Thread.sleep(SETTLE_MILLIS);
-        } catch (LessonFailure e) {
+        } catch (SessionFailure e) {
             LOG.log(System.Logger.Level.WARNING, e.getMessage());
         }
     }
 
-    private static void print(LessonRun run, LessonTexts texts) {
-        PrintStream out = Program.standardOutput();
+    /** A line for each step, then the score. */
+    private static String score(LessonRun run, LessonTexts texts) {
+        StringBuilder lines = new StringBuilder();
         for (LessonStep step : run.lesson().steps()) {
-            out.print(Event.of("check")
+            lines.append(Event.of("check")
                             .with("step", step.name())
                             .with("result", run.isDone(step.name()) ? "pass" : "fail")
-                            .with("text", run.shown(texts.of("step " + step.name())))
-                    + "\n");
+                            .with("text", run.shown(texts.of("step " + step.name()))))
+                    .append('\n');
         }
-        out.print("score=" + run.score() + " of=" + run.lesson().steps().size() + "\n");
-        out.flush();
-    }
-
-    private static void write(Path file, String text) {
-        try {
-            Files.writeString(file, text);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        return lines + "score=" + run.score() + " of=" + run.lesson().steps().size() + "\n";
     }
 }

@@ -1,32 +1,39 @@
 package simgsm.classroom.lesson;
 
 import java.io.IOException;
-import java.lang.ProcessBuilder.Redirect;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.stream.Collectors;
-import simgsm.center.app.CenterTexts;
-import simgsm.center.app.ChildConsole;
+import simgsm.air.Msisdn;
+import simgsm.center.app.CenterSettings;
+import simgsm.center.app.NewSims;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSnapshot;
-import simgsm.classroom.demo.DemoPrograms;
+import simgsm.classroom.session.Consoles;
+import simgsm.classroom.session.Session;
+import simgsm.classroom.session.SessionFailure;
+import simgsm.classroom.ui.ClassroomTexts;
+import simgsm.console.Arguments;
 import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 import simgsm.console.TextBundle;
+import simgsm.console.UsageException;
+import simgsm.lesson.Lesson;
 import simgsm.lesson.LessonAction;
 import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonRun;
@@ -35,63 +42,152 @@ import simgsm.lesson.LessonRun;
  * The programs of a lesson and what happens in them. Lines of solutions and of the lesson's actions are performed here; any
  * thread may, one at a time.
  */
-final class LessonSession implements AutoCloseable {
+final class LessonSession implements Consoles.Listener {
     /** Starting Java programs on a slow machine. */
     private static final double START_SECONDS = 60;
 
-    private static final double WAIT_SECONDS = 20;
-    private static final double MOST_WAIT_SECONDS = 600;
-    private static final int END_SECONDS = 10;
+    /** In the lesson's folder. */
+    private static final String CAPTURE = "lesson.pcap";
 
-    private static final String CENTRE = "centre";
+    /** Options of the user's own network, which a lesson does not have; the seed is that of the student's numbers. */
+    private static final String[] OWN = {
+        "seed",
+        "data",
+        "hlr",
+        "barred-imeis",
+        "smpp",
+        "http",
+        "cdr",
+        "capture",
+        "call-waiting",
+        "tones",
+        "t303",
+        "handover"
+    };
+
+    /** Told what a student has to know; called by the threads of the programs' consoles. */
+    interface Watcher {
+        default void changed() {}
+
+        /** A program has refused a line of this action. */
+        default void refused(String action, String why) {}
+
+        /** A program has ended; {@code isFault}: before it was ready, or with an exit status other than 0. */
+        default void ended(String program, int status, boolean isFault) {}
+
+        /** The robot has hung up, because no key came for these seconds. */
+        default void idle(String seconds) {}
+
+        /** A lesson is chosen in the help of a program's window. */
+        default void open(String lesson) {}
+    }
+
     private final LessonRun run;
-    private final DemoPrograms programs;
-    private final LessonEvents events;
+    private final Session session;
+    private final Consoles consoles;
     private final LessonTools tools;
-    private final Path folder;
     private final Function<LessonProgram, List<String>> manner;
     private final TextBundle words;
-    private final Map<String, ChildConsole> consoles = new ConcurrentHashMap<>();
     private final Queue<String> told = new ConcurrentLinkedQueue<>();
-    private final Map<String, Integer> atPorts = new ConcurrentHashMap<>();
     /** Whether a tool has failed since the action began. */
     private boolean hasFailed;
     /** The latest action; empty before the first one. */
     private volatile String acted = "";
 
-    private volatile LessonConsole.Troubles troubles = LessonConsole.NONE;
+    private volatile Watcher watcher = new Watcher() {};
 
     /**
-     * @param folder in which tools run and files are handed in
      * @param own where a teacher's own lesson lies
      * @param manner the further options of a program, such as {@code --headless}
      * @param language of the student's texts
      */
     LessonSession(
             LessonRun run,
-            DemoPrograms programs,
-            Path folder,
+            Session session,
             Optional<Path> own,
             Function<LessonProgram, List<String>> manner,
             Locale language) {
         this.run = run;
-        this.programs = programs;
-        this.folder = folder;
+        this.session = session;
         this.manner = manner;
-        words = CenterTexts.in(language);
-        events = new LessonEvents(run);
-        tools = new LessonTools(programs.children(), folder);
-        events.withRun(each -> each.put("folder", folder.toString()));
-        own.ifPresent(place ->
-                events.withRun(each -> each.put("lesson", place.toAbsolutePath().toString())));
+        words = ClassroomTexts.in(language);
+        consoles = session.consoles();
+        consoles.listen(this);
+        tools = new LessonTools(session.children(), session.folder());
+        run.put("folder", session.folder().toString());
+        own.ifPresent(place -> run.put("lesson", place.toAbsolutePath().toString()));
     }
 
-    LessonEvents events() {
-        return events;
+    /** Opens the network of a lesson, closed or with a capture as the lesson asks; nothing is started. */
+    static Session open(Lesson lesson, Arguments arguments) throws IOException, UsageException {
+        Arguments own = arguments.without(OWN);
+        return Session.open(own, folder -> settings(lesson, own, folder));
     }
 
-    void onTrouble(LessonConsole.Troubles listener) {
-        troubles = listener;
+    /** @throws UsageException naming the lesson where an option of its centre is wrong */
+    private static CenterSettings settings(Lesson lesson, Arguments arguments, Path folder)
+            throws IOException, UsageException {
+        Arguments own = arguments;
+        for (Map.Entry<String, String> option : lesson.center().entrySet()) {
+            own = own.with(option.getKey(), option.getValue());
+        }
+        if (!lesson.closed().isEmpty()) {
+            Path list = folder.resolve("class.hlr");
+            Set<Msisdn> numbers = new LinkedHashSet<>();
+            lesson.closed().forEach(number -> numbers.add(new Msisdn(number)));
+            PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+            NewSims.make(list, numbers, nowhere);
+            own = own.with("hlr", list.toString());
+        }
+        if (lesson.isCaptured()) {
+            own = own.with("capture", folder.resolve(CAPTURE).toString());
+        }
+        try {
+            return CenterSettings.read(own);
+        } catch (UsageException e) {
+            boolean isLessons = lesson.center().keySet().stream()
+                    .anyMatch(option -> e.getMessage().startsWith("--" + option + ":"));
+            throw isLessons ? new UsageException(lesson.name() + ": centre " + e.getMessage()) : e;
+        }
+    }
+
+    @Override
+    public void event(String source, Event event) {
+        synchronized (run) {
+            run.event(source, event);
+        }
+        watcher.changed();
+        report(event, acted, watcher);
+    }
+
+    /** @param action the latest one; empty before the first */
+    static void report(Event event, String action, Watcher watcher) {
+        if (event.name().equals("error") && !action.isEmpty()) {
+            watcher.refused(action, event.fields().getOrDefault("text", ""));
+        } else if (event.name().equals("call-idle")) {
+            watcher.idle(event.fields().getOrDefault("seconds", ""));
+        }
+    }
+
+    @Override
+    public void ended(String name, int status, boolean isFault) {
+        watcher.ended(name, status, isFault);
+    }
+
+    @Override
+    public void lessonChosen(String lesson) {
+        watcher.open(lesson);
+    }
+
+    void watch(Watcher next) {
+        watcher = next;
+    }
+
+    /** Reads the run between two events. */
+    <T> T ofRun(Function<LessonRun, T> question) {
+        synchronized (run) {
+            return question.apply(run);
+        }
     }
 
     /** Whether the latest action has failed. */
@@ -99,25 +195,28 @@ final class LessonSession implements AutoCloseable {
         return hasFailed;
     }
 
+    /** The programs that run. */
+    Set<String> running() {
+        return consoles.running();
+    }
+
     /** A line with the values of its names in braces; {@code isAll}: also of those that students have to find. */
     String replaced(String line, boolean isAll) {
-        String[] text = new String[1];
-        events.withRun(each -> text[0] = isAll ? each.solved(line) : each.shown(line));
-        return text[0];
+        return ofRun(each -> isAll ? each.solved(line) : each.shown(line));
     }
 
     /** Takes the centre's events. */
     Consumer<ExchangeEvent> centerEvents() {
-        return event -> events.add(CENTRE, Event.from(event));
+        return session.centerEvents();
     }
 
     /** Takes the centre's ladder. */
     Consumer<ExchangeSnapshot> trace() {
-        return new TraceEvents(event -> events.add("trace", event));
+        return new TraceEvents(event -> consoles.add("trace", event));
     }
 
     /** Starts the programs of the lesson, all at once, and waits until they are registered. */
-    void start() throws IOException, LessonFailure, InterruptedException {
+    void start() throws IOException, SessionFailure, InterruptedException {
         List<LessonProgram> first = run.lesson().programs().stream()
                 .filter(program -> !program.isLater())
                 .toList();
@@ -127,27 +226,22 @@ final class LessonSession implements AutoCloseable {
                     .anyMatch(option -> replaced(option, true).contains("{"));
             if (needsPort) {
                 for (String earlier : started) {
-                    events.await(earlier, Event.of("ready"), START_SECONDS);
+                    consoles.await(earlier, "ready", START_SECONDS);
                 }
             }
             launch(program);
             started.add(program.name());
         }
         for (LessonProgram program : first) {
-            if (isTerminal(program)) {
-                events.await(program.name(), Event.of("registered"), START_SECONDS);
+            if (program.options().contains("--number")) {
+                consoles.await(program.name(), "registered", START_SECONDS);
             }
         }
     }
 
-    /** Whether it registers with a number. */
-    private static boolean isTerminal(LessonProgram program) {
-        return program.options().contains("--number");
-    }
-
-    private void startAgain(LessonProgram program) throws IOException, LessonFailure {
-        if (running().contains(program.name())) {
-            throw new LessonFailure(words.of("lesson.program.runs", program.name()));
+    private void startAgain(LessonProgram program) throws IOException, SessionFailure {
+        if (consoles.isRunning(program.name())) {
+            throw new SessionFailure(words.of("lesson.program.runs", program.name()));
         }
         launch(program);
     }
@@ -157,28 +251,7 @@ final class LessonSession implements AutoCloseable {
         program.options().forEach(option -> options.add(replaced(option, true)));
         options.addAll(manner.apply(program));
         int number = options.indexOf("--number");
-        String name = program.name();
-        events.skip(name);
-        events.begun(name);
-        Process process = programs.start(
-                program.jar() + ".jar", number < 0 ? "" : options.get(number + 1), Redirect.PIPE, options);
-        LessonConsole listener = new LessonConsole(name, process, events) {
-            @Override
-            String action() {
-                return acted;
-            }
-
-            @Override
-            Troubles troubles() {
-                return troubles;
-            }
-
-            @Override
-            void atPort(int port) {
-                atPorts.put(name, port);
-            }
-        };
-        consoles.put(name, new ChildConsole(name, process, listener));
+        session.start(program.name(), program.jar(), number < 0 ? "" : options.get(number + 1), options);
     }
 
     /**
@@ -186,53 +259,55 @@ final class LessonSession implements AutoCloseable {
      * FILE WORDS}, {@code at} or {@code submit PROGRAM TEXT}, {@code act NAME INPUT}, {@code SOURCE wait EVENT
      * [FIELD=VALUE]... [SECONDS]}, or a command of a program's console, {@code PROGRAM COMMAND}.
      */
-    void perform(String line) throws LessonFailure, InterruptedException {
+    void perform(String line) throws SessionFailure, InterruptedException {
         String[] parts = line.strip().split("\\s+", 2);
         String rest = parts.length == 2 ? parts[1] : "";
         try {
             switch (parts[0]) {
-                case "predict" -> events.withRun(each -> each.predict(rest));
+                case "predict" -> change(each -> each.predict(rest));
                 case "answer" -> answer(rest);
                 case "start" -> startAgain(program(rest));
-                case "stop" -> stop(rest);
+                case "stop" -> {
+                    requireRunning(rest);
+                    consoles.perform(line);
+                }
                 case "tool" -> tell(tools.tool(words(rest)));
                 case "java" -> tell(tools.source(words(rest)));
                 case "drive" -> drive(words(rest));
                 case "capture" -> capture();
                 case "give" -> give(rest);
-                case "use" -> throw new LessonFailure("use: expected in a solution's file");
+                case "use" -> throw new SessionFailure("use: expected in a solution's file");
                 case "at", "submit" -> at(parts[0], rest);
                 case "act" -> act(rest);
-                default -> command(parts[0], rest);
+                default -> command(parts[0], rest, line);
             }
         } catch (IOException | IllegalArgumentException e) {
-            throw new LessonFailure(line + ": " + e.getMessage());
+            throw new SessionFailure(line + ": " + e.getMessage());
         }
     }
 
     /** {@code drive PROCESS WORLD}; the process is in a file of the lesson's folder. */
-    private void drive(List<String> words) throws LessonFailure, IOException, InterruptedException {
+    private void drive(List<String> words) throws SessionFailure, IOException, InterruptedException {
         if (words.size() != 2) {
-            throw new LessonFailure("expected drive PROCESS WORLD");
+            throw new SessionFailure("expected drive PROCESS WORLD");
         }
-        Event event = WallRun.run(tools, folder, words.get(0), words.get(1));
-        tell(event);
+        tell(WallRun.run(tools, session.folder(), words.get(0), words.get(1)));
     }
 
-    private void capture() throws LessonFailure, IOException {
-        events.add(
+    private void capture() throws SessionFailure, IOException {
+        consoles.add(
                 "tool",
-                CapturedMessage.setup(folder.resolve(LessonNetwork.CAPTURE))
-                        .orElseThrow(() -> new LessonFailure(words.of("lesson.capture.none"))));
+                CapturedMessage.setup(session.folder().resolve(CAPTURE))
+                        .orElseThrow(() -> new SessionFailure(words.of("lesson.capture.none"))));
     }
 
     /** {@code give FILE}: copies a file that the student has chosen into the lesson's folder. */
-    private void give(String file) throws LessonFailure, IOException {
+    private void give(String file) throws SessionFailure, IOException {
         Path from = Path.of(file);
         if (!Files.isRegularFile(from)) {
-            throw new LessonFailure("expected a file, found " + (file.isEmpty() ? "nothing" : file));
+            throw new SessionFailure("expected a file, found " + (file.isEmpty() ? "nothing" : file));
         }
-        Path to = folder.resolve(from.getFileName());
+        Path to = session.folder().resolve(from.getFileName());
         if (!from.toAbsolutePath().equals(to.toAbsolutePath())) {
             Files.copy(from, to, StandardCopyOption.REPLACE_EXISTING);
         }
@@ -245,7 +320,7 @@ final class LessonSession implements AutoCloseable {
         if (!line.isEmpty()) {
             told.add(line);
         }
-        events.add("tool", event);
+        consoles.add("tool", event);
     }
 
     /** What tools have printed since the last call, a line each. */
@@ -257,61 +332,54 @@ final class LessonSession implements AutoCloseable {
         return String.join("\n\n", lines);
     }
 
+    private void change(Consumer<LessonRun> change) {
+        synchronized (run) {
+            change.accept(run);
+        }
+    }
+
     private void answer(String rest) {
         String[] parts = rest.split("\\s+", 2);
-        events.withRun(each -> each.answer(parts[0], parts.length == 2 ? parts[1] : ""));
+        change(each -> each.answer(parts[0], parts.length == 2 ? parts[1] : ""));
     }
 
-    private LessonProgram program(String name) throws LessonFailure {
+    private LessonProgram program(String name) throws SessionFailure {
         return run.lesson()
                 .program(name)
-                .orElseThrow(() -> new LessonFailure("expected a program of the lesson, found " + name));
+                .orElseThrow(() -> new SessionFailure("expected a program of the lesson, found " + name));
     }
 
-    private void stop(String name) throws LessonFailure, IOException, InterruptedException {
-        ChildConsole console = console(name);
-        console.process().getOutputStream().close();
-        if (!console.process().waitFor(END_SECONDS, TimeUnit.SECONDS)) {
-            throw new LessonFailure(name + ": expected to end within " + END_SECONDS + " s");
-        }
-    }
-
-    /** The programs that run. */
-    Set<String> running() {
-        return consoles.entrySet().stream()
-                .filter(each -> each.getValue().process().isAlive())
-                .map(Map.Entry::getKey)
-                .collect(Collectors.toSet());
-    }
-
-    private ChildConsole console(String name) throws LessonFailure {
+    private void requireRunning(String name) throws SessionFailure {
         program(name);
-        ChildConsole console = consoles.get(name);
-        if (console == null || !console.process().isAlive()) {
-            throw new LessonFailure(words.of("lesson.program.off", name));
+        if (!consoles.isRunning(name)) {
+            throw new SessionFailure(words.of("lesson.program.off", name));
         }
-        return console;
     }
 
-    private void at(String verb, String rest) throws LessonFailure, IOException {
+    private void at(String verb, String rest) throws SessionFailure, IOException {
         String[] parts = rest.split("\\s+", 2);
-        console(parts[0]);
-        Integer port = atPorts.get(parts[0]);
-        if (port == null || parts.length < 2) {
-            throw new LessonFailure("expected a program with --at and a text, found " + rest);
+        requireRunning(parts[0]);
+        int port = consoles.ready(parts[0]).map(LessonSession::atPort).orElse(0);
+        if (port == 0 || parts.length < 2) {
+            throw new SessionFailure("expected a program with --at and a text, found " + rest);
         }
         try (AtLine line = new AtLine(port)) {
             Event answer = verb.equals("at") ? line.command(parts[1]) : line.submit(parts[1].replace(" ", ""));
             told.add(answer.fields().get("command") + ": " + answer.fields().get("answer"));
-            events.add(parts[0], answer);
+            consoles.add(parts[0], answer);
         }
     }
 
-    private void act(String rest) throws LessonFailure, InterruptedException {
+    /** The first AT port of a program; 0 for none. */
+    static int atPort(Event ready) {
+        return Integer.parseInt("0" + ready.fields().getOrDefault("at", "").split(",")[0]);
+    }
+
+    private void act(String rest) throws SessionFailure, InterruptedException {
         String[] parts = rest.split("\\s+", 2);
         LessonAction action = run.lesson()
                 .action(parts[0])
-                .orElseThrow(() -> new LessonFailure("expected an action of the lesson, found " + parts[0]));
+                .orElseThrow(() -> new SessionFailure("expected an action of the lesson, found " + parts[0]));
         String given = parts.length == 2 ? parts[1].replace('\\', '/') : "";
         String input = action.input() instanceof LessonAction.Range range ? number(range, given) : given;
         String name = input.substring(input.lastIndexOf('/') + 1).replaceFirst("[.][a-z]+$", "");
@@ -326,77 +394,47 @@ final class LessonSession implements AutoCloseable {
         }
     }
 
-    private String number(LessonAction.Range range, String given) throws LessonFailure {
+    private String number(LessonAction.Range range, String given) throws SessionFailure {
         String text = range.isWhole() ? "lesson.integer" : "lesson.number";
         return range.number(given)
-                .orElseThrow(() -> new LessonFailure(
+                .orElseThrow(() -> new SessionFailure(
                         words.of(text, String.valueOf(range.least()), String.valueOf(range.most()), given)));
     }
 
-    private void command(String name, String command) throws LessonFailure, IOException, InterruptedException {
+    private void command(String name, String command, String line) throws SessionFailure, InterruptedException {
         if (command.startsWith("wait ")) {
-            await(name, command);
-        } else if (name.equals(CENTRE)) {
+            consoles.perform(line);
+        } else if (name.equals(Session.CENTRE)) {
             center(command);
         } else {
-            console(name).command(command);
+            requireRunning(name);
+            consoles.perform(line);
         }
     }
 
     /** {@code handover ALGORITHM[,NAME=N]...} is the one command of the centre that lessons have. */
-    private void center(String command) throws LessonFailure {
+    private void center(String command) throws SessionFailure {
         List<String> words = words(command);
         if (words.size() != 2 || !words.get(0).equals("handover")) {
-            throw new LessonFailure("centre: expected handover ALGORITHM[,NAME=N]..., found " + command);
+            throw new SessionFailure("centre: expected handover ALGORITHM[,NAME=N]..., found " + command);
         }
-        events.add(CENTRE, programs.center().setHandover(words.get(1)));
+        consoles.add(Session.CENTRE, session.center().setHandover(words.get(1)));
     }
 
-    private void await(String source, String command) throws LessonFailure, InterruptedException {
-        List<String> words = new ArrayList<>(words(command));
-        words.remove(0);
-        double seconds = WAIT_SECONDS;
-        String last = words.isEmpty() ? "" : words.get(words.size() - 1);
-        if (last.matches("[0-9]+(\\.[0-9]+)?")) {
-            seconds = Double.parseDouble(last);
-            if (seconds > MOST_WAIT_SECONDS) {
-                throw new LessonFailure("wait: expected at most " + (int) MOST_WAIT_SECONDS + " s, found " + last);
-            }
-            words.remove(words.size() - 1);
-        }
-        if (words.isEmpty()) {
-            throw new LessonFailure("wait: expected EVENT [FIELD=VALUE]... [SECONDS]");
-        }
-        Event wanted = Event.of(words.get(0));
-        for (String word : words.subList(1, words.size())) {
-            int equals = word.indexOf('=');
-            if (equals <= 0) {
-                throw new LessonFailure("wait: expected FIELD=VALUE, found " + word);
-            }
-            wanted = wanted.with(word.substring(0, equals), word.substring(equals + 1));
-        }
-        events.await(source, wanted, seconds);
-    }
-
-    private static List<String> words(String text) throws LessonFailure {
+    private static List<String> words(String text) throws SessionFailure {
         try {
             List<String> words = new ConsoleCommand("", text).words();
             if (words.isEmpty()) {
-                throw new LessonFailure("expected more words in this line");
+                throw new SessionFailure("expected more words in this line");
             }
             return words;
         } catch (CommandException e) {
-            throw new LessonFailure(e.getMessage());
+            throw new SessionFailure(e.getMessage());
         }
     }
 
     /** Puts a file into the lesson's folder. */
     void handIn(String name, byte[] content) throws IOException {
-        Files.write(folder.resolve(name), content);
-    }
-
-    @Override
-    public void close() {
-        programs.close();
+        Files.write(session.folder().resolve(name), content);
     }
 }

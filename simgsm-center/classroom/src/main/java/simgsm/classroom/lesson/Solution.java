@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import simgsm.classroom.session.SessionFailure;
 import simgsm.file.Utf8Text;
 import simgsm.lesson.LessonException;
 import simgsm.lesson.LessonLibrary;
@@ -40,22 +41,22 @@ record Solution(
                 : library.octets(lesson, name + "/" + other);
     }
 
-    /** Performs all lines. @throws LessonFailure naming the line that failed */
-    void play(LessonSession session) throws LessonFailure, InterruptedException {
+    /** Performs all lines. @throws SessionFailure naming the line that failed */
+    void play(LessonSession session) throws SessionFailure, InterruptedException {
         int number = 0;
         for (String line : lines) {
             number++;
             if (!line.isBlank() && !line.startsWith("#")) {
                 try {
                     perform(line.strip(), session);
-                } catch (LessonFailure e) {
-                    throw new LessonFailure(name + ", line " + number + ": " + e.getMessage());
+                } catch (SessionFailure e) {
+                    throw new SessionFailure(name + ", line " + number + ": " + e.getMessage());
                 }
             }
         }
     }
 
-    private void perform(String line, LessonSession session) throws LessonFailure, InterruptedException {
+    private void perform(String line, LessonSession session) throws SessionFailure, InterruptedException {
         String text = session.replaced(line, isOwn);
         if (!text.startsWith("use ")) {
             session.perform(text);
@@ -65,11 +66,11 @@ record Solution(
         try {
             Path file = Path.of(wanted);
             if (!file.equals(file.getFileName()) || wanted.equals("..")) {
-                throw new LessonFailure("use: expected the name of a file beside the solution, found " + wanted);
+                throw new SessionFailure("use: expected the name of a file beside the solution, found " + wanted);
             }
             session.handIn(wanted, beside(wanted));
         } catch (IOException | LessonException | IllegalArgumentException e) {
-            throw new LessonFailure("use: " + e.getMessage());
+            throw new SessionFailure("use: " + e.getMessage());
         }
     }
 }

@@ -13,11 +13,12 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.stream.Stream;
 import simgsm.center.app.CenterSettings;
-import simgsm.center.app.CenterTexts;
 import simgsm.center.app.CenterWindow;
 import simgsm.center.app.DataDirectory;
 import simgsm.classroom.demo.DemoLayout;
-import simgsm.classroom.demo.DemoPrograms;
+import simgsm.classroom.session.Session;
+import simgsm.classroom.session.SessionFailure;
+import simgsm.classroom.ui.ClassroomTexts;
 import simgsm.classroom.ui.LessonActs;
 import simgsm.classroom.ui.LessonFrame;
 import simgsm.classroom.ui.LessonPanel;
@@ -39,7 +40,7 @@ import simgsm.ui.window.WindowIcon;
 import simgsm.ui.window.WindowPlace;
 
 /** {@code --demo --lesson NAME}: the suite with the lesson's panel at its right. */
-public final class WindowedLesson implements LessonActs, LessonConsole.Troubles {
+public final class WindowedLesson implements LessonActs, LessonSession.Watcher {
     private static final double SHARE_OF_SCREEN = 0.24;
     private static final int LEAST_WIDTH = 270;
     private static final int MOST_WIDTH = 460;
@@ -109,34 +110,21 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
                 .saying(isZoomGiven, ProgramWindow.zoomPercent(arguments));
         ProgramWindow window = ProgramWindow.of(
                 arguments.with("zoom", String.valueOf(layout.zoomPercent())), Optional.of(layout.center()));
-        Path folder = LessonNetwork.newFolder();
         LessonRun run = new LessonRun(lesson, seed, new LessonFigures());
-        try (DemoPrograms programs = LessonNetwork.open(lesson, folder, arguments)) {
+        try (Session network = LessonSession.open(lesson, arguments)) {
             LessonSession session = new LessonSession(
                     run,
-                    programs,
-                    folder,
+                    network,
                     library.folder(lesson.name()),
                     program -> options(program, lesson, layout, screen),
                     arguments.language());
             WindowedLesson opened = new WindowedLesson(library, texts, arguments.language(), run, session, window);
+            CenterWindow.Watch watch = new CenterWindow.Watch(
+                    session.centerEvents(), session.trace(), () -> opened.open(place), language -> {}, true, Set.of());
             Optional<String> chosen = CenterWindow.run(
-                    programs.center(),
-                    arguments,
-                    CenterSettings.read(arguments),
-                    programs.children(),
-                    window,
-                    new CenterWindow.Watch(
-                            session.centerEvents(),
-                            session.trace(),
-                            () -> opened.open(place),
-                            language -> {},
-                            true,
-                            Set.of()));
+                    network.center(), arguments, CenterSettings.read(arguments), network.children(), window, watch);
             opened.end();
             return chosen.or(() -> Optional.ofNullable(opened.next));
-        } finally {
-            DemoPrograms.remove(folder);
         }
     }
 
@@ -184,9 +172,7 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
     /** On the event thread, when the theme is installed. */
     private void open(WindowPlace place) {
         refresh();
-        session.events().onChange(this::refresh);
-        session.events().onLesson(this::open);
-        session.onTrouble(this);
+        session.watch(this);
         LessonPanel panel = new LessonPanel(lesson, texts, library.names(), language, run::shown, this);
         frame = LessonFrame.open(
                 DesktopTexts.in(language).of("lessons.title") + ": " + texts.of("title"),
@@ -198,12 +184,12 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
                 place.height(),
                 () -> view);
         perform(() -> {
-            notice = DesktopTexts.in(language).of("lesson.starting");
+            notice = ClassroomTexts.in(language).of("lesson.starting");
             refresh();
             try {
                 session.start();
-            } catch (LessonFailure e) {
-                throw new LessonFailure(CenterTexts.in(language).of("lesson.start.failed", e.getMessage()));
+            } catch (SessionFailure e) {
+                throw new SessionFailure(ClassroomTexts.in(language).of("lesson.start.failed", e.getMessage()));
             }
             notice = "";
         });
@@ -225,7 +211,7 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
 
     @Override
     public void idle(String seconds) {
-        notice = CenterTexts.in(language).of("lesson.idle", seconds);
+        notice = ClassroomTexts.in(language).of("lesson.idle", seconds);
         refresh();
     }
 
@@ -234,7 +220,7 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
         String why = texts.find("refused " + program)
                 .map(text -> "\n\n" + run.shown(text))
                 .orElse("");
-        return CenterTexts.in(language).of("lesson.program.ended", title, String.valueOf(status)) + why;
+        return ClassroomTexts.in(language).of("lesson.program.ended", title, String.valueOf(status)) + why;
     }
 
     private void end() {
@@ -246,7 +232,7 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
 
     /** What may fail with a text for the student. */
     private interface Act {
-        void perform() throws IOException, LessonFailure, InterruptedException;
+        void perform() throws IOException, SessionFailure, InterruptedException;
     }
 
     private void perform(Act act) {
@@ -255,15 +241,21 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
                 act.perform();
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
-            } catch (IOException | LessonFailure e) {
+            } catch (IOException | SessionFailure e) {
                 notice = e.getMessage();
             }
             refresh();
         });
     }
 
+    @Override
+    public void changed() {
+        refresh();
+    }
+
     private void refresh() {
-        session.events().withRun(each -> view = LessonViews.of(each, session.running(), notice));
+        Set<String> running = session.running();
+        session.ofRun(each -> view = LessonViews.of(each, running, notice));
     }
 
     private void line(String line) {
@@ -283,7 +275,7 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
 
     @Override
     public void act(String name, String input) {
-        String working = DesktopTexts.in(language).of("lesson.working");
+        String working = ClassroomTexts.in(language).of("lesson.working");
         perform(() -> {
             notice = working;
             refresh();
@@ -322,10 +314,9 @@ public final class WindowedLesson implements LessonActs, LessonConsole.Troubles 
             PrivateFiles.makeFolder(folder);
             String who = student.replaceAll("[^\\p{L}\\p{N}]+", "-");
             Path file = folder.resolve(lesson.name() + "-" + run.seed() + (who.isEmpty() ? "" : "-" + who) + ".txt");
-            String[] text = new String[1];
-            session.events().withRun(each -> text[0] = LessonResult.text(each, student, Instant.now()));
-            FileReplacement.writePrivately(file, text[0].getBytes(StandardCharsets.UTF_8));
-            notice = DesktopTexts.in(language).of("lesson.saved", file.toString());
+            String text = session.ofRun(each -> LessonResult.text(each, student, Instant.now()));
+            FileReplacement.writePrivately(file, text.getBytes(StandardCharsets.UTF_8));
+            notice = ClassroomTexts.in(language).of("lesson.saved", file.toString());
         });
     }
 

@@ -17,7 +17,6 @@ import javax.swing.JFrame;
 import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
 import simgsm.file.FileReplacement;
-import simgsm.ui.DesktopTexts;
 import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.UserAction;
@@ -64,8 +63,8 @@ public final class ClassFrame {
 
     /** Shows the class in a language; on the event thread. */
     public void speak(Locale language) {
-        panel = new ClassPanel(language, acts, new Frames(DesktopTexts.in(language)));
-        frame.setTitle(DesktopTexts.in(language).of("class.title"));
+        panel = new ClassPanel(language, acts, new Frames(ClassroomTexts.in(language)));
+        frame.setTitle(ClassroomTexts.in(language).of("class.title"));
         frame.setContentPane(panel);
         WindowKeys.install(frame.getRootPane(), language);
         newest.ifPresent(panel::show);

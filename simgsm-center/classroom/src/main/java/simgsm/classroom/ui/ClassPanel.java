@@ -42,6 +42,7 @@ public final class ClassPanel extends JPanel {
     private static final int CLOCK_UNITS = 22;
     private static final int SECONDS_PER_MINUTE = 60;
 
+    private final Locale language;
     private final TextBundle words;
     private final ClassActs acts;
     private final Frames frames;
@@ -67,9 +68,10 @@ public final class ClassPanel extends JPanel {
 
     public ClassPanel(Locale language, ClassActs acts, Frames frames) {
         super(new BorderLayout());
+        this.language = language;
         this.acts = acts;
         this.frames = frames;
-        words = DesktopTexts.in(language);
+        words = ClassroomTexts.in(language);
         model = new DefaultTableModel(
                 COLUMNS.stream().map(column -> words.of("class." + column)).toArray(), 0);
         table = ComponentNames.name(new JTable(model), "class.table", words.of("class.title"));
@@ -80,9 +82,6 @@ public final class ClassPanel extends JPanel {
         start = action("start", Symbol.PLAY, acts::start);
         stop = action("stop", Symbol.BRAKE, acts::stop);
         replay = action("replay", Symbol.PLAY, this::replay);
-        UserAction save = action("save", Symbol.SAVE, this::save);
-        UserAction copy = action("copy", Symbol.LIST, this::copy);
-        UserAction large = action("large", Symbol.FIT, this::showLarge);
         ComponentNames.name(clock, "class.clock", words.of("class.clock"));
         ComponentNames.name(best, "class.best", words.of("class.best.name"));
         ComponentNames.name(command, "class.command", words.of("class.commands"));
@@ -90,26 +89,31 @@ public final class ClassPanel extends JPanel {
         command.setLineWrap(true);
         command.setWrapStyleWord(true);
         command.setText(acts.pattern());
-        GlossaryText about = new GlossaryText("class.about", Optional.empty(), term -> {});
-        about.show(words.of("class.about"));
-        add(
-                Arrange.column(
-                        Theme.GRID,
-                        about,
-                        Arrange.row(Theme.GRID, button(start), button(stop), Arrange.spring(), clock),
-                        best,
-                        Arrange.growing(new JScrollPane(table)),
-                        // The table makes room for a notice, so that no button moves.
-                        notice,
-                        Arrange.row(Theme.GRID, button(replay), button(save), Arrange.spring()),
-                        new JLabel(words.of("class.commands")),
-                        command,
-                        Arrange.row(Theme.GRID, button(copy), button(large), Arrange.spring())),
-                BorderLayout.CENTER);
+        add(content(), BorderLayout.CENTER);
         acts.warning().ifPresent(notice::show);
         notice.setVisible(acts.warning().isPresent());
         dress();
         show(new ClassView(List.of(), ClassView.Phase.FREE, 0, Optional.empty()));
+    }
+
+    private JComponent content() {
+        JButton save = button(action("save", Symbol.SAVE, this::save));
+        JButton copy = button(action("copy", Symbol.LIST, this::copy));
+        JButton large = button(action("large", Symbol.FIT, this::showLarge));
+        GlossaryText about = new GlossaryText("class.about", Optional.empty(), term -> {});
+        about.show(words.of("class.about"));
+        return Arrange.column(
+                Theme.GRID,
+                about,
+                Arrange.row(Theme.GRID, button(start), button(stop), Arrange.spring(), clock),
+                best,
+                Arrange.growing(new JScrollPane(table)),
+                // The table makes room for a notice, so that no button moves.
+                notice,
+                Arrange.row(Theme.GRID, button(replay), save, Arrange.spring()),
+                new JLabel(words.of("class.commands")),
+                command,
+                Arrange.row(Theme.GRID, copy, large, Arrange.spring()));
     }
 
     private UserAction action(String id, Symbol symbol, Runnable task) {
@@ -197,7 +201,10 @@ public final class ClassPanel extends JPanel {
     /** All commands, a line each. */
     private void copy() {
         boolean isCopied = CopiedText.copy(String.join("\n", acts.commands()) + "\n");
-        tell(isCopied ? words.of("class.copied", acts.commands().size()) : words.of("clipboard.busy"));
+        tell(
+                isCopied
+                        ? words.of("class.copied", acts.commands().size())
+                        : DesktopTexts.in(language).of("clipboard.busy"));
     }
 
     private void showLarge() {

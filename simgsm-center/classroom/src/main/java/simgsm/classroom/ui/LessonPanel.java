@@ -28,7 +28,6 @@ import simgsm.lesson.LessonStep;
 import simgsm.lesson.LessonTexts;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
-import simgsm.ui.DesktopTexts;
 import simgsm.ui.Lamp;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -83,7 +82,7 @@ public final class LessonPanel extends JPanel {
         this.all = all;
         this.numbers = numbers;
         this.acts = acts;
-        words = DesktopTexts.in(language);
+        words = ClassroomTexts.in(language);
         closeNotices = new UserAction("lesson.notice.close", words.of("lesson.notice.close"), this::closeNotices)
                 .with(Symbol.CLOSE.icon());
         closeNotices.setEnabled(false);

@@ -34,6 +34,6 @@ class ClassReplayTest {
                         "120",
                         "--theme",
                         "dark"),
-                ClassDemo.replayOptions("class.rec", 7, new Locale("es")));
+                ClassWindow.replayOptions("class.rec", 7, new Locale("es")));
     }
 }

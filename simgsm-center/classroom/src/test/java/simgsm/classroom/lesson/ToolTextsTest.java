@@ -4,13 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
-import simgsm.center.app.CenterTexts;
+import simgsm.classroom.ui.ClassroomTexts;
 import simgsm.console.Event;
 import simgsm.console.TextBundle;
 
 class ToolTextsTest {
-    private final TextBundle english = CenterTexts.in(Locale.ENGLISH);
-    private final TextBundle spanish = CenterTexts.in(Locale.forLanguageTag("es"));
+    private final TextBundle english = ClassroomTexts.in(Locale.ENGLISH);
+    private final TextBundle spanish = ClassroomTexts.in(Locale.forLanguageTag("es"));
 
     private static Event decode(String file, String keys) {
         return Event.of("decode")

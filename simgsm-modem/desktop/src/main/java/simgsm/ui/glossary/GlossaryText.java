@@ -63,6 +63,17 @@ public final class GlossaryText extends JEditorPane {
         putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         ComponentNames.name(this, name, name);
         setFocusable(false);
+        bindKeys(chosen);
+        followFocus();
+        setCaret(new HiddenCaret());
+        addHyperlinkListener(event -> {
+            if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED) {
+                chosen.accept(event.getDescription());
+            }
+        });
+    }
+
+    private void bindKeys(Consumer<String> chosen) {
         // Else Tab would end here, as in a text that is edited.
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
@@ -75,6 +86,9 @@ public final class GlossaryText extends JEditorPane {
                             () -> terms().skip(Math.max(0, at)).findFirst().ifPresent(chosen))
                     .bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0));
         }
+    }
+
+    private void followFocus() {
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {
@@ -85,23 +99,6 @@ public final class GlossaryText extends JEditorPane {
             public void focusLost(FocusEvent event) {
                 at = -1;
                 move(0);
-            }
-        });
-        setCaret(new DefaultCaret() {
-            @Override
-            public void setVisible(boolean visible) {
-                super.setVisible(false);
-            }
-
-            /** A new text leaves the place to which its list is scrolled. */
-            @Override
-            protected void adjustVisibility(Rectangle place) {
-                // nothing is written here that has to be followed
-            }
-        });
-        addHyperlinkListener(event -> {
-            if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED) {
-                chosen.accept(event.getDescription());
             }
         });
     }
@@ -216,5 +213,18 @@ public final class GlossaryText extends JEditorPane {
     @Override
     public Dimension getMinimumSize() {
         return new Dimension(1, getPreferredSize().height);
+    }
+
+    private static final class HiddenCaret extends DefaultCaret {
+        @Override
+        public void setVisible(boolean visible) {
+            super.setVisible(false);
+        }
+
+        /** A new text leaves the place to which its list is scrolled. */
+        @Override
+        protected void adjustVisibility(Rectangle place) {
+            // nothing is written here that has to be followed
+        }
     }
 }
