@@ -29,7 +29,7 @@ public interface ConsoleRow {
     @EventLine("laser robot= ranges=")
     record LaserRanges(String robot, List<Integer> ranges) implements ConsoleRow {}
 
-    /** Answer to {@code robots}; {@code end of=robots count=} follows. */
+    /** Answer to {@code robots}. */
     @EventLine("robot robot=name number=")
     record RobotRow(String name, String number) implements ConsoleRow {}
 
@@ -45,7 +45,7 @@ public interface ConsoleRow {
     @EventLine("exported robot= file=")
     record Exported(String robot, Path file) implements ConsoleRow {}
 
-    /** Answer to {@code behaviours}; the number starts it by an order, {@code ** #*1 **}. */
+    /** Answer to {@code behaviours}; an order starts a process by its number, {@code ** #*1 **}. */
     @EventLine("behaviour [number=] name=")
     record BehaviourRow(OptionalInt number, String name) implements ConsoleRow {}
 

@@ -15,11 +15,11 @@ public sealed interface RobotEvent {
         return Event.from(this, Map.of("robot", robot));
     }
 
-    /** A robot was added to the run. */
+    /** A robot was added; its pose follows. */
     @EventLine("added robot= number=")
     record Added(String number) implements RobotEvent {}
 
-    /** A robot was removed from the run. */
+    /** A robot was removed. */
     @EventLine("removed robot= number=")
     record Removed(String number) implements RobotEvent {}
 
@@ -27,27 +27,27 @@ public sealed interface RobotEvent {
     @EventLine("registered robot= number=")
     record Registered(String number) implements RobotEvent {}
 
-    /** @param cause decimal reject cause of TS 24.008, 10.5.3.6; empty if the link is lost */
+    /** The modem is out of service. @param cause decimal reject cause of TS 24.008, 10.5.3.6; empty if the link is lost */
     @EventLine("unregistered robot= [cause=]")
     record Unregistered(String cause) implements RobotEvent {}
 
-    /** A real modem's state has changed, or a modem's was queried. */
+    /** State of a real modem, and answer to {@code modem}: ready, silent, sim-pin, sim-puk, no-sim or no-network. */
     @EventLine("modem robot= state=state.word text=")
     record ModemChanged(ModemState state, String text) implements RobotEvent {}
 
-    /** A call rings; {@link CallReceived} follows when it is answered. @param from empty if the network does not say */
+    /** A call rings. @param from empty if the network does not say */
     @EventLine("ringing robot= from=")
     record CallRinging(String from) implements RobotEvent {}
 
-    /** A call was answered. @param from empty if the network does not say */
+    /** A call is answered. @param from empty if the network does not say */
     @EventLine("call robot= from=")
     record CallReceived(String from) implements RobotEvent {}
 
-    /** A key was decided in the received speech. */
+    /** A key is decoded. */
     @EventLine("keys robot= keys=key")
     record KeyReceived(char key) implements RobotEvent {}
 
-    /** An order was read and verified, before anything moves. @param verdict accepted, refused or invalid */
+    /** An order is accepted, refused or invalid; before anything moves. @param verdict accepted, refused or invalid */
     @EventLine("order robot= text=keys verdict=")
     record OrderVerified(String keys, String verdict) implements RobotEvent {}
 
@@ -55,7 +55,7 @@ public sealed interface RobotEvent {
     @EventLine("outcome robot= tone= text=")
     record OrderAnswered(int tone, String text) implements RobotEvent {}
 
-    /** The last sample of a reply tone was sent. */
+    /** A reply tone has been sent. */
     @EventLine("tone robot= key=")
     record ToneSent(char key) implements RobotEvent {}
 
@@ -67,7 +67,7 @@ public sealed interface RobotEvent {
     @EventLine("reply-failed robot= to= text=")
     record ReplyFailed(String to, String text) implements RobotEvent {}
 
-    /** A question of the network by USSD was answered. */
+    /** USSD of the network, and its answer. */
     @EventLine("ussd robot= text= reply=")
     record UssdAnswered(String text, String reply) implements RobotEvent {}
 
@@ -75,19 +75,19 @@ public sealed interface RobotEvent {
     @EventLine("sms robot= from= text=")
     record MessageReceived(String from, String text) implements RobotEvent {}
 
-    /** The modem clears the call, which had no key for 60 s; {@link CallReleased} follows. */
+    /** No key came for 60 s; {@link CallReleased} follows. */
     @EventLine("call-idle robot= seconds=")
     record CallIdle(int seconds) implements RobotEvent {}
 
-    /** A call was cleared. @param cause of TS 24.008, 10.5.4.11 */
+    /** A call is cleared, before the status that this causes. @param cause of TS 24.008, 10.5.4.11 */
     @EventLine("released robot= cause=")
     record CallReleased(int cause) implements RobotEvent {}
 
-    /** The robot's status has changed, or was queried. */
+    /** The robot's status, and answer to {@code status}, {@code power}, {@code motors}. */
     @EventLine("status robot= value=status.text")
     record StatusChanged(RobotStatus status) implements RobotEvent {}
 
-    /** The battery has become low, or has been charged. */
+    /** The battery is below 11 V (low), or charged (ok). */
     @EventLine("battery robot= state=")
     record BatteryChanged(boolean isLow) implements RobotEvent {
         public String state() {
@@ -95,23 +95,23 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** The autonomous process has changed, or was queried. */
+    /** The process, and answer to {@code behaviour}. */
     @EventLine("behaviour robot= value=kind.text")
     record BehaviourChanged(BehaviourKind kind) implements RobotEvent {}
 
     /**
-     * The autonomous process has thrown something, has not decided in time, or cannot be compiled.
+     * A process has thrown something, not decided in time, or cannot be compiled.
      *
      * @param line of its source; 0 if unknown
      */
     @EventLine("behaviour-failed robot= name= line= text=")
     record BehaviourFailed(String name, int line, String text) implements RobotEvent {}
 
-    /** The robot has come to the place to which a process drove it. */
+    /** {@code goto} has reached its place. */
     @EventLine("arrived robot= x=pose.xMeters:4 y=pose.yMeters:4")
     record Arrived(Pose pose) implements RobotEvent {}
 
-    /** The pose after an instruction, or when queried. */
+    /** Metres, and degrees in [0,360), 0 along +X, anticlockwise positive. */
     @EventLine("pose robot= x=pose.xMeters:4 y=pose.yMeters:4 heading=")
     record PoseReported(Pose pose) implements RobotEvent {
         public String heading() {
@@ -119,7 +119,7 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** A real robot's type is not known, so it is not moved. @param type as the robot names it */
+    /** A real robot's type is not known: no motion. @param type as the robot names it */
     @EventLine("error robot= text=")
     record TypeUnknown(String type) implements RobotEvent {
         public String text() {
@@ -127,7 +127,7 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** A Pioneer program sent a text for the operator. */
+    /** A Pioneer program's text for the operator (SIM_MESSAGE). */
     @EventLine("client-message robot= text=")
     record ClientMessage(String text) implements RobotEvent {}
 }

@@ -251,7 +251,7 @@ public final class Center implements AutoCloseable {
         return port.isPresent() ? event.with(name, port.getAsInt()) : event;
     }
 
-    /** Answer to {@code handover}: the algorithm with its numbers, and the margin in dB. */
+    /** Answer to {@code handover}; margin in dB. */
     @EventLine("handover algorithm= margin=")
     public record HandoverChosen(String algorithm, int margin) {}
 

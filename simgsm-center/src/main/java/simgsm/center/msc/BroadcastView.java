@@ -8,6 +8,8 @@ import simgsm.event.EventLine;
 /**
  * A repeated cell broadcast.
  *
+ * <p>As a line: answer to {@code broadcasts}.
+ *
  * @param id by which it is stopped or updated
  * @param update update number of the text, 0 to 15
  * @param sent number of broadcasts so far

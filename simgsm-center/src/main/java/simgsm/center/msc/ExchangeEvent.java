@@ -9,14 +9,16 @@ import simgsm.event.EventLine;
 
 /** An event for the operator. */
 public sealed interface ExchangeEvent {
+    /** A subscriber has registered. */
     @EventLine("attached number=")
     record Attached(Msisdn number) implements ExchangeEvent {}
 
+    /** A subscriber is no longer attached. */
     @EventLine("detached number=")
     record Detached(Msisdn number) implements ExchangeEvent {}
 
     /**
-     * A call has entered this state; RELEASED is reported once, with the first clearing message.
+     * A call is initiated, alerting, active or released.
      *
      * @param id rising from 1 in the order of SETUP
      * @param cause why it was released; empty before
@@ -25,6 +27,7 @@ public sealed interface ExchangeEvent {
     record CallChanged(long id, Msisdn from, Msisdn to, CallProgress state, Optional<Cause> cause)
             implements ExchangeEvent {}
 
+    /** A short message is accepted, delivered, expired, rejected or deleted. */
     @EventLine("sms id= from=from.digits to=to.digits state=")
     record MessageChanged(long id, Msisdn from, Msisdn to, MessageState state) implements ExchangeEvent {}
 }

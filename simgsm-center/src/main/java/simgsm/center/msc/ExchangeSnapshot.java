@@ -38,7 +38,7 @@ public record ExchangeSnapshot(
         List<CallView> endedCalls) {
     public static final int MAX_ROWS = 1_000;
 
-    /** @param imei empty before the first registration; @param barred whether the operator has barred the subscriber */
+    /** Answer to {@code subscribers}: attached, detached or barred. @param imei empty before the first registration; @param barred whether the operator has barred the subscriber */
     @EventLine("subscriber number= state=")
     public record SubscriberRow(Msisdn number, boolean attached, String imsi, String imei, boolean barred) {
         public static SubscriberRow of(Subscriber subscriber, boolean barred) {

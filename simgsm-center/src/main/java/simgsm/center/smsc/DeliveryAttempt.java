@@ -4,7 +4,7 @@ import java.time.Instant;
 import simgsm.event.EventLine;
 
 /**
- * One attempt to deliver a message.
+ * An attempt to deliver a message.
  *
  * @param at when it ended
  */

@@ -9,6 +9,8 @@ import simgsm.event.EventLine;
  * The attempts at a message so far and the next one. After a restart the centre knows when the message was accepted, and
  * not its earlier attempts.
  *
+ * <p>As a line: answer to {@code message ID}; the attempts follow.
+ *
  * @param attempts the latest, oldest first, at most {@link #MAX_ATTEMPTS}
  * @param attemptCount of all attempts
  * @param nextTry by the schedule; empty when no schedule runs

@@ -11,6 +11,8 @@ import simgsm.sms.UserData;
 /**
  * An accepted message, with all fields that a store keeps.
  *
+ * <p>As a line: answer to {@code messages}.
+ *
  * @param id unique, rising in the order of acceptance
  * @param from the sender's number as authenticated by the network
  * @param submit the SUBMIT as received (TS 23.040, 9.2.2.2)

@@ -1,6 +1,7 @@
 package simgsm.center.web;
 
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.IntSupplier;
@@ -73,7 +74,7 @@ final class ExchangeReports {
     String subscribers(Exchange exchange) {
         return list(
                 exchange.subscribers().stream().map(exchange::row),
-                (json, subscriber) -> json.object(SUBSCRIBER, subscriber));
+                (json, subscriber) -> json.object(SUBSCRIBER.values(subscriber, Map.of())));
     }
 
     String calls(Exchange exchange) {
@@ -101,7 +102,7 @@ final class ExchangeReports {
     }
 
     private static void write(JsonText json, MessageHistory history) {
-        json.open('{').fields(MESSAGE, history).name("latest").open('[');
+        json.open('{').fields(MESSAGE.values(history, Map.of())).name("latest").open('[');
         history.attempts().forEach(json::object);
         json.close(']').close('}');
     }

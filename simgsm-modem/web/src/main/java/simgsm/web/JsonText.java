@@ -66,17 +66,17 @@ public final class JsonText {
 
     /** An object with the fields that the event's class declares. */
     public JsonText object(Object event) {
-        return object(EventForm.of(event).orElseThrow(), event);
+        return object(EventForm.of(event).orElseThrow().values(event, Map.of()));
     }
 
-    /** An object with these fields of an event. */
-    public JsonText object(EventForm form, Object event) {
-        return open('{').fields(form, event).close('}');
+    /** An object with these fields. */
+    public JsonText object(Map<String, Object> values) {
+        return open('{').fields(values).close('}');
     }
 
     /** Fields of the open object: numbers and truth values as such, times with milliseconds, all others as texts. */
-    public JsonText fields(EventForm form, Object event) {
-        form.values(event, Map.of()).forEach((name, value) -> {
+    public JsonText fields(Map<String, Object> values) {
+        values.forEach((name, value) -> {
             name(name).separate();
             text.append(
                     value instanceof Number || value instanceof Boolean

@@ -8,23 +8,23 @@ import simgsm.station.context.StationEvent;
 
 /** What a handset adds to the events of its station. */
 public sealed interface HandsetEvent extends StationEvent.OfTerminal {
-    /** The last tone of these keys has been sent. @param keys as they were pressed, without blanks */
+    /** The last tone of a {@code press} has been sent. @param keys as they were pressed, without blanks */
     @EventLine("sent keys=")
     record KeysSent(String keys) implements HandsetEvent {}
 
     /** The network refuses signalled keys. @param keys those that were not sent */
     record KeysNotSent(String keys, Cause cause) implements HandsetEvent {}
 
-    /** The user has keyed the code that shows the equipment's identity. @param imei 15 digits */
+    /** The equipment's identity, asked for by {@code *#06#}. @param imei 15 digits */
     @EventLine("imei number=imei")
     record ImeiShown(String imei) implements HandsetEvent {}
 
-    /** The last sample of a played sound has been sent. */
+    /** The last sample of a {@code play} has been sent. */
     @EventLine("played millis=")
     record SoundPlayed(int millis) implements HandsetEvent {}
 
     /**
-     * A key from the far end, at its decision, while its tone sounds.
+     * A tone is decoded; it still sounds.
      *
      * @param meaning the key of its meaning as a robot's reply
      */

@@ -1,6 +1,7 @@
 package simgsm.phone.handset;
 
 import java.util.Optional;
+import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.CallPhase;
@@ -10,22 +11,60 @@ import simgsm.station.context.StationEvent;
 final class PhoneCall {
     private static final int FRAMES_PER_SECOND = 50;
 
-    private CallSnapshot call = CallSnapshot.NONE;
-    private long frames;
-    private Parked held = new Parked(CallSnapshot.NONE, 0);
+    private Course call = new Course(CallPhase.NONE, "", false);
+    private Course held = call;
     /** The one that was held before it, when the two change places. */
-    private Parked formerlyHeld = held;
+    private Course formerlyHeld = call;
 
-    /** A held call as it was. */
-    private record Parked(CallSnapshot call, long frames) {}
+    /** One call; its fields are those of {@link CallSnapshot}. */
+    private static final class Course {
+        private static final int MAX_KEYS = 200;
+
+        private CallPhase phase;
+        private String number;
+        private long frames;
+        private String keyed = "";
+        private String heard = "";
+        private Optional<Cause> ended = Optional.empty();
+        private Optional<String> waiting = Optional.empty();
+        private Optional<String> held = Optional.empty();
+        private boolean onHold;
+        private final boolean incoming;
+
+        Course(CallPhase phase, String number, boolean incoming) {
+            this.phase = phase;
+            this.number = number;
+            this.incoming = incoming;
+        }
+
+        void changeTo(CallPhase next, Optional<Cause> cause) {
+            phase = next;
+            ended = cause;
+            waiting = Optional.empty();
+            onHold = false;
+        }
+
+        static String newest(String keys) {
+            return keys.substring(Math.max(0, keys.length() - MAX_KEYS));
+        }
+    }
 
     CallPhase phase() {
-        return call.phase();
+        return call.phase;
     }
 
     CallSnapshot snapshot() {
-        call = call.at((int) (frames / FRAMES_PER_SECOND));
-        return call;
+        return new CallSnapshot(
+                call.phase,
+                call.number,
+                (int) (call.frames / FRAMES_PER_SECOND),
+                call.keyed,
+                call.heard,
+                call.ended,
+                call.waiting,
+                call.held,
+                call.onHold,
+                call.incoming);
     }
 
     void accept(StationEvent.OfCall event) {
@@ -34,25 +73,25 @@ final class PhoneCall {
         } else if (event instanceof StationEvent.Ringing ringing) {
             begin(CallPhase.RINGING, digits(ringing.from()), true);
         } else if (event instanceof StationEvent.CalledPartyAlerted) {
-            call = call.in(CallPhase.ALERTING, call.number());
+            call.phase = CallPhase.ALERTING;
         } else if (event instanceof StationEvent.Connected connected) {
-            connected(connected.peer().map(Msisdn::toString).orElse(call.number()));
+            connected(connected.peer().map(Msisdn::toString).orElse(call.number));
         } else if (event instanceof StationEvent.CallWaits waiting) {
-            call = call.withWaiting(Optional.of(digits(waiting.from())));
+            call.waiting = Optional.of(digits(waiting.from()));
         } else if (event instanceof StationEvent.WaitingCallEnded) {
-            call = call.withWaiting(Optional.empty());
+            call.waiting = Optional.empty();
         } else if (event instanceof StationEvent.CallHeld held) {
             park(digits(held.peer()));
         } else if (event instanceof StationEvent.CallRetrieved retrieved) {
             retrieve(digits(retrieved.peer()));
         } else if (event instanceof StationEvent.HeldByPeer) {
-            call = call.withOnHold(true);
+            call.onHold = true;
         } else if (event instanceof StationEvent.RetrievedByPeer) {
-            call = call.withOnHold(false);
+            call.onHold = false;
         } else if (event instanceof StationEvent.HeldCallEnded) {
-            call = call.withHeld(Optional.empty());
+            call.held = Optional.empty();
         } else if (event instanceof StationEvent.Released released) {
-            call = call.ended(released.cause());
+            call.changeTo(CallPhase.NONE, Optional.of(released.cause()));
         }
     }
 
@@ -61,27 +100,31 @@ final class PhoneCall {
         if (phase() == CallPhase.NONE) {
             begin(CallPhase.CONNECTED, number, true);
         }
-        call = call.in(CallPhase.CONNECTED, number);
+        call.phase = CallPhase.CONNECTED;
+        call.number = number;
     }
 
     /** The current call is held; another may become the current one. */
     private void park(String number) {
         formerlyHeld = held;
-        held = new Parked(call, frames);
-        call = CallSnapshot.begun(CallPhase.NONE, "", false).withHeld(Optional.of(number));
-        frames = 0;
+        held = call;
+        call = new Course(CallPhase.NONE, "", false);
+        call.held = Optional.of(number);
     }
 
+    /** The call goes on as it was before it was held. */
     private void retrieve(String number) {
-        boolean isSwap = call.held().filter(other -> !other.equals(number)).isPresent();
-        Parked back = isSwap ? formerlyHeld : held;
-        call = back.call().retrieved(number, isSwap ? call.held() : Optional.empty());
-        frames = back.frames();
+        Optional<String> other = call.held.filter(party -> !party.equals(number));
+        call = other.isPresent() ? formerlyHeld : held;
+        call.changeTo(CallPhase.CONNECTED, Optional.empty());
+        call.number = number;
+        call.held = other;
     }
 
     private void begin(CallPhase phase, String number, boolean incoming) {
-        call = CallSnapshot.begun(phase, number, incoming).withHeld(call.held());
-        frames = 0;
+        Optional<String> party = call.held;
+        call = new Course(phase, number, incoming);
+        call.held = party;
     }
 
     private static String digits(Optional<Msisdn> number) {
@@ -90,7 +133,7 @@ final class PhoneCall {
 
     /** The cause of the last release is no longer shown. */
     void clearCause() {
-        call = call.withoutCause();
+        call.ended = Optional.empty();
     }
 
     /** Why keys cannot be queued now, if they cannot. */
@@ -103,15 +146,15 @@ final class PhoneCall {
     }
 
     void keyed(DtmfKey key) {
-        call = call.withKeyed(key.symbol());
+        call.keyed = Course.newest(call.keyed + key.symbol());
     }
 
     void toneHeard(DtmfKey key) {
-        call = call.withHeard(key.symbol());
+        call.heard = Course.newest(call.heard + key.symbol());
     }
 
     /** 20 ms of speech have passed. @return whether the duration has reached a further second */
     boolean framePassed() {
-        return phase() == CallPhase.CONNECTED && ++frames % FRAMES_PER_SECOND == 0;
+        return phase() == CallPhase.CONNECTED && ++call.frames % FRAMES_PER_SECOND == 0;
     }
 }

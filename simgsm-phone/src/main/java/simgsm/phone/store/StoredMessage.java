@@ -8,6 +8,8 @@ import simgsm.event.EventLine;
 /**
  * A message in one of the phone's folders.
  *
+ * <p>As a line: answer to {@code inbox}.
+ *
  * @param serial names the message within the phone, whatever becomes of it
  * @param party number or alphanumeric address of the sender or receiver; for a broadcast its channel
  * @param at time of reception or submission

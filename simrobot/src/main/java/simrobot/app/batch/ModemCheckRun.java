@@ -27,11 +27,7 @@ public final class ModemCheckRun {
     }
 
     private static void print(ModemCheck.Result result, PrintStream out) {
-        out.print(Event.of("check")
-                        .with("command", result.command())
-                        .with("answer", result.answer())
-                        .with("verdict", result.verdict().word())
-                + "\n");
+        out.print(Event.from(result) + "\n");
         out.flush();
     }
 }

@@ -7,7 +7,7 @@ import simgsm.cells.radio.RadioScale;
 import simgsm.cells.town.TownPlace;
 import simgsm.event.EventLine;
 
-/** Answer to {@code mobiles}. @param state {@code idle} or {@code dedicated} */
+/** Answer to {@code mobiles}: idle or dedicated. @param state {@code idle} or {@code dedicated} */
 @EventLine("mobile number=mobile.number x=place.xMetres:1 y=place.yMetres:1 cell=mobile.cell rxlev= state=")
 public record MobileRow(Mobile mobile, TownPlace place, int rxlev, String state) {
     static MobileRow of(Mobile mobile, CellNetwork network) {

@@ -9,14 +9,14 @@ public sealed interface MobileEvent {
     /** Its number, or before that is known its address. */
     Mobile mobile();
 
-    /** Chose a cell. */
+    /** A mobile has chosen a cell; C2 in dB. */
     @EventLine("camped number=mobile.number cell= c2=:0")
     record Camped(Mobile mobile, String cell, double c2) implements MobileEvent {}
 
     /** No cell is good enough any more. */
     record CellLost(Mobile mobile, String cell) implements MobileEvent {}
 
-    /** The network has accepted a location update in this area. */
+    /** The network has accepted the location. */
     @EventLine("location-update number=mobile.number lac=area")
     record LocationUpdated(Mobile mobile, int area) implements MobileEvent {}
 
@@ -28,7 +28,7 @@ public sealed interface MobileEvent {
         }
     }
 
-    /** Sent a MEASUREMENT REPORT. @param number the report's, from 0 */
+    /** With {@code reports on}: each measurement report, levels as {@code name:rxlev}. @param number of the report, from 0 */
     @EventLine("report number=mobile.number nr=number serving= neighbours=")
     record Reported(Mobile mobile, int number, CellLevel serving, List<CellLevel> neighbours) implements MobileEvent {}
 
@@ -38,14 +38,15 @@ public sealed interface MobileEvent {
         FAILURE
     }
 
-    /** A handover has ended. @param cause RR cause of HANDOVER FAILURE; 0 for a success */
+    /** A handover has ended: success or failure. @param cause RR cause of HANDOVER FAILURE; 0 for a success */
     @EventLine("handover number=mobile.number from= to= result= cause=")
     record HandedOver(Mobile mobile, String from, String to, HandoverResult result, int cause) implements MobileEvent {}
 
-    /** The terminal received no speech for this time across a handover. */
+    /** Silence across a handover. */
     @EventLine("speech-gap number=mobile.number millis=")
     record SpeechGap(Mobile mobile, int millis) implements MobileEvent {}
 
+    /** The channel is lost. */
     @EventLine("radio-link-failure number=mobile.number")
     record RadioLinkFailed(Mobile mobile) implements MobileEvent {}
 

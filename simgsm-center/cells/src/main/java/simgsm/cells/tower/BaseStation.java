@@ -32,6 +32,8 @@ import simgsm.timer.Timers;
 /**
  * One tower with one transceiver, as a deterministic core: answers the controller's RSL (TS 48.058) and carries it to the
  * mobiles of its cell. While it is off or without a controller, no mobile hears it.
+ *
+ * <p>As a line: answer to {@code cells}: on, off or searching (no controller); free traffic channels.
  */
 @EventLine("cell name=tower.name arfcn=tower.arfcn bsic=tower.bsic lac=area x=tower.place.xMetres:1"
         + " y=tower.place.yMetres:1 state= free=freeTrafficChannels")

@@ -8,6 +8,8 @@ import simgsm.event.EventLine;
 /**
  * A call at one moment, for the operator.
  *
+ * <p>As a line: answer to {@code calls}; seconds since it became active.
+ *
  * @param to the number as dialled; empty if it could not be decoded
  * @param activeSeconds time for which the call has been active, or was
  * @param cause why the call was cleared; empty before

@@ -2,16 +2,18 @@ package simgsm.modem.client;
 
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.event.EventLine;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /** Tries a modem with the commands of {@link SetupStep}, one by one, and reports each answer. A deterministic core. */
 public final class ModemCheck implements ModemLine.Party {
     /**
-     * A command that was tried.
+     * Answer to {@code --modem-check}: ok, missing or unexpected.
      *
      * @param answer its lines and its final result in one line, or why there is none
      */
+    @EventLine("check command= answer= verdict=verdict.word")
     public record Result(String command, String answer, SetupVerdict verdict) {}
 
     /** 5 s of a modem that is not registered or whose SIM is not ready. */

@@ -21,10 +21,11 @@ public sealed interface StationEvent {
     /** An event that a phone or a modem adds to those of its station. */
     non-sealed interface OfTerminal extends StationEvent {}
 
+    /** Registration is accepted. */
     @EventLine("registered number=")
     record StationRegistered(Msisdn number) implements StationEvent {}
 
-    /** At each loss of service and at each new cause, not at every further attempt. @param cause if the network refused */
+    /** Registration is refused or lost; once for each cause. @param cause if the network refused */
     @EventLine("unregistered [cause=]")
     record StationUnregistered(Optional<RejectCause> cause) implements StationEvent {}
 
@@ -47,7 +48,7 @@ public sealed interface StationEvent {
     /** The progress of a call. */
     sealed interface OfCall extends StationEvent {}
 
-    /** An originated call begins. */
+    /** An outgoing call begins. */
     @EventLine("calling number=")
     record Calling(Msisdn number) implements OfCall {}
 
@@ -55,22 +56,22 @@ public sealed interface StationEvent {
     @EventLine("alerting")
     record CalledPartyAlerted() implements OfCall {}
 
-    /** @param from empty if the network does not say */
+    /** A call rings. @param from empty if the network does not say */
     @EventLine("ringing from=")
     record Ringing(Optional<Msisdn> from) implements OfCall {}
 
     /** A time that was requested with {@link simgsm.station.MobileStation#remindToAnswer} is over; the call still rings. */
     record AnswerDue() implements OfCall {}
 
-    /** A second call waits; {@link Ringing} follows when the first has ended. */
+    /** A second call waits. @param from empty if the network does not say */
     @EventLine("waiting from=")
     record CallWaits(Optional<Msisdn> from) implements OfCall {}
 
-    /** The active call is held; there is no current call for now. */
+    /** The active call is held. @param peer empty if the network does not say */
     @EventLine("held number=peer")
     record CallHeld(Optional<Msisdn> peer) implements OfCall {}
 
-    /** The held call is the current one, and active again. */
+    /** The held call is active again. @param peer empty if the network does not say */
     @EventLine("retrieved number=peer")
     record CallRetrieved(Optional<Msisdn> peer) implements OfCall {}
 
@@ -93,10 +94,11 @@ public sealed interface StationEvent {
     @EventLine("waiting-over")
     record WaitingCallEnded() implements OfCall {}
 
+    /** A call is answered. @param peer empty if the network does not say */
     @EventLine("connected number=peer")
     record Connected(Optional<Msisdn> peer) implements OfCall {}
 
-    /** Once for each call, at the first clearing message sent or received. The user's own hang-up is cause 16. */
+    /** Once for each call, at the first clearing message sent or received; 16: the user's own hang-up. */
     @EventLine("released cause= text=cause.title")
     record Released(Cause cause) implements OfCall {}
 
@@ -139,15 +141,16 @@ public sealed interface StationEvent {
     @EventLine("sms-sent to= parts= id=reference")
     record MessageSent(int id, Msisdn to, int parts) implements OfSubmittedMessage {}
 
+    /** The network has refused a message, or has not answered. */
     @EventLine("sms-failed to= cause= text=cause.title")
     record MessageFailed(int id, Msisdn to, RpCause cause) implements OfSubmittedMessage {}
 
-    /** A status report says that the last part has been delivered. */
+    /** The status report: delivered. */
     @EventLine("sms-delivered to= id=reference")
     record MessageDelivered(int id, Msisdn to) implements OfSubmittedMessage {}
 
     /**
-     * A status report says that the message will not be delivered.
+     * The status report: not delivered.
      *
      * @param status TP-ST, see {@link simgsm.sms.DeliveryStatus}
      */
@@ -159,10 +162,11 @@ public sealed interface StationEvent {
         }
     }
 
-    /** A whole message, without duplicates. @param from a number, or an alphanumeric address */
+    /** A message is received, once. @param from a number, or an alphanumeric address */
     @EventLine("sms from= text=")
     record ShortMessageReceived(String from, String text) implements OfMessage {}
 
+    /** A cell broadcast is received. */
     @EventLine("broadcast channel= pages= text=")
     record BroadcastReceived(int channel, int pages, String text) implements OfMessage {}
 
@@ -170,7 +174,7 @@ public sealed interface StationEvent {
     sealed interface OfUssd extends StationEvent {}
 
     /**
-     * A text of the network for the display.
+     * A text of the network. With {@code reply=expected} the next {@code ussd TEXT} is the reply.
      *
      * @param replyExpected whether the network waits for a reply; else the dialogue is over, or the text is for information
      */
@@ -182,12 +186,12 @@ public sealed interface StationEvent {
         }
     }
 
-    /** The network has performed an operation on a supplementary service. @param status how the service stands now */
+    /** A service code such as {@code **21*NUMBER#} is performed: active, registered or inactive. @param status how the service stands now */
     @EventLine(
             "service code=status.service.typed state=status.state [to=status.forwardedTo] [seconds=status.noReplySeconds]")
     record ServiceAnswered(SsOperation operation, ServiceStatus status) implements OfUssd {}
 
-    /** A dialogue has ended without a last text. @param error if the network refused with one that is known */
+    /** No text: the error of TS 24.080, or the reason. @param error if the network refused with one that is known */
     @EventLine("ussd-failed [cause=error] text=")
     record UssdEnded(UssdEnding how, Optional<SsError> error) implements OfUssd {
         /** The error's name, or the way in which the dialogue has ended. */
