@@ -22,7 +22,7 @@ class IndexPageTest {
 
             Write all printed sources and docs/REFERENCE.md anew, then draw every SVG:
 
-                mvn -o -q -pl src/test -am -Dtest='blackbox.uml.*Test,ReferenceTest' -Dsurefire.failIfNoSpecifiedTests=false -Duml.write=true package
+                mvn -o -q -pl src/test -am -Dtest='blackbox.uml.*Test,*ReferenceTest' -Dsurefire.failIfNoSpecifiedTests=false -Duml.write=true package
                 mvn -o -q -N -Puml exec:java
 
             The first command reports the SVG files that it has made stale; after the second, `mvn verify` is green. The robot's
