@@ -4,18 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.lang.reflect.Method;
-import java.net.URL;
-import java.net.URLClassLoader;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.spi.ToolProvider;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,7 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Known faults, put into the source one at a time: the simulation must break within {@link #MOST_SEEDS} seeds. Each mutant
- * is compiled, and run by classes of its own.
+ * runs in a process of its own.
  */
 class MutantsTest {
     private static final int MOST_SEEDS = 400;
@@ -123,66 +121,52 @@ class MutantsTest {
         Path file = directory.resolve(Path.of(mutant.file).getFileName());
         Files.writeString(file, source.replace(mutant.right, mutant.wrong));
         Path classes = Files.createDirectory(directory.resolve("classes"));
-        StringWriter output = new StringWriter();
-        PrintWriter printed = new PrintWriter(output);
+        StringWriter compiled = new StringWriter();
+        PrintWriter printed = new PrintWriter(compiled);
         int status = ToolProvider.findFirst("javac")
                 .orElseThrow()
-                .run(
-                        printed,
-                        printed,
-                        "-nowarn",
-                        "-proc:none",
-                        "-d",
-                        classes.toString(),
-                        "-cp",
-                        String.join(File.pathSeparator, classPath()),
-                        file.toString());
-        assertEquals(0, status, output::toString);
-        List<String> mutated = new ArrayList<>(List.of(classes.toString()));
-        mutated.addAll(classPath());
-        assertTrue(breaksUpTo(MOST_SEEDS, mutated));
+                .run(printed, printed, "-nowarn", "-d", classes.toString(), "-cp", classPath(), file.toString());
+        assertEquals(0, status, compiled::toString);
+        String run = seeds(classes + File.pathSeparator + classPath(), MOST_SEEDS);
+        assertTrue(run.contains(" broke: ") && run.endsWith("exit 1"), run);
     }
 
     @Test
     void theSimulationOfTheRightSourceRunsInAProcessOfItsOwn() throws Exception {
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:TieredStopAtLevel=1",
-                        "-XX:+UseSerialGC",
-                        "-cp",
-                        String.join(File.pathSeparator, classPath()),
-                        SeedRun.class.getName(),
-                        "1",
-                        "2")
-                .redirectErrorStream(true)
-                .start();
-        String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertEquals(0, process.waitFor(), text);
+        String run = seeds(classPath(), 2);
+        assertTrue(run.endsWith("exit 0"), run);
     }
 
-    /** Runs the simulation with classes of its own, which no other mutant shares. */
-    private static boolean breaksUpTo(long last, List<String> classPath) throws Exception {
-        List<URL> urls = new ArrayList<>();
-        for (String place : classPath) {
-            urls.add(Path.of(place).toUri().toURL());
-        }
-        try (URLClassLoader loader =
-                new URLClassLoader(urls.toArray(URL[]::new), ClassLoader.getPlatformClassLoader())) {
-            Method run = loader.loadClass(SeedRun.class.getName()).getDeclaredMethod("breaksUpTo", long.class);
-            run.setAccessible(true);
-            return (boolean) run.invoke(null, last);
-        }
+    private static String seeds(String classPath, int count) throws Exception {
+        return output(
+                "-XX:TieredStopAtLevel=1",
+                "-XX:+UseSerialGC",
+                "-Xmx256m",
+                "-Dseeds.end=true",
+                "-cp",
+                classPath,
+                SeedRun.class.getName(),
+                "1",
+                Integer.toString(count));
     }
 
     /** Test classes, classes and the modules that they use. */
-    private static List<String> classPath() {
+    private static String classPath() {
         return Stream.of(
                         Path.of("target", "test-classes").toString(),
                         Path.of("target", "classes").toString(),
                         System.getProperty("jdk.module.path", ""),
                         System.getProperty("java.class.path", ""))
-                .flatMap(path -> Stream.of(path.split(File.pathSeparator)))
                 .filter(path -> !path.isEmpty())
-                .toList();
+                .collect(Collectors.joining(File.pathSeparator));
+    }
+
+    private static String output(String... arguments) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(List.of(arguments));
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+        String text = new String(process.getInputStream().readAllBytes());
+        return text + "exit " + process.waitFor();
     }
 }
