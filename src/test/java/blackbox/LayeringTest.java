@@ -265,11 +265,14 @@ class LayeringTest {
         Set<String> known = MainCode.descriptors().stream()
                 .map(ModuleDescriptor::name)
                 .collect(Collectors.toCollection(TreeSet::new));
-        ModuleFinder.ofSystem().findAll().forEach(module -> known.add(module.descriptor().name()));
-        MainCode.descriptors().forEach(module -> assertEquals(
-                Set.of(),
-                minus(module.requires().stream().map(Requires::name).collect(Collectors.toSet()), known),
-                module.name()));
+        ModuleFinder.ofSystem()
+                .findAll()
+                .forEach(module -> known.add(module.descriptor().name()));
+        MainCode.descriptors()
+                .forEach(module -> assertEquals(
+                        Set.of(),
+                        minus(module.requires().stream().map(Requires::name).collect(Collectors.toSet()), known),
+                        module.name()));
     }
 
     @Test

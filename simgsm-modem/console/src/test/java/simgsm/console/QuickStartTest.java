@@ -70,7 +70,8 @@ class QuickStartTest {
 
     @Test
     void aFolderThatCannotBeReadGivesNoArchive() {
-        List<String> options = QuickStart.options(new ProgramFolder(folder.resolve("none"), false), "simgsm-phone.jar", true);
+        List<String> options =
+                QuickStart.options(new ProgramFolder(folder.resolve("none"), false), "simgsm-phone.jar", true);
         assertEquals(QuickStart.options(), options);
     }
 
