@@ -2,6 +2,7 @@ package simgsm.air;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.random.RandomGenerator;
 import simgsm.octets.OctetString;
 
 /**
@@ -136,17 +137,34 @@ public final class Element {
 
     /** Whether a message without the element is refused by the walk over the elements with identifiers. */
     boolean isRequired() {
-        return presence == Presence.M && format.hasIdentifier() && !components.isEmpty();
+        return isMandatory() && format.hasIdentifier() && !components.isEmpty();
     }
 
     int fixedLength() {
         return mostLength - (format == Format.TV ? 1 : 0);
     }
 
+    boolean isMandatory() {
+        return presence == Presence.M;
+    }
+
+    private int overhead() {
+        return (format.hasIdentifier() ? 1 : 0) + (format.hasLength() ? 1 : 0);
+    }
+
     /** Whether a value of this length, in octets, is one of the element's. */
     boolean allows(int valueLength) {
-        int length = valueLength + (format.hasIdentifier() ? 1 : 0) + (format.hasLength() ? 1 : 0);
+        int length = valueLength + overhead();
         return length >= leastLength && length <= mostLength;
+    }
+
+    byte[] randomValue(RandomGenerator random) {
+        byte[] value = new byte[random.nextInt(leastLength, mostLength + 1) - overhead()];
+        random.nextBytes(value);
+        if (format == Format.HALF) {
+            value[0] &= 0x0f;
+        }
+        return value;
     }
 
     /** The cells of the row in the standard's table: IEI, element, clause, presence, format, length. */

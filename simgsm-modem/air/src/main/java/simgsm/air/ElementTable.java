@@ -10,6 +10,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.random.RandomGenerator;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
@@ -130,6 +131,26 @@ public final class ElementTable {
             return (Object) accessors[index].invokeExact(message);
         } catch (Throwable impossible) {
             throw new AssertionError(impossible);
+        }
+    }
+
+    /** Writes the mandatory elements and some of the others, all with random lengths and values. */
+    void writeRandom(OctetWriter out, RandomGenerator random, Direction direction) {
+        boolean isSecondHalf = false;
+        for (Element row : rows.get(direction)) {
+            byte[] value = row.randomValue(random);
+            if (row.format == Element.Format.HALF && isSecondHalf) {
+                out.bytes(value).joinHalves();
+            } else if (row.isMandatory() || random.nextBoolean()) {
+                if (row.format.hasIdentifier()) {
+                    out.octet(row.identifier);
+                }
+                if (row.format.hasLength()) {
+                    out.octet(value.length);
+                }
+                out.bytes(value);
+            }
+            isSecondHalf = row.format == Element.Format.HALF && !isSecondHalf;
         }
     }
 

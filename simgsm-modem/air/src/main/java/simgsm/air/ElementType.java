@@ -94,11 +94,13 @@ public final class ElementType<V> {
 
     static final ElementType<Integer> RR_CAUSE = number("RR cause", "10.5.2.31", 0xff);
     static final ElementType<Integer> POWER_COMMAND = number("Power command", "10.5.2.28", 0x1f);
+    static final ElementType<Integer> POWER_AND_ACCESS =
+            POWER_COMMAND.renamed("Power command and access type", "10.5.2.28a");
     static final ElementType<Integer> CHANNEL_MODE = number("Channel mode", "10.5.2.6", 0xff);
     static final ElementType<Integer> HANDOVER_REFERENCE = number("Handover reference", "10.5.2.15", 0xff);
     static final ElementType<Integer> TIMING_ADVANCE = number("Timing advance", "10.5.2.40", 0x3f);
     static final ElementType<ChannelDescription> CHANNEL_DESCRIPTION = plain(
-            "Channel description",
+            "Channel description 2",
             "10.5.2.5a",
             (out, channel) -> out.string(channel.encode()),
             ChannelDescription::read);

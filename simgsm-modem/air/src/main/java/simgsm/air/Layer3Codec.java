@@ -2,6 +2,7 @@ package simgsm.air;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.random.RandomGenerator;
 import simgsm.octets.OctetWriter;
 
 /** Layer-3 messages to octets and back (TS 24.008, TS 24.011, TS 24.080, TS 44.018). Has no state. */
@@ -48,6 +49,15 @@ public final class Layer3Codec {
         } catch (ProtocolViolation violation) {
             throw violation.in(header);
         }
+    }
+
+    /** The octets of a message of this direction with random values; not every value can be decoded. */
+    public static byte[] random(RandomGenerator random, Direction direction) {
+        Layer3Type[] types = Layer3Type.values();
+        Layer3Type type = types[random.nextInt(types.length)];
+        OctetWriter out = new OctetWriter().octet(type.discriminator()).octet(type.code());
+        type.table().writeRandom(out, random, direction);
+        return out.toArray();
     }
 
     /** N(SD) of an uplink message, 0 or 1; -1 for messages that carry none. */

@@ -76,11 +76,11 @@ public enum Layer3Type {
                     .named("Full name for network")
                     .to("networkName")
                     .absentAs(""))
-            .with(row(0x46, TIME_ZONE, O, TV, 2))
-            .with(row(0x47, TIME, O, TV, 8))),
+            .with(row(0x46, TIME_ZONE, O, TV, 2).named("Local time zone"))
+            .with(row(0x47, TIME, O, TV, 8).named("Universal time and local time zone"))),
 
     ALERTING(both(3, 0x01, Alerting.class, "Alerting", "9.3.1")
-            .with(row(0x1e, PROGRESS_INDICATOR, O, TLV, 4).to("inBand"))),
+            .with(row(0x1e, PROGRESS_INDICATOR, O, TLV, 4).to("inBand").down())),
     CALL_PROCEEDING(down(3, 0x02, CallProceeding.class, "Call Proceeding", "9.3.3")
             .with(row(0x04, BEARER_CAPABILITY, O, TLV, 3, 16))),
     PROGRESS(down(3, 0x03, Progress.class, "Progress", "9.3.17")
@@ -134,7 +134,7 @@ public enum Layer3Type {
             .with(row(CELL_DESCRIPTION, M, V, 2).to("cell"))
             .with(row(CHANNEL_DESCRIPTION, M, V, 3).to("channel"))
             .with(row(HANDOVER_REFERENCE, M, V, 1).to("reference"))
-            .with(row(POWER_COMMAND, M, V, 1).to("powerLevel"))
+            .with(row(POWER_AND_ACCESS, M, V, 1).to("powerLevel"))
             .with(row(0x63, CHANNEL_MODE, O, TV, 2).to("channelMode"))
             .with(row(0x03, MULTI_RATE, O, TLV, 4, 8))
             .with(row(0x05, FREQUENCY_LIST, C, TLV, 4, 133))),
@@ -186,7 +186,7 @@ public enum Layer3Type {
             .with(row(ElementType.FACILITY, M, LV, 1, 256).to("facility"))),
     SS_REGISTER(both(11, 0x3b, SsRegister.class, "Register", "2.4")
             .with(row(0x1c, ElementType.FACILITY, M, TLV, 2, 257).to("facility"))
-            .with(row(0x7f, SS_VERSION, O, TLV, 3).to("version")));
+            .with(row(0x7f, SS_VERSION, O, TLV, 3).to("version").up()));
 
     private enum Way {
         UP,

@@ -10,19 +10,25 @@ import simgsm.abis.CcmCodec;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
 import simgsm.abis.MgcpMessage;
+import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
 import simgsm.abis.RtpPacket;
 import simgsm.air.Direction;
+import simgsm.air.Layer3Codec;
 import simgsm.air.ProtocolViolation;
+import simgsm.octets.OctetString;
 import simgsm.octets.Octets;
 import simgsm.speech.SpeechCodec;
 
 /**
- * Mutated frames through the framer and all decoders. Each must give a message or a {@link ProtocolViolation}; a message
+ * Mutated frames, recorded ones and messages of random elements, through the framer and all decoders. Each must give a message or a {@link ProtocolViolation}; a message
  * must have a text, and must be the same after encoding and decoding. The same seed gives the same mutations.
  */
 public final class CodecFuzz {
     /** One frame in 64 is mutated with its header; the framer may then skip frames until it is replaced. */
     private static final int FRAMES_PER_HEADER_MUTATION = 64;
+
+    private static final int RECORDED_FRAMES_PER_RANDOM_MESSAGE = 8;
 
     private final List<RecordedFrames.Sample> traffic = RecordedFrames.read();
     private final SplittableRandom random;
@@ -76,7 +82,17 @@ public final class CodecFuzz {
         }
     }
 
+    /** A recorded frame, or one with a layer-3 message of random elements. */
     private RecordedFrames.Sample any() {
+        if (random.nextInt(RECORDED_FRAMES_PER_RANDOM_MESSAGE) == 0) {
+            boolean isUp = random.nextBoolean();
+            Direction direction = isUp ? Direction.UPLINK : Direction.DOWNLINK;
+            OctetString layer3 = OctetString.of(Layer3Codec.random(random, direction));
+            RslMessage message = isUp
+                    ? new RslMessage.DataIndication(RslMessage.Sapi.SIGNALLING, layer3)
+                    : new RslMessage.DataRequest(RslMessage.Sapi.SIGNALLING, layer3);
+            return new RecordedFrames.Sample(direction, new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+        }
         return traffic.get(random.nextInt(traffic.size()));
     }
 
