@@ -76,10 +76,6 @@ final class RadioConnection {
         return channel;
     }
 
-    ConnectionState state() {
-        return machine.state();
-    }
-
     /** The mobile has proved who it is. */
     void belongTo(TowerMobile proved) {
         mobile = proved;

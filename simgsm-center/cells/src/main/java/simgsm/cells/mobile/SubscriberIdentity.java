@@ -23,7 +23,6 @@ final class SubscriberIdentity {
 
     private Optional<Imsi> imsi = Optional.empty();
     private Optional<Tmsi> tmsi = Optional.empty();
-    private Optional<LocationUpdatingAccept> accepted = Optional.empty();
 
     /** Reads a message of the terminal. @return whether the IMSI has become known by it */
     boolean readUplink(OctetString layer3) {
@@ -69,18 +68,12 @@ final class SubscriberIdentity {
                         tmsi = Optional.empty();
                     }
                 });
-                accepted = Optional.of(accept);
                 return Optional.of(accept.area().areaCode());
             }
         } catch (ProtocolViolation unknown) {
             // The terminal answers it.
         }
         return Optional.empty();
-    }
-
-    /** The area of the last LOCATION UPDATING ACCEPT. */
-    Optional<Integer> area() {
-        return accepted.map(accept -> accept.area().areaCode());
     }
 
     boolean isOwn(MobileIdentity identity) {

@@ -39,10 +39,6 @@ public final class RadioField {
                 .toArray();
     }
 
-    public Propagation propagation() {
-        return propagation;
-    }
-
     public TowerState tower(int index) {
         return towers[index];
     }

@@ -95,10 +95,6 @@ public final class BaseStation {
         return isOn;
     }
 
-    public boolean isConnected() {
-        return port != null;
-    }
-
     /** Whether mobiles can use the cell. */
     public boolean isInService() {
         return isOn && port != null && cell.isPresent();

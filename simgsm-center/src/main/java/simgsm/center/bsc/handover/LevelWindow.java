@@ -10,10 +10,6 @@ final class LevelWindow {
         count++;
     }
 
-    int count() {
-        return count;
-    }
-
     /** The mean of the latest levels, cut to a whole number; of fewer if there are fewer. */
     int average(int window) {
         int size = Math.min(window, Math.min(count, levels.length));

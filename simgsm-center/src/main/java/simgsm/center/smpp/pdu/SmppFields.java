@@ -32,7 +32,4 @@ interface SmppFields {
 
     /** Optional parameters, up to the end of the PDU. */
     List<Tlv> parameters(List<Tlv> values) throws SmppViolation;
-
-    /** Whether further mandatory fields follow; peers omit the body of a response, above all in refusals. */
-    boolean hasBody();
 }

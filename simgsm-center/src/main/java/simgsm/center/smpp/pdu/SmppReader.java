@@ -70,8 +70,8 @@ final class SmppReader extends OctetReader<SmppViolation> implements SmppFields 
         return found;
     }
 
-    @Override
-    public boolean hasBody() {
+    /** Whether further mandatory fields follow; peers omit the body of a response, above all in refusals. */
+    boolean hasBody() {
         return hasMore();
     }
 

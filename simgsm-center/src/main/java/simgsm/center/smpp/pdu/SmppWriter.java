@@ -51,11 +51,6 @@ final class SmppWriter implements SmppFields {
         return values;
     }
 
-    @Override
-    public boolean hasBody() {
-        return true;
-    }
-
     /** The PDU with its command_length, whose place was written as 0. */
     byte[] toArray() {
         byte[] octets = out.toArray();

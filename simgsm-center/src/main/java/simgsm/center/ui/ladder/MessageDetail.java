@@ -89,11 +89,6 @@ public final class MessageDetail extends DressedPanel {
         }
     }
 
-    /** The message in lines of text; empty before the first. */
-    String lines() {
-        return shown == null ? "" : MessageFields.lines(shown);
-    }
-
     private void fieldChosen() {
         int field = fields.getSelectedRow();
         if (!isFollowing && shown != null && field >= 0) {
