@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** {@code --help --lang es} prints every option and console command in Spanish. */
 class SpanishHelpTest {
     @ParameterizedTest
-    @ValueSource(strings = {"simgsm-center", "simgsm-cells", "simgsm-phone", "simrobot"})
+    @ValueSource(strings = {"simgsm-center", "simgsm-cells", "simgsm-gateway", "simgsm-phone", "simrobot"})
     void everyRowOfTheHelpHasASpanishText(String program) throws Exception {
         List<String> english = rows(program, "en");
         List<String> spanish = rows(program, "es");
