@@ -11,12 +11,16 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.HandsetEvent;
 import simgsm.phone.screen.KeyMode;
+import simgsm.phone.screen.UserSettings;
+import simgsm.sim.SimPhoneBook;
 import simgsm.speech.AudioOutput;
+import simgsm.speech.SpeechCodec;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
+import simgsm.tone.ToneSet;
 
 /** A phone of a {@link VirtualSuite}: the real handset on the real station. */
 public final class VirtualPhone {
@@ -36,7 +40,14 @@ public final class VirtualPhone {
 
     VirtualPhone(VirtualSuite suite, StationIdentity identity, Sim sim) {
         this.suite = suite;
-        handset = new Handset(identity.number(), KeyMode.IN_BAND, this::note, AudioOutput.SILENT, () -> Instant.EPOCH);
+        handset = new Handset(
+                identity.number(),
+                UserSettings.delivered(SpeechCodec.Kind.A_LAW, KeyMode.IN_BAND),
+                ToneSet.EUROPEAN,
+                new SimPhoneBook(),
+                this::note,
+                AudioOutput.SILENT,
+                () -> Instant.EPOCH);
         station = new MobileStation(identity, sim, StationOptions.STANDARD, handset::fillFrame, handset::accept);
         handset.attach(station);
     }

@@ -34,6 +34,7 @@ import simgsm.center.subscriber.HomeRegister;
 import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
 import simgsm.phone.handset.Handset;
+import simgsm.phone.handset.HandsetKeys;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.phone.screen.Screen;
@@ -84,8 +85,8 @@ class PhoneScreensTest {
             suite.seconds(0.1);
         }
         for (PhoneKey key : path) {
-            handset.keys().keyDown(key, 0);
-            handset.keys().keyUp(key, 0);
+            new HandsetKeys(handset).keyDown(key, 0);
+            new HandsetKeys(handset).keyUp(key, 0);
             suite.settle();
         }
         return handset;

@@ -64,7 +64,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
                 handset::fillFrame,
                 this::accept);
         handset.attach(station);
-        handset.setChannels(settings.channels());
+        station.setChannels(settings.channels());
         data = settings.data().isPresent()
                 ? Optional.of(PhoneData.take(
                         settings.data().get(), settings.identity().number()))

@@ -134,12 +134,12 @@ final class PhoneCommands implements Console.Commands {
 
     private void channels(ConsoleCommand command) throws CommandException {
         ChannelList channels = parsed(command, () -> ChannelList.parse(command.rest()));
-        run(handset -> handset.setChannels(channels));
+        run(handset -> handset.station().setChannels(channels));
     }
 
     private void memory(ConsoleCommand command) throws CommandException {
         boolean available = !isFirst(command, "full", "free");
-        run(handset -> handset.setMemoryAvailable(available));
+        run(handset -> handset.station().setMemoryAvailable(available));
     }
 
     private static boolean isFirst(ConsoleCommand command, String first, String second) throws CommandException {

@@ -25,7 +25,7 @@ final class PhoneData implements AutoCloseable {
 
     private final Path file;
     private Map<String, String> known = Map.of();
-    /** What a full disk, or a program that has the file open, has kept from being written; null for nothing. */
+    /** Texts that could not be written, for example to a full disk; null for none. */
     private Map<String, String> unwritten;
 
     private final FolderLock lock;

@@ -104,6 +104,6 @@ final class PhoneTerminal implements AtTerminal {
 
     @Override
     public void setMemoryAvailable(boolean available) {
-        handset.setMemoryAvailable(available);
+        station.setMemoryAvailable(available);
     }
 }

@@ -44,7 +44,7 @@ class PhoneConsoleTest {
     private final PhoneEventPrinter printer = new PhoneEventPrinter(console, PhoneTexts.in(Locale.ENGLISH));
 
     PhoneConsoleTest() {
-        handset = new Handset(new Msisdn("5550100"), KeyMode.IN_BAND, printer, AudioOutput.SILENT, () -> Bench.NOON);
+        handset = Bench.handset(KeyMode.IN_BAND, printer, AudioOutput.SILENT);
         station.reportTo(handset::accept);
         handset.attach(station);
         console.ready(Event.of("ready"));

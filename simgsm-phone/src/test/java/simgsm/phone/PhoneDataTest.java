@@ -17,6 +17,7 @@ import simgsm.air.Msisdn;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.phone.screen.RingTone;
+import simgsm.phone.store.MessageFolder;
 import simgsm.phone.store.StoredMessage;
 import simgsm.sim.SimPhoneBook;
 import simgsm.station.context.StationEvent;
@@ -58,9 +59,11 @@ class PhoneDataTest {
         Bench before = used();
         Bench after = again(before);
         assertEquals(before.phoneBook.entries(), after.phoneBook.entries());
-        assertEquals("3 Done\nand\ttabs = all", after.snapshot().inbox().get(0).text());
+        assertEquals(
+                "3 Done\nand\ttabs = all",
+                after.snapshot().in(MessageFolder.INBOX).get(0).text());
         assertEquals(1, after.snapshot().unread());
-        assertEquals("draft", after.snapshot().drafts().get(0).text());
+        assertEquals("draft", after.snapshot().in(MessageFolder.DRAFTS).get(0).text());
         assertEquals(RingTone.SILENT, after.snapshot().settings().ringTone());
         assertEquals(0, after.snapshot().missed());
         after.tap(PhoneKey.MENU);
@@ -87,10 +90,12 @@ class PhoneDataTest {
     void aMessageThatWasOnItsWayHasFailedAndNoReportOfThisRunIsItsOwn() throws IOException {
         Bench after = again(used());
         assertEquals(
-                StoredMessage.Delivery.FAILED, after.snapshot().outbox().get(0).delivery());
+                StoredMessage.Delivery.FAILED,
+                after.snapshot().in(MessageFolder.OUTBOX).get(0).delivery());
         after.handset.accept(new StationEvent.MessageDelivered(0, new Msisdn("5550200")));
         assertEquals(
-                StoredMessage.Delivery.FAILED, after.snapshot().outbox().get(0).delivery());
+                StoredMessage.Delivery.FAILED,
+                after.snapshot().in(MessageFolder.OUTBOX).get(0).delivery());
     }
 
     @Test

@@ -3,7 +3,6 @@ package simgsm.phone.handset;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Optional;
-import simgsm.air.Msisdn;
 import simgsm.phone.store.CallLog;
 import simgsm.phone.store.CallRecord;
 import simgsm.phone.store.CallRecord.Kind;
@@ -24,8 +23,8 @@ final class CallHistory {
     private boolean isTaken;
     private Optional<Begun> held = Optional.empty();
     private int heldSeconds;
-    /** The call that was held when another was put in its place: the two change places. */
-    private Optional<Begun> beside = Optional.empty();
+    /** The call that was held before {@link #held}, while the two change places. */
+    private Optional<Begun> formerlyHeld = Optional.empty();
 
     private Optional<String> waiting = Optional.empty();
     private Instant waitingAt;
@@ -45,7 +44,7 @@ final class CallHistory {
         if (event instanceof StationEvent.Calling calling) {
             begin(Kind.DIALLED, calling.number().toString(), wallClock.instant());
         } else if (event instanceof StationEvent.Ringing ringing) {
-            begin(Kind.MISSED, digits(ringing.from()), waiting.isPresent() ? waitingAt : wallClock.instant());
+            begin(Kind.MISSED, PhoneCall.digits(ringing.from()), waiting.isPresent() ? waitingAt : wallClock.instant());
             waiting = Optional.empty();
         } else if (event instanceof StationEvent.Connected) {
             // A waiting call that is answered does not ring first.
@@ -56,7 +55,7 @@ final class CallHistory {
             current.ifPresent(begun -> log.add(begun.ended(isTaken, seconds)));
             current = Optional.empty();
         } else if (event instanceof StationEvent.CallWaits waits) {
-            waiting = Optional.of(digits(waits.from()));
+            waiting = Optional.of(PhoneCall.digits(waits.from()));
             waitingAt = wallClock.instant();
         } else if (event instanceof StationEvent.WaitingCallEnded) {
             waiting.ifPresent(caller -> log.add(new CallRecord(Kind.MISSED, caller, waitingAt, 0)));
@@ -68,15 +67,15 @@ final class CallHistory {
 
     private void acceptHold(StationEvent.OfCall event, int seconds) {
         if (event instanceof StationEvent.CallHeld) {
-            beside = held;
+            formerlyHeld = held;
             held = current;
             heldSeconds = seconds;
             current = Optional.empty();
         } else if (event instanceof StationEvent.CallRetrieved) {
-            boolean isSwap = beside.isPresent();
-            current = isSwap ? beside : held;
+            boolean isSwap = formerlyHeld.isPresent();
+            current = isSwap ? formerlyHeld : held;
             held = isSwap ? held : Optional.empty();
-            beside = Optional.empty();
+            formerlyHeld = Optional.empty();
             isTaken = true;
         } else if (event instanceof StationEvent.HeldCallEnded) {
             held.ifPresent(begun -> log.add(begun.ended(true, heldSeconds)));
@@ -87,9 +86,5 @@ final class CallHistory {
     private void begin(Kind newKind, String newNumber, Instant begun) {
         current = Optional.of(new Begun(newKind, newNumber, begun));
         isTaken = false;
-    }
-
-    private static String digits(Optional<Msisdn> from) {
-        return from.map(Msisdn::toString).orElse("");
     }
 }

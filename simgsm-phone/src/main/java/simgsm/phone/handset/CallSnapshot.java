@@ -14,7 +14,7 @@ import simgsm.phone.screen.CallPhase;
  * @param heard the keys received, newest last
  * @param ended the cause of the release, until the next key or call
  * @param waiting number of a second caller, empty text if unknown
- * @param held number of the party whose call is held, empty text if unknown
+ * @param held number of the held party, empty text if unknown
  * @param onHold whether the other party holds this call
  * @param incoming whether the other party called: no robot does
  */

@@ -44,7 +44,7 @@ final class EarpieceOutput {
         return scaled;
     }
 
-    /** The scope shows the sound as it comes. @param volume 0 to {@link UserSettings#MOST_VOLUME}, in steps of 3 dB */
+    /** Sets the earpiece's volume; the scope shows the sound before it. @param volume 0 to {@link UserSettings#MOST_VOLUME}, in steps of 3 dB */
     void setVolume(int volume) {
         double decibels = STEP_DB * (volume - UserSettings.MOST_VOLUME);
         gain = volume == 0 ? 0 : Math.pow(10, decibels / 20);
@@ -74,7 +74,7 @@ final class EarpieceOutput {
         return output.isAudible();
     }
 
-    /** Whether the scope's picture has changed since the last call. */
+    /** True if the scope's picture has changed since the last call. */
     boolean pollChanged() {
         boolean was = changed;
         changed = false;

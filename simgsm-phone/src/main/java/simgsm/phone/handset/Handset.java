@@ -20,9 +20,7 @@ import simgsm.phone.screen.Words;
 import simgsm.phone.store.MessageFolder;
 import simgsm.phone.store.StoredMessage;
 import simgsm.sim.SimPhoneBook;
-import simgsm.sms.ChannelList;
 import simgsm.speech.AudioOutput;
-import simgsm.speech.SpeechCodec;
 import simgsm.ss.ServiceCode;
 import simgsm.ss.UssdText;
 import simgsm.station.StationCommands;
@@ -38,7 +36,6 @@ import simgsm.tone.ToneSet;
 public final class Handset {
     private static final int KEY_MILLIS = 100;
     private static final int SAMPLES_PER_MILLI = 8;
-    /** Shows the IMEI, without the network (TS 22.030, 6.7.2). */
     private final Msisdn own;
 
     private final Consumer<StationEvent> listener;
@@ -49,7 +46,6 @@ public final class Handset {
     private final HandsetLog events;
     private final ScreenNavigation screens;
     private final HomeKeys home;
-    private final HandsetKeys keys;
     private final KeySender keysInBand;
     private final SignalledKeySender keysSignalled;
     /** Events that arrive while a message is being submitted, before the mailbox has it. */
@@ -61,21 +57,8 @@ public final class Handset {
     private UserSettings settings;
     private volatile HandsetSnapshot snapshot;
 
-    /** With European tones and an empty phone book. */
-    public Handset(
-            Msisdn own, KeyMode keyMode, Consumer<StationEvent> listener, AudioOutput output, InstantSource wallClock) {
-        this(
-                own,
-                UserSettings.delivered(SpeechCodec.Kind.A_LAW, keyMode),
-                ToneSet.EUROPEAN,
-                new SimPhoneBook(),
-                listener,
-                output,
-                wallClock);
-    }
-
     /**
-     * A handset that waits for its station.
+     * Creates a handset without a station.
      *
      * @param tones supervisory tones, such as busy
      * @param phoneBook the SIM's
@@ -105,7 +88,6 @@ public final class Handset {
         screens =
                 new ScreenNavigation(store.mailbox(), store.log(), store.contacts(), () -> this.settings, this::about);
         home = new HomeKeys(screens);
-        keys = new HandsetKeys(this, call, audio, store, screens, home);
     }
 
     private KeySender keySender() {
@@ -128,12 +110,12 @@ public final class Handset {
         return lines;
     }
 
-    /** What is kept for the next run: names, calls, messages, settings. */
+    /** The texts that are kept for the next run: names, calls, messages, settings. */
     public Map<String, String> texts() {
         return store.texts(settings);
     }
 
-    /** Takes over what an earlier run has kept, after {@link #attach}. @return the keys whose texts are not understood */
+    /** Takes over the texts of an earlier run, after {@link #attach}. @return the keys of texts that are not understood */
     public List<String> restore(Map<String, String> texts) {
         List<String> wrong = new ArrayList<>(store.restore(texts));
         try {
@@ -145,7 +127,7 @@ public final class Handset {
         return wrong;
     }
 
-    /** Gives what is kept for the next run to this receiver, now and whenever it has changed, before its event is reported. */
+    /** Passes the kept texts to the receiver now and after each change, before the change's event is reported. */
     public void keepBy(Consumer<Map<String, String>> receiver) {
         store.keepBy(receiver, settings);
     }
@@ -156,12 +138,25 @@ public final class Handset {
         changed();
     }
 
-    /** The keys, for a window and its keyboard. */
-    public HandsetKeys keys() {
-        return keys;
+    // The parts, for the keys of the window and of a keyboard.
+
+    PhoneCall call() {
+        return call;
     }
 
-    StationCommands station() {
+    HandsetAudio audio() {
+        return audio;
+    }
+
+    ScreenNavigation screens() {
+        return screens;
+    }
+
+    HomeKeys home() {
+        return home;
+    }
+
+    public StationCommands station() {
         return station;
     }
 
@@ -174,7 +169,7 @@ public final class Handset {
         return snapshot;
     }
 
-    // Commands of console and window. A refusal says why nothing happens.
+    // Commands of console and window. A refusal is the reason why a command has no effect.
 
     public Optional<Refusal> dial(Msisdn number) {
         if (!isPowered()) {
@@ -241,6 +236,7 @@ public final class Handset {
         return isSent ? Optional.empty() : Optional.of(Refusal.USSD_UNDER_WAY);
     }
 
+    /** Shows the IMEI, without the network (TS 22.030, 6.7.2). */
     void showImei() {
         String imei = station.identity().imei().digits();
         home.clear();
@@ -269,7 +265,7 @@ public final class Handset {
         return refusal;
     }
 
-    /** A key is on its way to the far end. */
+    /** Notes a key that is sent to the far end. */
     void keyed(DtmfKey key) {
         call.keyed(key);
         events.keyed(key);
@@ -324,17 +320,7 @@ public final class Handset {
         changed();
     }
 
-    /** Whether there is room for messages; without it the network keeps them. */
-    public void setMemoryAvailable(boolean available) {
-        station.setMemoryAvailable(available);
-    }
-
-    /** Discards broadcasts on other channels. */
-    public void setChannels(ChannelList channels) {
-        station.setChannels(channels);
-    }
-
-    /** The received messages, oldest first, as they are before this call marks them as read. */
+    /** Marks the received messages as read. @return the messages before that, oldest first */
     public List<StoredMessage> readInbox() {
         List<StoredMessage> inbox = store.mailbox().in(MessageFolder.INBOX);
         store.mailbox().markAllRead(MessageFolder.INBOX);
@@ -342,8 +328,7 @@ public final class Handset {
         return inbox;
     }
 
-    /** Runs the action once all keys are sent, all messages acknowledged and a USSD text answered,
-     * perhaps at once. */
+    /** Runs the action as soon as all keys are sent, all messages acknowledged and a USSD text answered. */
     public void whenSettled(Runnable action) {
         whenSettled = action;
         checkSettled();
@@ -360,7 +345,7 @@ public final class Handset {
 
     /** Publishes the arrival or loss of a sound device; called about once a second. */
     public void checkSoundDevice() {
-        if (audio.isAudible() != snapshot.audible()) {
+        if (audio.earpiece().isAudible() != snapshot.audible()) {
             changed();
         }
     }
@@ -375,13 +360,13 @@ public final class Handset {
 
     /** Changes what the tone scope shows; the sound stays as it is. */
     public void tryOut(ToneExperiment experiment) {
-        audio.tryOut(experiment);
+        audio.earpiece().tryOut(experiment);
         changed();
     }
 
     // Time, for what happens without a call: key tones, letters, long presses.
 
-    /** Whether {@link #timePassed} is to be called within 20 ms; commands and events may make it so. */
+    /** True if {@link #timePassed} is to be called within 20 ms. */
     public boolean wantsTime() {
         return audio.wantsTime() || screens.wantsTime() || home.wantsTime(call.phase());
     }
@@ -447,7 +432,8 @@ public final class Handset {
         call.accept(event);
         audio.accept(event);
         if (event instanceof StationEvent.Calling || event instanceof StationEvent.Ringing) {
-            keys.callBegins();
+            home.clear();
+            screens.home();
         } else if (event instanceof StationEvent.HoldRefused) {
             screens.note(Note.Kind.REFUSED, "");
         }
@@ -468,6 +454,11 @@ public final class Handset {
         return station.snapshot().powered();
     }
 
+    HomeKeys.Situation situation() {
+        return call.situation(
+                store.mailbox().unread(MessageFolder.INBOX), store.log().unseenMissed());
+    }
+
     void changed() {
         if (station == null) {
             return;
@@ -480,17 +471,14 @@ public final class Handset {
                 home.typed(),
                 home.caret(),
                 screens.current(),
-                keys.softKeys(),
-                store.mailbox().in(MessageFolder.INBOX),
-                store.mailbox().in(MessageFolder.OUTBOX),
-                store.mailbox().in(MessageFolder.DRAFTS),
-                store.mailbox().in(MessageFolder.BROADCASTS),
+                screens.isHome() ? home.softKeys(situation()) : screens.softKeys(),
+                store.mailbox().folders(),
                 store.contacts().names(),
                 store.log().unseenMissed(),
                 settings,
                 audio.sounding(),
-                audio.trace(),
-                audio.isAudible(),
+                audio.earpiece().trace(),
+                audio.earpiece().isAudible(),
                 events.entries());
     }
 }

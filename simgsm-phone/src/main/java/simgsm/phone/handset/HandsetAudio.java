@@ -8,12 +8,10 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
-import simgsm.dtmf.ToneTrace;
 import simgsm.phone.screen.RingTone;
 import simgsm.phone.screen.UserSettings;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
-import simgsm.tone.ToneExperiment;
 import simgsm.tone.ToneSet;
 
 /**
@@ -23,7 +21,7 @@ import simgsm.tone.ToneSet;
 final class HandsetAudio {
     private static final int SAMPLES_PER_FRAME = 160;
     private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
-    /** After a longer stall frames are left out instead of played late. */
+    /** Frames that are later than this are left out. */
     private static final long MAX_CATCH_UP_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
     /** Frames played after the end of a sound, until the scope shows silence. */
     private static final int TAIL_FRAMES = 8;
@@ -36,7 +34,7 @@ final class HandsetAudio {
     private final SupervisoryTones supervisory;
     private final SoundPlayer player = new SoundPlayer();
     private final short[] heardFrame = new short[SAMPLES_PER_FRAME];
-    /** Speech of {@link #keyTones}, which goes nowhere. */
+    /** Speech of {@link #keyTones}, which is not sent. */
     private final short[] unsentFrame = new short[SAMPLES_PER_FRAME];
 
     private RingTone ringTone = RingTone.WARBLE;
@@ -141,7 +139,7 @@ final class HandsetAudio {
         sender.press(keys, toneMillis, whenSent);
     }
 
-    /** A key goes down and sounds until {@link #keyUp}: to the far end in a call, else at the earpiece only. */
+    /** Starts a key's tone, which lasts until {@link #keyUp}; it is sent to the far end during a call, otherwise only played locally. */
     void keyDown(DtmfKey key) {
         if (connected) {
             sender.down(key);
@@ -189,7 +187,7 @@ final class HandsetAudio {
         return earpiece.pollChanged() || before != sender.sounding();
     }
 
-    /** 20 ms from the far end, or from the network, whose tones are no keys; nor is our own call waiting tone. */
+    /** Plays 20 ms from the far end or the network. Keys are detected in the far end's speech only. */
     void hear(short[] frame) {
         if (connected) {
             receiver.accept(frame);
@@ -208,16 +206,8 @@ final class HandsetAudio {
         return Optional.ofNullable((connected ? sender : keyTones).sounding());
     }
 
-    void tryOut(ToneExperiment experiment) {
-        earpiece.tryOut(experiment);
-    }
-
-    ToneTrace trace() {
-        return earpiece.trace();
-    }
-
-    boolean isAudible() {
-        return earpiece.isAudible();
+    EarpieceOutput earpiece() {
+        return earpiece;
     }
 
     void whenTimeIsWanted(Runnable action) {

@@ -6,7 +6,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.event.EventLine;
 import simgsm.station.context.StationEvent;
 
-/** What a handset adds to the events of its station. */
+/** Events that a handset adds to those of its station. */
 public sealed interface HandsetEvent extends StationEvent.OfTerminal {
     /** The last tone of a {@code press} has been sent. @param keys as they were pressed, without blanks */
     @EventLine("sent keys=")

@@ -8,8 +8,6 @@ import simgsm.phone.screen.KeyIntent;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.screen.ScreenNavigation;
-import simgsm.phone.screen.SoftKeys;
-import simgsm.phone.store.MessageFolder;
 import simgsm.ss.ServiceCode;
 
 /** The keys of the window and of a keyboard: what each does by the screen and the call, performed on the handset. */
@@ -17,27 +15,18 @@ public final class HandsetKeys {
     private final Handset handset;
     private final PhoneCall call;
     private final HandsetAudio audio;
-    private final HandsetStore store;
     private final ScreenNavigation screens;
     private final HomeKeys home;
-    private boolean ringIsSilent;
 
-    HandsetKeys(
-            Handset handset,
-            PhoneCall call,
-            HandsetAudio audio,
-            HandsetStore store,
-            ScreenNavigation screens,
-            HomeKeys home) {
+    public HandsetKeys(Handset handset) {
         this.handset = handset;
-        this.call = call;
-        this.audio = audio;
-        this.store = store;
-        this.screens = screens;
-        this.home = home;
+        call = handset.call();
+        audio = handset.audio();
+        screens = handset.screens();
+        home = handset.home();
     }
 
-    /** A key goes down; it sounds until {@link #keyUp}. */
+    /** Presses a key; it sounds until {@link #keyUp}. */
     public void keyDown(PhoneKey key, long nowNanos) {
         handset.timePassed(nowNanos);
         home.hold(key, nowNanos);
@@ -54,7 +43,7 @@ public final class HandsetKeys {
             handset.answer();
         } else if (screens.isHome()) {
             endTones();
-            perform(home.press(key, situation()));
+            perform(home.press(key, handset.situation()));
             if (home.typed().equals(ServiceCode.IMEI)) {
                 handset.showImei();
             }
@@ -71,7 +60,7 @@ public final class HandsetKeys {
         return now.phase() != CallPhase.NONE || endsHeld;
     }
 
-    /** The next key on the home screen ends what a released call has left. */
+    /** Ends the tones of a released call, at the next key on the home screen. */
     private void endTones() {
         if (call.phase() == CallPhase.NONE) {
             call.clearCause();
@@ -116,7 +105,7 @@ public final class HandsetKeys {
     }
 
     private void silence() {
-        ringIsSilent = true;
+        call.silenced();
         audio.stopTones();
     }
 
@@ -131,29 +120,6 @@ public final class HandsetKeys {
         } else {
             audio.keyDown(tone);
         }
-    }
-
-    /** A call begins: a ringing one is to be heard. */
-    void callBegins() {
-        ringIsSilent = false;
-        home.clear();
-        screens.home();
-    }
-
-    /** What the keys under the display do. */
-    SoftKeys softKeys() {
-        return screens.isHome() ? home.softKeys(situation()) : screens.softKeys();
-    }
-
-    private HomeKeys.Situation situation() {
-        CallSnapshot now = call.snapshot();
-        return new HomeKeys.Situation(
-                now.phase(),
-                ringIsSilent,
-                now.waiting().isPresent(),
-                now.held().isPresent(),
-                store.mailbox().unread(MessageFolder.INBOX),
-                store.log().unseenMissed());
     }
 
     private void dial(String text) {
@@ -172,7 +138,7 @@ public final class HandsetKeys {
         }
     }
 
-    /** The key goes up again. */
+    /** Releases the key. */
     public void keyUp(PhoneKey key, long nowNanos) {
         handset.timePassed(nowNanos);
         audio.keyUp();
@@ -190,7 +156,7 @@ public final class HandsetKeys {
         keyUp(PhoneKey.OK, nowNanos);
     }
 
-    /** A character of a keyboard goes down: a letter during text entry, else the key of that name. */
+    /** Presses a keyboard's character: a letter during text entry, otherwise the phone key of that name. */
     public void charDown(char character, long nowNanos) {
         if (!handset.isPowered()) {
             return;
@@ -209,7 +175,7 @@ public final class HandsetKeys {
         PhoneKey.ofSymbol(character).ifPresent(key -> keyUp(key, nowNanos));
     }
 
-    /** The keyboard's key for erasing: what is before the cursor, else back to the page before. */
+    /** Erases the character before the cursor; without one, shows the previous page. */
     public void eraseDown() {
         if (!handset.isPowered()) {
             return;

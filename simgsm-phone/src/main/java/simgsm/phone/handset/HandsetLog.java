@@ -16,7 +16,7 @@ import simgsm.phone.screen.ServiceWords;
 import simgsm.phone.screen.Words;
 import simgsm.station.context.StationEvent;
 
-/** What just happened, in words and in the order of time: the newest {@value #CAPACITY} events that concern the user. */
+/** The log of events, in words and in the order of time: the newest {@value #CAPACITY} events that concern the user. */
 public final class HandsetLog {
     static final int CAPACITY = 300;
     /** Keys in one event, three lines in the window; further ones begin the next event. */

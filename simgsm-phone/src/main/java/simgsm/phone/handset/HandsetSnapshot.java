@@ -21,10 +21,10 @@ import simgsm.station.StationSnapshot;
  * @param typed the number being typed
  * @param caret the number of its digits before the cursor
  * @param softKeys what the two keys under the display do
- * @param inbox oldest first, as the other folders
+ * @param folders messages, oldest first
  * @param names by number, without a plus sign
  * @param missed calls that the user has not looked at
- * @param sounding the key whose tone sounds now
+ * @param sounding the key with the tone that sounds now
  * @param audible whether there is a sound device
  * @param log what just happened, oldest first
  */
@@ -36,10 +36,7 @@ public record HandsetSnapshot(
         int caret,
         Screen screen,
         SoftKeys softKeys,
-        List<StoredMessage> inbox,
-        List<StoredMessage> outbox,
-        List<StoredMessage> drafts,
-        List<StoredMessage> broadcasts,
+        Map<MessageFolder, List<StoredMessage>> folders,
         Map<String, String> names,
         int missed,
         UserSettings settings,
@@ -49,12 +46,7 @@ public record HandsetSnapshot(
         List<HandsetLog.Entry> log) {
 
     public List<StoredMessage> in(MessageFolder folder) {
-        return switch (folder) {
-            case INBOX -> inbox;
-            case OUTBOX -> outbox;
-            case DRAFTS -> drafts;
-            case BROADCASTS -> broadcasts;
-        };
+        return folders.get(folder);
     }
 
     /** The name of a number in the SIM's phone book; the number itself without one. */

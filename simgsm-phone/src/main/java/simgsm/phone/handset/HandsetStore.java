@@ -11,7 +11,7 @@ import simgsm.phone.store.Mailbox;
 import simgsm.phone.store.PhoneImage;
 import simgsm.sim.SimPhoneBook;
 
-/** What a handset keeps for the next run: names, calls, messages, settings. */
+/** The data that a handset keeps for the next run: names, calls, messages, settings. */
 final class HandsetStore {
     private final Mailbox mailbox;
     private final CallLog log = new CallLog();
@@ -45,7 +45,7 @@ final class HandsetStore {
         return texts;
     }
 
-    /** Takes over names, calls and messages. @return the keys whose texts are not understood */
+    /** Takes over names, calls and messages. @return the keys of texts that are not understood */
     List<String> restore(Map<String, String> texts) {
         return image.restore(texts);
     }

@@ -41,7 +41,7 @@ class KeySender {
         keys.forEach(key -> enqueue(key, toneMillis));
     }
 
-    /** A key goes down and sounds until {@link #up}. */
+    /** Starts a key's tone, which lasts until {@link #up}. */
     void down(DtmfKey key) {
         runs.add(new Run(String.valueOf(key.symbol()), () -> {}));
         hold(key);

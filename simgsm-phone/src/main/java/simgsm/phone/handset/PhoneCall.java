@@ -5,66 +5,63 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.CallPhase;
+import simgsm.phone.screen.HomeKeys;
 import simgsm.station.context.StationEvent;
 
-/** The handset's one call: its phase, its keys in both directions, its duration. */
+/** The handset's calls: the current one with its keys in both directions and its duration, a held one, and a waiting one. */
 final class PhoneCall {
     private static final int FRAMES_PER_SECOND = 50;
+    private static final int MAX_KEYS = 200;
 
-    private Course call = new Course(CallPhase.NONE, "", false);
-    private Course held = call;
-    /** The one that was held before it, when the two change places. */
-    private Course formerlyHeld = call;
+    private Party current = new Party(CallPhase.NONE, "", false);
+    private Party parked = current;
+    /** The party that was held before {@link #parked}, while the two change places. */
+    private Party formerlyParked = current;
 
-    /** One call; its fields are those of {@link CallSnapshot}. */
-    private static final class Course {
-        private static final int MAX_KEYS = 200;
+    private Optional<Cause> ended = Optional.empty();
+    private Optional<String> waiting = Optional.empty();
+    private Optional<String> held = Optional.empty();
+    private boolean isRingSilent;
 
+    /** The call with one other party. */
+    private static final class Party {
+        private final boolean isIncoming;
         private CallPhase phase;
         private String number;
-        private long frames;
         private String keyed = "";
         private String heard = "";
-        private Optional<Cause> ended = Optional.empty();
-        private Optional<String> waiting = Optional.empty();
-        private Optional<String> held = Optional.empty();
-        private boolean onHold;
-        private final boolean incoming;
+        private boolean isOnHold;
+        private long frames;
 
-        Course(CallPhase phase, String number, boolean incoming) {
+        Party(CallPhase phase, String number, boolean isIncoming) {
             this.phase = phase;
             this.number = number;
-            this.incoming = incoming;
-        }
-
-        void changeTo(CallPhase next, Optional<Cause> cause) {
-            phase = next;
-            ended = cause;
-            waiting = Optional.empty();
-            onHold = false;
-        }
-
-        static String newest(String keys) {
-            return keys.substring(Math.max(0, keys.length() - MAX_KEYS));
+            this.isIncoming = isIncoming;
         }
     }
 
     CallPhase phase() {
-        return call.phase;
+        return current.phase;
     }
 
     CallSnapshot snapshot() {
         return new CallSnapshot(
-                call.phase,
-                call.number,
-                (int) (call.frames / FRAMES_PER_SECOND),
-                call.keyed,
-                call.heard,
-                call.ended,
-                call.waiting,
-                call.held,
-                call.onHold,
-                call.incoming);
+                current.phase,
+                current.number,
+                (int) (current.frames / FRAMES_PER_SECOND),
+                current.keyed,
+                current.heard,
+                ended,
+                waiting,
+                held,
+                current.isOnHold,
+                current.isIncoming);
+    }
+
+    /** The state on which the keys of the home screen depend. */
+    HomeKeys.Situation situation(int unread, int missed) {
+        return new HomeKeys.Situation(
+                current.phase, isRingSilent, waiting.isPresent(), held.isPresent(), unread, missed);
     }
 
     void accept(StationEvent.OfCall event) {
@@ -73,25 +70,26 @@ final class PhoneCall {
         } else if (event instanceof StationEvent.Ringing ringing) {
             begin(CallPhase.RINGING, digits(ringing.from()), true);
         } else if (event instanceof StationEvent.CalledPartyAlerted) {
-            call.phase = CallPhase.ALERTING;
+            current.phase = CallPhase.ALERTING;
         } else if (event instanceof StationEvent.Connected connected) {
-            connected(connected.peer().map(Msisdn::toString).orElse(call.number));
-        } else if (event instanceof StationEvent.CallWaits waiting) {
-            call.waiting = Optional.of(digits(waiting.from()));
+            connected(connected.peer().map(Msisdn::toString).orElse(current.number));
+        } else if (event instanceof StationEvent.CallWaits caller) {
+            waiting = Optional.of(digits(caller.from()));
         } else if (event instanceof StationEvent.WaitingCallEnded) {
-            call.waiting = Optional.empty();
-        } else if (event instanceof StationEvent.CallHeld held) {
-            park(digits(held.peer()));
-        } else if (event instanceof StationEvent.CallRetrieved retrieved) {
-            retrieve(digits(retrieved.peer()));
+            waiting = Optional.empty();
+        } else if (event instanceof StationEvent.CallHeld party) {
+            park(digits(party.peer()));
+        } else if (event instanceof StationEvent.CallRetrieved party) {
+            retrieve(digits(party.peer()));
         } else if (event instanceof StationEvent.HeldByPeer) {
-            call.onHold = true;
+            current.isOnHold = true;
         } else if (event instanceof StationEvent.RetrievedByPeer) {
-            call.onHold = false;
+            current.isOnHold = false;
         } else if (event instanceof StationEvent.HeldCallEnded) {
-            call.held = Optional.empty();
+            held = Optional.empty();
         } else if (event instanceof StationEvent.Released released) {
-            call.changeTo(CallPhase.NONE, Optional.of(released.cause()));
+            become(current, CallPhase.NONE, current.number);
+            ended = Optional.of(released.cause());
         }
     }
 
@@ -100,40 +98,51 @@ final class PhoneCall {
         if (phase() == CallPhase.NONE) {
             begin(CallPhase.CONNECTED, number, true);
         }
-        call.phase = CallPhase.CONNECTED;
-        call.number = number;
+        current.phase = CallPhase.CONNECTED;
+        current.number = number;
     }
 
-    /** The current call is held; another may become the current one. */
+    /** Holds the current call; another may become the current one. */
     private void park(String number) {
-        formerlyHeld = held;
-        held = call;
-        call = new Course(CallPhase.NONE, "", false);
-        call.held = Optional.of(number);
+        formerlyParked = parked;
+        parked = current;
+        begin(CallPhase.NONE, "", false);
+        held = Optional.of(number);
     }
 
-    /** The call goes on as it was before it was held. */
     private void retrieve(String number) {
-        Optional<String> other = call.held.filter(party -> !party.equals(number));
-        call = other.isPresent() ? formerlyHeld : held;
-        call.changeTo(CallPhase.CONNECTED, Optional.empty());
-        call.number = number;
-        call.held = other;
+        boolean isSwap = held.filter(other -> !other.equals(number)).isPresent();
+        become(isSwap ? formerlyParked : parked, CallPhase.CONNECTED, number);
+        held = isSwap ? held : Optional.empty();
     }
 
     private void begin(CallPhase phase, String number, boolean incoming) {
-        Optional<String> party = call.held;
-        call = new Course(phase, number, incoming);
-        call.held = party;
+        become(new Party(phase, number, incoming), phase, number);
+        isRingSilent = false;
     }
 
-    private static String digits(Optional<Msisdn> number) {
+    private void become(Party party, CallPhase phase, String number) {
+        current = party;
+        current.phase = phase;
+        current.number = number;
+        current.isOnHold = false;
+        ended = Optional.empty();
+        waiting = Optional.empty();
+    }
+
+    /** The number's digits, or an empty text for an unknown number. */
+    static String digits(Optional<Msisdn> number) {
         return number.map(Msisdn::toString).orElse("");
     }
 
-    /** The cause of the last release is no longer shown. */
+    /** Stops showing the cause of the last release. */
     void clearCause() {
-        call.ended = Optional.empty();
+        ended = Optional.empty();
+    }
+
+    /** Notes that the user has ended the ringing sound of the current call. */
+    void silenced() {
+        isRingSilent = true;
     }
 
     /** Why keys cannot be queued now, if they cannot. */
@@ -146,15 +155,19 @@ final class PhoneCall {
     }
 
     void keyed(DtmfKey key) {
-        call.keyed = Course.newest(call.keyed + key.symbol());
+        current.keyed = newest(current.keyed + key.symbol());
     }
 
     void toneHeard(DtmfKey key) {
-        call.heard = Course.newest(call.heard + key.symbol());
+        current.heard = newest(current.heard + key.symbol());
     }
 
-    /** 20 ms of speech have passed. @return whether the duration has reached a further second */
+    private static String newest(String keys) {
+        return keys.substring(Math.max(0, keys.length() - MAX_KEYS));
+    }
+
+    /** Counts 20 ms of speech. @return true if the duration has reached a further second */
     boolean framePassed() {
-        return phase() == CallPhase.CONNECTED && ++call.frames % FRAMES_PER_SECOND == 0;
+        return phase() == CallPhase.CONNECTED && ++current.frames % FRAMES_PER_SECOND == 0;
     }
 }

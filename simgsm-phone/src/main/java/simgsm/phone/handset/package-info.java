@@ -1,6 +1,6 @@
 /**
  * The phone without a window: the number being typed, the call and its keys, received tones, messages, screens. A pure
- * core on the station's owner thread; time comes in as nanoseconds, views take immutable snapshots.
+ * core on the station's owner thread; time is passed in nanoseconds, views take immutable snapshots.
  *
  * <pre>
  *   station's events --> Handset --> PhoneCall, HandsetStore, HandsetAudio, HandsetLog

@@ -47,10 +47,7 @@ final class CallPages {
     }
 
     private KeyIntent ask() {
-        return stack.open(TextPage.question(stack, Words.of("question.clear_log"), () -> {
-            log.clear();
-            return Simple.NOTHING;
-        }));
+        return stack.open(TextPage.question(stack, Words.of("question.clear_log"), () -> KeyIntent.after(log::clear)));
     }
 
     /** The calls of a kind, newest first. */
@@ -109,18 +106,12 @@ final class CallPages {
     }
 
     private KeyIntent options(CallRecord record) {
-        List<ListItem> items = new ArrayList<>();
-        ListPage page = ListPage.menu(stack, "soft.options", () -> items);
-        if (!record.number().isEmpty()) {
-            items.add(page.closing("option.call", () -> call(record)));
-            items.add(page.closing("option.message", () -> messages.writeTo(record.number())));
-            items.add(page.closing("option.save", () -> names.save(record.number())));
-        }
-        items.add(page.closing("option.details", () -> details(record)));
-        items.add(page.closing("option.delete", () -> {
-            log.remove(record);
-            return Simple.NOTHING;
-        }));
-        return stack.open(page);
+        boolean isKnown = !record.number().isEmpty();
+        return stack.open(ListPage.options(stack, Words.of("soft.options"))
+                .option(isKnown, "option.call", () -> call(record))
+                .option(isKnown, "option.message", () -> messages.writeTo(record.number()))
+                .option(isKnown, "option.save", () -> names.save(record.number()))
+                .option(true, "option.details", () -> details(record))
+                .option(true, "option.delete", () -> KeyIntent.after(() -> log.remove(record))));
     }
 }

@@ -58,21 +58,19 @@ final class ContactPages {
     }
 
     private KeyIntent options(NamedNumber contact) {
-        List<ListItem> items = new ArrayList<>();
-        ListPage page = new ListPage(stack, Words.plain(contact.name()), true, () -> items);
-        items.add(page.closing("option.call", () -> call(contact)));
-        items.add(page.closing("option.message", () -> writeTo.apply(contact.number())));
-        items.add(page.closing(
-                "option.edit", () -> edit(Optional.of(contact.place()), contact.name(), contact.number())));
-        items.add(page.closing("option.delete", () -> ask(contact)));
-        return stack.open(page);
+        Optional<Integer> place = Optional.of(contact.place());
+        return stack.open(ListPage.options(stack, Words.plain(contact.name()))
+                .option(true, "option.call", () -> call(contact))
+                .option(true, "option.message", () -> writeTo.apply(contact.number()))
+                .option(true, "option.edit", () -> edit(place, contact.name(), contact.number()))
+                .option(true, "option.delete", () -> ask(contact)));
     }
 
     private KeyIntent ask(NamedNumber contact) {
-        return stack.open(TextPage.question(stack, Words.of("question.delete", contact.name()), () -> {
-            contacts.erase(contact);
-            return Simple.NOTHING;
-        }));
+        return stack.open(TextPage.question(
+                stack,
+                Words.of("question.delete", contact.name()),
+                () -> KeyIntent.after(() -> contacts.erase(contact))));
     }
 
     /** Chooses one of the names. @param picked is given its number */

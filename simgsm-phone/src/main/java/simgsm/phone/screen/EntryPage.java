@@ -3,11 +3,12 @@ package simgsm.phone.screen;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.KeyIntent.Simple;
 
 /** A line to key in: a number, a code or a name. */
 final class EntryPage extends TextEntryPage {
-    /** What may be keyed. */
+    /** The kind of text that is accepted. */
     enum Kind {
         /** A telephone number; the star key writes its plus sign. */
         NUMBER("+0123456789"),
@@ -54,8 +55,8 @@ final class EntryPage extends TextEntryPage {
     }
 
     /** Opens the names by the arrows up and down. */
-    EntryPage withNames(Supplier<KeyIntent> open) {
-        names = Optional.of(open);
+    EntryPage withNames(ContactPages pages) {
+        names = Optional.of(() -> pages.pick(picked -> KeyIntent.after(() -> with(picked))));
         return this;
     }
 
@@ -78,34 +79,27 @@ final class EntryPage extends TextEntryPage {
 
     @Override
     KeyIntent press(PhoneKey key, long nowNanos) {
-        switch (key) {
-            case SOFT_LEFT, OK, CALL, MESSAGE -> {
-                entry.commit();
-                if (!entry.text().isEmpty()) {
-                    return done.apply(entry.text());
-                }
-                return key == PhoneKey.SOFT_LEFT ? openNames() : Simple.NOTHING;
-            }
-            case SOFT_RIGHT, CLEAR -> {
-                return erase() ? Simple.NOTHING : stack.close(this);
-            }
-            case LEFT -> entry.left();
-            case RIGHT -> entry.right();
-            case UP, DOWN -> {
-                return openNames();
-            }
-            case MENU -> nextMode();
-            default -> key.tone().ifPresent(tone -> key(tone.symbol(), key, nowNanos));
+        return switch (key) {
+            case SOFT_LEFT, OK, CALL, MESSAGE -> finish(key);
+            case SOFT_RIGHT, CLEAR -> eraseOrClose();
+            case LEFT -> KeyIntent.after(entry::left);
+            case RIGHT -> KeyIntent.after(entry::right);
+            case UP, DOWN -> openNames();
+            case MENU -> KeyIntent.after(this::nextMode);
+            default -> KeyIntent.after(() -> key.tone().ifPresent(tone -> key(tone, nowNanos)));
+        };
+    }
+
+    private KeyIntent finish(PhoneKey key) {
+        entry.commit();
+        if (!entry.text().isEmpty()) {
+            return done.apply(entry.text());
         }
-        return Simple.NOTHING;
+        return key == PhoneKey.SOFT_LEFT ? openNames() : Simple.NOTHING;
     }
 
     private KeyIntent openNames() {
-        if (names.isPresent()) {
-            return names.get().get();
-        }
-        nextMode();
-        return Simple.NOTHING;
+        return names.map(Supplier::get).orElseGet(() -> KeyIntent.after(this::nextMode));
     }
 
     private void nextMode() {
@@ -114,11 +108,11 @@ final class EntryPage extends TextEntryPage {
         }
     }
 
-    private void key(char symbol, PhoneKey key, long nowNanos) {
+    private void key(DtmfKey tone, long nowNanos) {
         if (kind == Kind.NAME) {
-            entry.tap(key.tone().orElseThrow(), nowNanos);
+            entry.tap(tone, nowNanos);
         } else {
-            type(kind == Kind.NUMBER && symbol == '*' ? '+' : symbol);
+            type(kind == Kind.NUMBER && tone.symbol() == '*' ? '+' : tone.symbol());
         }
     }
 

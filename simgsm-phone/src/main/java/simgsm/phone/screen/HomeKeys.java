@@ -9,7 +9,7 @@ import simgsm.phone.store.MessageFolder;
 
 /** The keys on the home screen: the number being typed, calls, and keys that are held for a second function. */
 public final class HomeKeys {
-    /** What the keys of the home screen depend on. */
+    /** The state on which the keys of the home screen depend. */
     public record Situation(
             CallPhase phase, boolean ringIsSilent, boolean waits, boolean holds, int unread, int missed) {
         boolean isActive() {
@@ -89,21 +89,16 @@ public final class HomeKeys {
             case CALL -> call(now);
             case OK -> ok(now);
             case SOFT_LEFT, SOFT_RIGHT -> soft(key, now);
-            case END -> done(this::clear);
-            case CLEAR -> done(typed::erase);
-            case LEFT -> done(typed::left);
-            case RIGHT -> done(typed::right);
+            case END -> KeyIntent.after(this::clear);
+            case CLEAR -> KeyIntent.after(typed::erase);
+            case LEFT -> KeyIntent.after(typed::left);
+            case RIGHT -> KeyIntent.after(typed::right);
             case MENU -> screens.openMenu();
-            case MESSAGE -> screens.write();
-            case DOWN -> isIdle ? screens.open(MessageFolder.INBOX) : Simple.QUIETER;
-            case UP -> isIdle ? screens.open(MessageFolder.OUTBOX) : Simple.LOUDER;
+            case MESSAGE -> screens.messages.write();
+            case DOWN -> isIdle ? screens.messages.open(MessageFolder.INBOX) : Simple.QUIETER;
+            case UP -> isIdle ? screens.messages.open(MessageFolder.OUTBOX) : Simple.LOUDER;
             default -> tone(key.tone().orElseThrow(), now.phase());
         };
-    }
-
-    private static KeyIntent done(Runnable edit) {
-        edit.run();
-        return Simple.NOTHING;
     }
 
     private KeyIntent soft(PhoneKey key, Situation now) {
@@ -112,11 +107,11 @@ public final class HomeKeys {
             case "soft.answer" -> Simple.ANSWER;
             case "soft.silence" -> Simple.SILENCE;
             case "soft.refuse" -> Simple.HANG_UP;
-            case "soft.save" -> screens.saveNumber(typed());
-            case "soft.clear" -> done(typed::erase);
-            case "soft.read" -> screens.open(MessageFolder.INBOX);
-            case "soft.show" -> screens.open(CallRecord.Kind.MISSED);
-            case "soft.names" -> screens.openNames();
+            case "soft.save" -> screens.names.save(typed());
+            case "soft.clear" -> KeyIntent.after(typed::erase);
+            case "soft.read" -> screens.messages.open(MessageFolder.INBOX);
+            case "soft.show" -> screens.calls.open(CallRecord.Kind.MISSED);
+            case "soft.names" -> screens.names.list();
             case "soft.hold", "soft.swap", "soft.take", "soft.retrieve" -> Simple.HOLD;
             case "soft.options" -> screens.openCallOptions(now);
             default -> screens.openMenu();
@@ -148,7 +143,7 @@ public final class HomeKeys {
         if (typed.isEmpty() && now.holds()) {
             return Simple.HOLD;
         }
-        return typed.isEmpty() ? screens.open(CallRecord.Kind.DIALLED) : new KeyIntent.DialText(typed());
+        return typed.isEmpty() ? screens.calls.open(CallRecord.Kind.DIALLED) : new KeyIntent.DialText(typed());
     }
 
     public boolean wantsTime(CallPhase phase) {
@@ -166,7 +161,7 @@ public final class HomeKeys {
         }
         if (typed().equals("1")) {
             clear();
-            screens.open(MessageFolder.INBOX);
+            screens.messages.open(MessageFolder.INBOX);
         } else {
             typed.set("+");
         }

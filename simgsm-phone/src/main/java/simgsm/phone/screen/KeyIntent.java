@@ -5,14 +5,14 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.store.StoredMessage;
 
-/** What a pressed key asks the handset to do, beyond changing the screen. */
+/** The handset's action after a pressed key, beyond a change of the screen. */
 public sealed interface KeyIntent {
     /** An intent without a parameter. */
     enum Simple implements KeyIntent {
         NOTHING,
         ANSWER,
         HANG_UP,
-        /** The ring is not heard any more; the call goes on ringing. */
+        /** Ends the ringing sound; the call stays unanswered. */
         SILENCE,
         /** Holds the active call, or takes the held or waiting one. */
         HOLD,
@@ -24,7 +24,13 @@ public sealed interface KeyIntent {
         SWITCH_OFF
     }
 
-    /** To the far end in a call, else at the earpiece only. */
+    /** Changes the screen, and asks for nothing else. */
+    static KeyIntent after(Runnable change) {
+        change.run();
+        return Simple.NOTHING;
+    }
+
+    /** Plays the tone to the far end during a call, otherwise only locally. */
     record PlayTone(DtmfKey tone) implements KeyIntent {}
 
     /** @param text as typed, perhaps no number */

@@ -24,7 +24,7 @@ final class LineEditor {
         return text.length() == 0;
     }
 
-    /** Replaces the text; the cursor stands behind it. */
+    /** Replaces the text and moves the cursor to its end. */
     void set(String next) {
         text.setLength(0);
         text.append(next, 0, Math.min(most, next.length()));
@@ -40,7 +40,7 @@ final class LineEditor {
         return true;
     }
 
-    /** Takes away the character before the cursor; both halves of one outside the basic plane. */
+    /** Erases the character before the cursor; both halves of one outside the basic plane. */
     void erase() {
         int from = caret - length(caret);
         text.delete(from, caret);

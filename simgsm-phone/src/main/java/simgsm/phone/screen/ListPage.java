@@ -8,8 +8,8 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.KeyIntent.Simple;
 
 /**
- * Rows to choose from. They are made anew for each look at them, so that the list follows what it shows; the selected row
- * stays the selected one when rows come before it.
+ * Rows to choose from. Each reading of the list builds its rows, so that it follows what it shows; the selected row stays
+ * selected when rows are inserted before it.
  */
 final class ListPage extends ScreenPage {
     /**
@@ -61,12 +61,21 @@ final class ListPage extends ScreenPage {
         return this;
     }
 
-    /** A row that closes this page before its action. */
-    ListItem closing(String text, Supplier<KeyIntent> act) {
-        return ListItem.of(text, () -> {
-            stack.close(this);
-            return act.get();
-        });
+    /** A menu without rows, for {@link #option}. */
+    static ListPage options(PageStack stack, Words title) {
+        List<ListItem> items = new ArrayList<>();
+        return new ListPage(stack, title, true, () -> items);
+    }
+
+    /** Adds a row, if it is offered, that closes this page before its action. */
+    ListPage option(boolean isOffered, String text, Supplier<KeyIntent> act) {
+        if (isOffered) {
+            source.get().add(ListItem.of(text, () -> {
+                stack.close(this);
+                return act.get();
+            }));
+        }
+        return this;
     }
 
     private List<ListItem> items() {

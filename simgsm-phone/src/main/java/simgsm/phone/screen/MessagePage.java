@@ -42,30 +42,19 @@ final class MessagePage extends ScreenPage {
 
     @Override
     KeyIntent press(PhoneKey key, long nowNanos) {
-        switch (key) {
-            case UP -> scroll = Math.max(0, scroll - 1);
-            case DOWN -> scroll = Math.min(lastScroll(), scroll + 1);
-            case CALL -> {
-                return messages.call(folder, message());
-            }
-            case MESSAGE, OK -> {
-                return messages.answer(folder, message());
-            }
-            case SOFT_LEFT -> {
-                return messages.options(folder, message(), this);
-            }
-            case LEFT, MENU, SOFT_RIGHT, CLEAR -> {
-                return stack.close(this);
-            }
+        return switch (key) {
+            case UP -> KeyIntent.after(() -> scroll = Math.max(0, scroll - 1));
+            case DOWN -> KeyIntent.after(() -> scroll = Math.min(lastScroll(), scroll + 1));
+            case CALL -> messages.call(folder, message());
+            case MESSAGE, OK -> messages.answer(folder, message());
+            case SOFT_LEFT -> messages.options(folder, message(), this);
+            case LEFT, MENU, SOFT_RIGHT, CLEAR -> stack.close(this);
             case HASH -> {
                 mailbox.remove(folder, message());
-                return stack.close(this);
+                yield stack.close(this);
             }
-            default -> {
-                return Simple.NOTHING;
-            }
-        }
-        return Simple.NOTHING;
+            default -> Simple.NOTHING;
+        };
     }
 
     /** The view stops earlier when all is shown. */

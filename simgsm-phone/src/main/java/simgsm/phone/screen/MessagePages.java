@@ -1,6 +1,5 @@
 package simgsm.phone.screen;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -32,18 +31,10 @@ final class MessagePages {
     }
 
     private void setReceiver(String number) {
-        EntryPage page = new EntryPage(
-                        stack,
-                        Words.of("lcd.to"),
-                        EntryPage.Kind.NUMBER,
-                        Msisdn.MAX_DIGITS + 1,
-                        "soft.send",
-                        this::send)
-                .with(number);
-        receiver = page.withNames(() -> names.pick(picked -> {
-            page.with(picked);
-            return Simple.NOTHING;
-        }));
+        int most = Msisdn.MAX_DIGITS + 1;
+        receiver = new EntryPage(stack, Words.of("lcd.to"), EntryPage.Kind.NUMBER, most, "soft.send", this::send)
+                .with(number)
+                .withNames(names);
     }
 
     KeyIntent menu() {
@@ -99,33 +90,22 @@ final class MessagePages {
         return stack.open(new MessagePage(stack, mailbox, this, folder, message));
     }
 
-    /** What can be done with a message. @param view of the message, closed when it is erased; null in the list */
+    /** Opens the options of a message. @param view of the message, closed when it is erased; null in the list */
     KeyIntent options(MessageFolder folder, StoredMessage message, MessagePage view) {
-        List<ListItem> items = new ArrayList<>();
-        ListPage page = ListPage.menu(stack, "soft.options", () -> items);
         boolean isParty = folder != MessageFolder.BROADCASTS && isNumber(message.party());
-        if (isFailed(message)) {
-            items.add(page.closing("option.again", () -> sendAgain(message)));
-        }
-        if (folder == MessageFolder.DRAFTS) {
-            items.add(page.closing("option.edit", () -> edit(message)));
-        }
-        if (folder == MessageFolder.INBOX && isParty) {
-            items.add(page.closing("option.reply", () -> answer(folder, message)));
-        }
-        if (folder != MessageFolder.DRAFTS) {
-            items.add(page.closing("option.forward", () -> forward(message)));
-        }
-        if (isParty) {
-            items.add(page.closing("option.call", () -> call(folder, message)));
-            items.add(page.closing("option.save", () -> names.save(message.party())));
-        }
-        items.add(page.closing("option.delete", () -> {
-            mailbox.remove(folder, message);
-            return view == null ? Simple.NOTHING : stack.close(view);
-        }));
-        items.add(page.closing("option.delete_all", () -> askToErase(folder)));
-        return stack.open(page);
+        boolean isDraft = folder == MessageFolder.DRAFTS;
+        return stack.open(ListPage.options(stack, Words.of("soft.options"))
+                .option(isFailed(message), "option.again", () -> sendAgain(message))
+                .option(isDraft, "option.edit", () -> edit(message))
+                .option(folder == MessageFolder.INBOX && isParty, "option.reply", () -> answer(folder, message))
+                .option(!isDraft, "option.forward", () -> begin("", message.text()))
+                .option(isParty, "option.call", () -> call(folder, message))
+                .option(isParty, "option.save", () -> names.save(message.party()))
+                .option(true, "option.delete", () -> {
+                    mailbox.remove(folder, message);
+                    return view == null ? Simple.NOTHING : stack.close(view);
+                })
+                .option(true, "option.delete_all", () -> askToErase(folder)));
     }
 
     private KeyIntent askToErase(MessageFolder folder) {
@@ -172,10 +152,6 @@ final class MessagePages {
         return begin(draft.party(), draft.text());
     }
 
-    private KeyIntent forward(StoredMessage message) {
-        return begin("", message.text());
-    }
-
     /** Calls the sender or receiver of a message; a broadcast has none. */
     KeyIntent call(MessageFolder folder, StoredMessage message) {
         if (folder == MessageFolder.BROADCASTS || message.party().isEmpty()) {
@@ -202,7 +178,7 @@ final class MessagePages {
         return new KeyIntent.SendText(Msisdn.parse(failed.party()), failed.text(), Optional.of(failed));
     }
 
-    /** The text is written: to whom does it go? */
+    /** Asks for the receiver of the written text. */
     KeyIntent chooseReceiver() {
         entry.commit();
         return stack.open(receiver);
@@ -214,7 +190,7 @@ final class MessagePages {
                 : stack.open(new NotePage(stack, new Note(Note.Kind.NOT_A_NUMBER, number)));
     }
 
-    /** The text is in the outbox: shows its progress. It takes the place of a failed message, or was being written. */
+    /** Shows the progress of a message in the outbox; it replaces a failed message or the text that was written. */
     void submitted(KeyIntent.SendText sent) {
         sent.replaced().ifPresent(failed -> mailbox.remove(MessageFolder.OUTBOX, failed));
         stack.home();

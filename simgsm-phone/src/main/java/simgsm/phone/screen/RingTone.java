@@ -1,6 +1,6 @@
 package simgsm.phone.screen;
 
-/** How an incoming call sounds. */
+/** The sound of an incoming call. */
 public enum RingTone {
     WARBLE,
     BELL,

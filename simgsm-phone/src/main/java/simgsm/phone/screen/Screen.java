@@ -63,7 +63,7 @@ public sealed interface Screen {
     }
 
     /**
-     * Rows of which one is selected: a menu, or a list.
+     * A menu or a list, with one selected row.
      *
      * @param numbered whether the digit keys choose rows
      */

@@ -1,27 +1,24 @@
 package simgsm.phone.screen;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import simgsm.phone.screen.KeyIntent.Simple;
 import simgsm.phone.screen.ListPage.ListItem;
 import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.store.CallLog;
-import simgsm.phone.store.CallRecord;
 import simgsm.phone.store.Contacts;
 import simgsm.phone.store.Mailbox;
-import simgsm.phone.store.MessageFolder;
 import simgsm.station.context.StationEvent;
 
-/** Everything but the home screen: the menu, its pages, and what each key does on them. */
+/** All screens except the home screen: the menu, its pages, and the functions of the keys on them. */
 public final class ScreenNavigation {
     private static final Screen HOME = new Screen.HomeView();
 
     private final PageStack stack = new PageStack();
     private final UssdPage ussd;
-    private final ContactPages names;
-    private final MessagePages messages;
-    private final CallPages calls;
+    final ContactPages names;
+    final MessagePages messages;
+    final CallPages calls;
     private final ServicePages services;
     private final SettingsPages settings;
     private final Supplier<List<Words>> about;
@@ -47,7 +44,7 @@ public final class ScreenNavigation {
         return stack.top().map(ScreenPage::screen).orElse(HOME);
     }
 
-    /** What the keys under the display do; on the home screen they are {@link HomeKeys}'s. */
+    /** The functions of the keys under the display; on the home screen {@link HomeKeys} has them. */
     public SoftKeys softKeys() {
         return stack.top().map(ScreenPage::softKeys).orElse(SoftKeys.NONE);
     }
@@ -78,19 +75,18 @@ public final class ScreenNavigation {
                         }))));
     }
 
-    /** What can be done in a call. */
+    /** Opens the options of a call. */
     KeyIntent openCallOptions(HomeKeys.Situation now) {
-        List<ListItem> items = new ArrayList<>();
-        ListPage page = ListPage.menu(stack, "soft.options", () -> items);
-        String hold = now.waits() ? "option.take" : now.holds() ? "option.swap" : "option.hold";
-        items.add(page.closing(hold, () -> Simple.HOLD));
-        if (now.waits() || now.holds()) {
-            items.add(page.closing(now.waits() ? "option.reject" : "option.end_held", () -> Simple.REJECT_SECOND));
-        }
-        items.add(page.closing("option.end", () -> Simple.HANG_UP));
-        items.add(page.closing("menu.names", names::list));
-        items.add(page.closing("key.menu", this::openMenu));
-        return stack.open(page);
+        boolean hasSecond = now.waits() || now.holds();
+        return stack.open(ListPage.options(stack, Words.of("soft.options"))
+                .option(
+                        true,
+                        now.waits() ? "option.take" : now.holds() ? "option.swap" : "option.hold",
+                        () -> Simple.HOLD)
+                .option(hasSecond, now.waits() ? "option.reject" : "option.end_held", () -> Simple.REJECT_SECOND)
+                .option(true, "option.end", () -> Simple.HANG_UP)
+                .option(true, "menu.names", names::list)
+                .option(true, "key.menu", this::openMenu));
     }
 
     private KeyIntent openAbout() {
@@ -102,33 +98,11 @@ public final class ScreenNavigation {
         stack.open(TextPage.of(stack, Words.plain("IMEI"), () -> List.of(Words.plain(imei))));
     }
 
-    public KeyIntent open(MessageFolder folder) {
-        return messages.open(folder);
-    }
-
-    public KeyIntent open(CallRecord.Kind kind) {
-        return calls.open(kind);
-    }
-
-    public KeyIntent openNames() {
-        return names.list();
-    }
-
-    /** Saves a number under a name that is keyed in. */
-    public KeyIntent saveNumber(String number) {
-        return names.save(number);
-    }
-
-    /** Continues the text, or begins one. */
-    public KeyIntent write() {
-        return messages.write();
-    }
-
     public KeyIntent note(Note.Kind kind, String detail) {
         return stack.open(new NotePage(stack, new Note(kind, detail)));
     }
 
-    /** Whether the network's answer to the user's USSD text is outstanding. */
+    /** True while the network's answer to the user's USSD text is outstanding. */
     public boolean awaitsUssd() {
         return ussd.awaitsNetwork();
     }
@@ -161,7 +135,7 @@ public final class ScreenNavigation {
         return stack.top().filter(page -> page.type(character)).isPresent();
     }
 
-    /** The keyboard's key for erasing; where there is nothing to erase, it goes back. */
+    /** Erases the character before the cursor; without one, closes the page. */
     public void eraseOrBack() {
         stack.top().filter(page -> !page.erase()).ifPresent(stack::close);
     }

@@ -1,6 +1,6 @@
 package simgsm.phone.screen;
 
-/** A page on the stack: what it shows and what each key does on it. The red key is the handset's. */
+/** A page on the stack: its content and the functions of the keys, except the red key, which the handset handles. */
 abstract class ScreenPage {
     final PageStack stack;
 
@@ -24,10 +24,10 @@ abstract class ScreenPage {
         return false;
     }
 
-    /** The page is covered by another, or leaves. */
+    /** Called before the page is covered by another or closed. */
     void leave() {}
 
-    /** Whether {@link #timePassed} is to be called. */
+    /** True if {@link #timePassed} is to be called. */
     boolean wantsTime() {
         return false;
     }

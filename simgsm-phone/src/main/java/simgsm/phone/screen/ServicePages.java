@@ -81,10 +81,7 @@ final class ServicePages {
                 Msisdn.MAX_DIGITS + 1,
                 "soft.ok",
                 number -> send("**" + condition.code() + "*" + number + "#"));
-        return stack.open(page.withNames(() -> names.pick(picked -> {
-            page.with(picked);
-            return KeyIntent.Simple.NOTHING;
-        })));
+        return stack.open(page.withNames(names));
     }
 
     private KeyIntent callWaiting() {

@@ -17,7 +17,7 @@ public final class ServiceWords {
         return Words.of("service." + status.service().name().toLowerCase(Locale.ROOT));
     }
 
-    /** How the service stands. */
+    /** The state of the service. */
     public static Words state(ServiceStatus status) {
         return Words.of(
                 status.isActive()
@@ -25,7 +25,7 @@ public final class ServiceWords {
                         : status.isRegistered() ? "service.registered" : "service.inactive");
     }
 
-    /** How the service stands, and the number to which calls are forwarded. @param names the name of a number */
+    /** The state of the service, and the number to which calls are forwarded. @param names the name of a number */
     static List<Words> lines(ServiceStatus status, UnaryOperator<String> names) {
         List<Words> lines = new ArrayList<>();
         lines.add(state(status));
@@ -34,7 +34,7 @@ public final class ServiceWords {
         return lines;
     }
 
-    /** Why a dialogue has ended without an answer; empty if the user ended it, or had the answer. */
+    /** The reason for the end of a dialogue without an answer; empty if the user ended it or has read the answer. */
     public static Optional<Screen.Note> noteOf(StationEvent.UssdEnded end) {
         return switch (end.how()) {
             case COMPLETED, CANCELLED -> Optional.empty();

@@ -11,7 +11,7 @@ import simgsm.draw.Appearance;
 import simgsm.phone.screen.ListPage.ListItem;
 import simgsm.speech.SpeechCodec;
 
-/** The menu of settings; each opens its values, of which one is chosen. */
+/** The menu of settings; each opens a list of its values. */
 final class SettingsPages {
     private final PageStack stack;
     private final Supplier<UserSettings> settings;
@@ -22,54 +22,45 @@ final class SettingsPages {
     }
 
     KeyIntent menu() {
+        List<SpeechCodec.Kind> codecs = List.of(SpeechCodec.Kind.A_LAW, SpeechCodec.Kind.GSM_FULL_RATE);
         return stack.open(ListPage.menu(
                 stack,
                 "menu.settings",
                 () -> List.of(
-                        setting(
-                                "setting.language",
-                                List.of("en", "es"),
-                                UserSettings::language,
-                                code -> Words.of("language." + code),
-                                UserSettings::withLanguage),
-                        setting(
-                                "setting.ring",
-                                List.of(RingTone.values()),
-                                UserSettings::ringTone,
-                                tone -> named("ring.", tone),
-                                UserSettings::withRingTone),
-                        setting(
-                                "setting.volume",
-                                IntStream.rangeClosed(0, UserSettings.MOST_VOLUME)
-                                        .boxed()
-                                        .toList(),
-                                UserSettings::volume,
-                                volume -> Words.plain(String.valueOf(volume)),
-                                UserSettings::withVolume),
-                        setting(
-                                "setting.theme",
+                        language(),
+                        choice("ring.", List.of(RingTone.values()), UserSettings::ringTone, UserSettings::withRingTone),
+                        volume(),
+                        choice(
+                                "theme.",
                                 List.of(Appearance.values()),
                                 UserSettings::appearance,
-                                theme -> named("theme.", theme),
                                 UserSettings::withAppearance),
-                        setting(
-                                "setting.codec",
-                                List.of(SpeechCodec.Kind.A_LAW, SpeechCodec.Kind.GSM_FULL_RATE),
-                                UserSettings::codec,
-                                codec -> named("codec.", codec),
-                                UserSettings::withCodec),
-                        setting(
-                                "setting.keys",
-                                List.of(KeyMode.values()),
-                                UserSettings::keyMode,
-                                mode -> named("keys.", mode),
-                                UserSettings::withKeyMode),
-                        setting(
-                                "setting.length",
+                        choice("codec.", codecs, UserSettings::codec, UserSettings::withCodec),
+                        choice("keys.", List.of(KeyMode.values()), UserSettings::keyMode, UserSettings::withKeyMode),
+                        choice(
+                                "length.",
                                 List.of(ToneLength.values()),
                                 UserSettings::toneLength,
-                                length -> named("length.", length),
                                 UserSettings::withToneLength))));
+    }
+
+    private ListItem language() {
+        Function<String, Words> words = code -> Words.of("language." + code);
+        return setting(
+                "setting.language", List.of("en", "es"), UserSettings::language, words, UserSettings::withLanguage);
+    }
+
+    private ListItem volume() {
+        List<Integer> values =
+                IntStream.rangeClosed(0, UserSettings.MOST_VOLUME).boxed().toList();
+        Function<Integer, Words> words = volume -> Words.plain(String.valueOf(volume));
+        return setting("setting.volume", values, UserSettings::volume, words, UserSettings::withVolume);
+    }
+
+    /** @param family beginning of the values' keys in the bundle */
+    private <T extends Enum<T>> ListItem choice(
+            String family, List<T> values, Function<UserSettings, T> value, Change<T> change) {
+        return setting("setting." + family.replace(".", ""), values, value, each -> named(family, each), change);
     }
 
     private static Words named(String family, Enum<?> value) {

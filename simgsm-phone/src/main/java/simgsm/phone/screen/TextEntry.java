@@ -13,7 +13,7 @@ public final class TextEntry {
     /** Longer than any message may be: 255 parts of 153 letters. */
     static final int MAX_CHARACTERS = 39_015;
 
-    /** How keys become letters. */
+    /** The way in which keys become letters. */
     public enum Mode {
         LOWER,
         /** The next letter is a capital, then as LOWER. */
@@ -79,7 +79,7 @@ public final class TextEntry {
         line.insert(character);
     }
 
-    /** Takes away the character before the cursor. */
+    /** Erases the character before the cursor. */
     void erase() {
         commit();
         line.erase();
@@ -91,7 +91,7 @@ public final class TextEntry {
         line.left();
     }
 
-    /** Moves the cursor, or lets the letter stand that could still change. */
+    /** Makes the pending letter final; without one, moves the cursor. */
     void right() {
         if (isPending()) {
             commit();
@@ -115,7 +115,7 @@ public final class TextEntry {
         mode = newMode;
     }
 
-    /** The letter that could still change stands now. */
+    /** Makes the pending letter final. */
     void commit() {
         if (tapped != null
                 && mode == Mode.CAPITAL
@@ -126,7 +126,7 @@ public final class TextEntry {
         taps = 0;
     }
 
-    /** Lets a letter stand whose second is over. @return whether that happened */
+    /** Makes the pending letter final after one second. @return true if that happened */
     boolean settle(long nowNanos) {
         if (tapped != null && nowNanos - tappedNanos >= TAP_NANOS) {
             commit();
@@ -171,7 +171,7 @@ public final class TextEntry {
         return mode;
     }
 
-    /** Whether the last letter may still change. */
+    /** True if the last letter may still change. */
     boolean isPending() {
         return tapped != null;
     }

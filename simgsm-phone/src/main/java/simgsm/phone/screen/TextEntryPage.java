@@ -16,6 +16,11 @@ abstract class TextEntryPage extends ScreenPage {
         return hasText;
     }
 
+    /** Erases the character before the cursor; closes the page if there is none. */
+    KeyIntent eraseOrClose() {
+        return erase() ? KeyIntent.Simple.NOTHING : stack.close(this);
+    }
+
     @Override
     void leave() {
         entry.commit();

@@ -1,8 +1,8 @@
 package simgsm.phone.screen;
 
-/** How long a key of the handset sounds in a call. */
+/** The length of a key's tone in a call. */
 public enum ToneLength {
-    /** As long as the key is held, 70 ms at least. */
+    /** The tone lasts while the key is held, 70 ms at least. */
     HELD(0),
     SHORT(100),
     LONG(300);

@@ -5,7 +5,7 @@ import simgsm.draw.Appearance;
 import simgsm.speech.SpeechCodec;
 
 /**
- * What the user has set.
+ * The user's settings.
  *
  * @param language of the display: "en" or "es"
  * @param volume of the earpiece, 0 to {@link #MOST_VOLUME}
@@ -33,12 +33,12 @@ public record UserSettings(
         }
     }
 
-    /** As the phone is delivered, with these ways of speech and keys. */
+    /** The factory settings with this codec and key mode. */
     public static UserSettings delivered(SpeechCodec.Kind codec, KeyMode keyMode) {
         return new UserSettings("en", Appearance.LIGHT, MOST_VOLUME, RingTone.WARBLE, codec, keyMode, ToneLength.HELD);
     }
 
-    /** As texts by key, for the next run; language and colours are the window's. */
+    /** The settings as texts by key, for the next run; the window keeps language and colours. */
     public Map<String, String> texts() {
         return Map.of(
                 "setting.volume",
@@ -53,7 +53,7 @@ public record UserSettings(
                 toneLength.name());
     }
 
-    /** These settings with those of an earlier run. @throws IllegalArgumentException for a text that is no such value */
+    /** Replaces settings by those of an earlier run. @throws IllegalArgumentException for a text that is no such value */
     public UserSettings restored(Map<String, String> texts) {
         UserSettings next = this;
         for (Map.Entry<String, String> text : texts.entrySet()) {

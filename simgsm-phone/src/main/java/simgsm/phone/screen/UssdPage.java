@@ -3,14 +3,18 @@ package simgsm.phone.screen;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import simgsm.phone.screen.KeyIntent.Simple;
+import simgsm.phone.screen.Screen.Ussd;
+import simgsm.phone.screen.Screen.Ussd.Phase;
 import simgsm.ss.ServiceStatus;
+import simgsm.ss.UssdText;
 import simgsm.station.context.StationEvent;
 
-/** A USSD dialogue on the display. */
+/** A USSD dialogue on the display: the network's texts and the reply being typed. */
 final class UssdPage extends ScreenPage {
+    private static final Ussd CLOSED = new Ussd(Phase.ANSWERED, "", "");
+
     private final UnaryOperator<String> names;
-    private final DisplayedUssd dialog = new DisplayedUssd();
-    private Screen shown = new Screen.Ussd(Screen.Ussd.Phase.WAITING, "", "");
+    private Ussd shown = CLOSED;
 
     /** @param names the name of a number */
     UssdPage(PageStack stack, UnaryOperator<String> names) {
@@ -19,84 +23,95 @@ final class UssdPage extends ScreenPage {
     }
 
     boolean awaitsNetwork() {
-        return dialog.awaitsNetwork();
+        return shown.phase() == Phase.WAITING;
     }
 
     /** The user's text is sent. */
     void sent(String text) {
-        dialog.sent(text);
-        show();
+        show(new Ussd(Phase.WAITING, text, ""));
     }
 
     void accept(StationEvent.OfUssd event) {
         if (event instanceof StationEvent.UssdReceived text) {
-            dialog.received(text);
-            show();
+            show(new Ussd(text.replyExpected() ? Phase.ASKED : Phase.ANSWERED, text.text(), ""));
         } else if (event instanceof StationEvent.ServiceAnswered answer) {
-            dialog.close();
+            shown = CLOSED;
             stack.replace(this, answerPage(answer.status()));
         } else if (event instanceof StationEvent.UssdEnded end) {
-            Optional<Screen.Note> note = dialog.ended(end);
-            if (dialog.screen().isEmpty()) {
+            if (shown.phase() != Phase.ANSWERED) {
+                shown = CLOSED;
                 stack.close(this);
             }
+            Optional<Screen.Note> note = ServiceWords.noteOf(end);
             note.ifPresent(told -> stack.open(new NotePage(stack, told)));
         }
     }
 
-    /** How a service stands, in words. */
+    /** The state of a service in words. */
     private TextPage answerPage(ServiceStatus status) {
         return TextPage.of(stack, ServiceWords.title(status), () -> ServiceWords.lines(status, names));
     }
 
-    private void show() {
+    private void show(Ussd next) {
+        shown = next;
         if (stack.top().filter(page -> page == this).isEmpty()) {
             stack.close(this);
             stack.open(this);
         }
     }
 
-    /** Ends the dialogue for the user, who goes home. */
+    /** Ends the dialogue and shows the home screen. */
     KeyIntent end() {
-        dialog.close();
+        shown = CLOSED;
         stack.home();
         return Simple.END_USSD;
     }
 
     @Override
     Screen screen() {
-        dialog.screen().ifPresent(screen -> shown = screen);
         return shown;
     }
 
     @Override
     SoftKeys softKeys() {
-        Screen.Ussd screen = (Screen.Ussd) screen();
-        return switch (screen.phase()) {
+        return switch (shown.phase()) {
             case WAITING -> new SoftKeys("", "soft.cancel");
             case ASKED ->
-                screen.reply().isEmpty() ? new SoftKeys("", "soft.cancel") : new SoftKeys("soft.reply", "soft.clear");
+                shown.reply().isEmpty() ? new SoftKeys("", "soft.cancel") : new SoftKeys("soft.reply", "soft.clear");
             case ANSWERED -> new SoftKeys("soft.ok", "");
         };
     }
 
     @Override
     KeyIntent press(PhoneKey key, long nowNanos) {
-        return switch (dialog.press(key)) {
-            case SEND_REPLY ->
-                new KeyIntent.SendUssd(dialog.screen().orElseThrow().reply());
-            case LEAVE -> end();
-            case NOTHING -> Simple.NOTHING;
+        if (shown.phase() != Phase.ASKED) {
+            return shown.phase() == Phase.ANSWERED || key == PhoneKey.SOFT_RIGHT ? end() : Simple.NOTHING;
+        }
+        return switch (key) {
+            case OK, CALL, SOFT_LEFT ->
+                shown.reply().isEmpty() ? Simple.NOTHING : new KeyIntent.SendUssd(shown.reply());
+            case LEFT, CLEAR -> KeyIntent.after(this::erase);
+            case SOFT_RIGHT -> erase() ? Simple.NOTHING : end();
+            default -> KeyIntent.after(() -> key.tone().ifPresent(tone -> type(tone.symbol())));
         };
     }
 
     @Override
     boolean type(char character) {
-        return dialog.type(character);
+        boolean isAsked = shown.phase() == Phase.ASKED;
+        if (isAsked && UssdText.fits(shown.reply() + character)) {
+            shown = new Ussd(shown.phase(), shown.text(), shown.reply() + character);
+        }
+        return isAsked;
     }
 
     @Override
     boolean erase() {
-        return dialog.erase();
+        String reply = shown.reply();
+        if (reply.isEmpty()) {
+            return false;
+        }
+        shown = new Ussd(shown.phase(), shown.text(), reply.substring(0, reply.length() - 1));
+        return true;
     }
 }

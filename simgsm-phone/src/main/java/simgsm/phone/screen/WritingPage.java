@@ -1,7 +1,5 @@
 package simgsm.phone.screen;
 
-import java.util.ArrayList;
-import java.util.List;
 import simgsm.phone.screen.KeyIntent.Simple;
 
 /** A message being written. */
@@ -25,37 +23,26 @@ final class WritingPage extends TextEntryPage {
 
     @Override
     KeyIntent press(PhoneKey key, long nowNanos) {
-        switch (key) {
-            case LEFT -> entry.left();
-            case RIGHT -> entry.right();
-            case MENU, UP, DOWN -> entry.nextMode();
-            case OK, CALL, MESSAGE -> {
-                return entry.text().isEmpty() ? Simple.NOTHING : messages.chooseReceiver();
-            }
-            case SOFT_LEFT -> {
-                return entry.text().isEmpty() ? Simple.NOTHING : options();
-            }
-            case SOFT_RIGHT, CLEAR -> {
-                return erase() ? Simple.NOTHING : stack.close(this);
-            }
-            default -> key.tone().ifPresent(tone -> entry.tap(tone, nowNanos));
-        }
-        return Simple.NOTHING;
+        boolean isEmpty = entry.text().isEmpty();
+        return switch (key) {
+            case LEFT -> KeyIntent.after(entry::left);
+            case RIGHT -> KeyIntent.after(entry::right);
+            case MENU, UP, DOWN -> KeyIntent.after(entry::nextMode);
+            case OK, CALL, MESSAGE -> isEmpty ? Simple.NOTHING : messages.chooseReceiver();
+            case SOFT_LEFT -> isEmpty ? Simple.NOTHING : options();
+            case SOFT_RIGHT, CLEAR -> eraseOrClose();
+            default -> KeyIntent.after(() -> key.tone().ifPresent(tone -> entry.tap(tone, nowNanos)));
+        };
     }
 
     private KeyIntent options() {
-        List<ListPage.ListItem> items = new ArrayList<>();
-        ListPage page = ListPage.menu(stack, "soft.options", () -> items);
-        items.add(page.closing("option.send", messages::chooseReceiver));
-        items.add(page.closing("option.keep", () -> {
-            stack.close(this);
-            return messages.keepDraft();
-        }));
-        items.add(page.closing("option.clear", () -> {
-            entry.clear();
-            return Simple.NOTHING;
-        }));
-        return stack.open(page);
+        return stack.open(ListPage.options(stack, Words.of("soft.options"))
+                .option(true, "option.send", messages::chooseReceiver)
+                .option(true, "option.keep", () -> {
+                    stack.close(this);
+                    return messages.keepDraft();
+                })
+                .option(true, "option.clear", () -> KeyIntent.after(entry::clear)));
     }
 
     @Override

@@ -11,7 +11,7 @@ import java.util.Locale;
  * @param seconds of conversation, 0 if it was never connected
  */
 public record CallRecord(Kind kind, String number, Instant at, int seconds) {
-    /** How the call came about. */
+    /** The direction of the call. */
     public enum Kind {
         DIALLED,
         /** Taken, or refused by the user. */

@@ -27,6 +27,11 @@ public final class Mailbox {
         }
     }
 
+    /** A copy; its lists never change. */
+    public Map<MessageFolder, List<StoredMessage>> folders() {
+        return Map.copyOf(folders);
+    }
+
     /** Unmodifiable; a new list after each change, so a snapshot may keep it. */
     public List<StoredMessage> in(MessageFolder folder) {
         return folders.get(folder);
@@ -98,7 +103,7 @@ public final class Mailbox {
         folders.put(folder, List.copyOf(messages));
     }
 
-    /** A message that the user has erased meanwhile is not there; one that has failed or was delivered stays so. */
+    /** Changes an open message in the outbox, unless the user has erased it. */
     private void update(int id, UnaryOperator<StoredMessage> next) {
         replace(
                 MessageFolder.OUTBOX,
@@ -149,7 +154,7 @@ public final class Mailbox {
         return (int) in(folder).stream().filter(message -> !message.read()).count();
     }
 
-    /** Whether the network has still to acknowledge a message. */
+    /** True if the network has not acknowledged each message. */
     public boolean hasUnacknowledged() {
         return in(MessageFolder.OUTBOX).stream().anyMatch(message -> message.delivery() == Delivery.SENDING);
     }

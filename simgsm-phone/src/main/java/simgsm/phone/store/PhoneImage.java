@@ -13,8 +13,8 @@ import simgsm.phone.store.StoredMessage.Delivery;
 import simgsm.sim.SimPhoneBook;
 
 /**
- * What the phone keeps, as texts by key: {@code name.PLACE}, {@code call.N} and {@code message.N}, whose parts are separated
- * by tabs.
+ * The kept data as texts by key: {@code name.PLACE}, {@code call.N} and {@code message.N}; tabs separate the parts of a
+ * text.
  */
 public final class PhoneImage {
     private static final String NAME = "name.";
@@ -36,15 +36,9 @@ public final class PhoneImage {
         this.mailbox = mailbox;
     }
 
-    /** Whether something has changed since the last call. */
+    /** True if something has changed since the last call. */
     public boolean hasChanged() {
-        List<?> now = List.of(
-                book.version(),
-                log.records(),
-                mailbox.in(MessageFolder.INBOX),
-                mailbox.in(MessageFolder.OUTBOX),
-                mailbox.in(MessageFolder.DRAFTS),
-                mailbox.in(MessageFolder.BROADCASTS));
+        List<?> now = List.of(book.version(), log.records(), mailbox.folders());
         boolean isNew = !now.equals(known);
         known = now;
         return isNew;
@@ -93,7 +87,7 @@ public final class PhoneImage {
                 message.text());
     }
 
-    /** Takes over what was kept; keys of other families are left out. @return the keys whose texts are not understood */
+    /** Takes over the kept texts; keys of other families are left out. @return the keys of texts that are not understood */
     public List<String> restore(Map<String, String> texts) {
         List<String> wrong = new ArrayList<>();
         new TreeMap<>(texts).forEach((key, text) -> {
@@ -124,7 +118,7 @@ public final class PhoneImage {
         }
     }
 
-    /** What became of a message that was on its way when the phone ended is not known: it counts as failed. */
+    /** Restores a message; one that was being sent at the end of the phone counts as failed. */
     private void restoreMessage(List<String> parts) {
         Delivery delivery = Delivery.valueOf(parts.get(4));
         mailbox.restore(

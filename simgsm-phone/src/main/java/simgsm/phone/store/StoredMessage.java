@@ -28,7 +28,7 @@ public record StoredMessage(
         int id,
         int parts,
         Optional<RpCause> cause) {
-    /** Of messages that the station does not know (any more). */
+    /** The id of messages that the station does not know. */
     static final int NO_ID = -1;
 
     /** The progress of a message. */
@@ -44,7 +44,7 @@ public record StoredMessage(
         FAILED
     }
 
-    /** Whether a further report may come. */
+    /** True if a further report may follow. */
     boolean isOpen() {
         return delivery == Delivery.SENDING || delivery == Delivery.SENT;
     }

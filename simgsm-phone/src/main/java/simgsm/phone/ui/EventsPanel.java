@@ -19,15 +19,15 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 
 /**
- * What just happened, a line for each event, to be read by the arrows and copied. Digits, Enter and Escape stay keys of the
- * phone.
+ * The log of events, a line each, which the arrow keys read and which can be copied. Digits, Enter and Escape remain keys of
+ * the phone.
  */
 final class EventsPanel extends JPanel {
     private final WordsText words;
     private final JTextArea area = new Lines();
     private List<HandsetLog.Entry> shown = List.of();
 
-    /** Keeps its place, and has no keymap, so that a typed digit goes on to the phone: a new look brings both anew. */
+    /** Restores caret position and null keymap after a change of the look and feel; without a keymap typed digits reach the phone. */
     private static final class Lines extends JTextArea {
         @Override
         public void updateUI() {
@@ -66,7 +66,7 @@ final class EventsPanel extends JPanel {
         dress();
     }
 
-    /** A panel that opens, or gets another size, shows the newest events to a reader at the end. */
+    /** Scrolls to the end, if the caret is there, after the panel has opened or changed its size. */
     private void showEnd() {
         int end = area.getDocument().getLength();
         if (area.getCaretPosition() == end) {
@@ -74,7 +74,7 @@ final class EventsPanel extends JPanel {
         }
     }
 
-    /** Adds what is new. A reader at the end stays there. */
+    /** Adds the new events. A caret at the end remains at the end. */
     void show(List<HandsetLog.Entry> entries) {
         if (entries == shown) {
             return;
@@ -94,7 +94,7 @@ final class EventsPanel extends JPanel {
         }
     }
 
-    /** Removes the lines of events that have made room, so that a reader keeps the place. */
+    /** Removes the lines of events that the log has dropped, so that the caret keeps its line. */
     private void removeOldest(List<HandsetLog.Entry> entries) {
         int gone = 0;
         while (gone < shown.size() && (entries.isEmpty() || shown.get(gone) != entries.get(0))) {

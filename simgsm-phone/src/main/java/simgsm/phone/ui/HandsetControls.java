@@ -2,6 +2,7 @@ package simgsm.phone.ui;
 
 import java.util.function.ObjLongConsumer;
 import simgsm.phone.handset.Handset;
+import simgsm.phone.handset.HandsetKeys;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.tone.ToneExperiment;
 
@@ -12,34 +13,34 @@ public interface HandsetControls {
     void perform(ObjLongConsumer<Handset> action);
 
     default void keyDown(PhoneKey key) {
-        perform((handset, now) -> handset.keys().keyDown(key, now));
+        perform((handset, now) -> new HandsetKeys(handset).keyDown(key, now));
     }
 
     default void keyUp(PhoneKey key) {
-        perform((handset, now) -> handset.keys().keyUp(key, now));
+        perform((handset, now) -> new HandsetKeys(handset).keyUp(key, now));
     }
 
     /** Presses the keyboard's Enter; its meaning depends on the screen. */
     default void enterDown() {
-        perform((handset, now) -> handset.keys().enterDown(now));
+        perform((handset, now) -> new HandsetKeys(handset).enterDown(now));
     }
 
     default void enterUp() {
-        perform((handset, now) -> handset.keys().enterUp(now));
+        perform((handset, now) -> new HandsetKeys(handset).enterUp(now));
     }
 
     /** Presses a character of the keyboard. */
     default void charDown(char character) {
-        perform((handset, now) -> handset.keys().charDown(character, now));
+        perform((handset, now) -> new HandsetKeys(handset).charDown(character, now));
     }
 
     default void charUp(char character) {
-        perform((handset, now) -> handset.keys().charUp(character, now));
+        perform((handset, now) -> new HandsetKeys(handset).charUp(character, now));
     }
 
     /** Presses the keyboard's key for erasing. */
     default void eraseDown() {
-        perform((handset, now) -> handset.keys().eraseDown());
+        perform((handset, now) -> new HandsetKeys(handset).eraseDown());
     }
 
     /** Changes what the tone scope shows. */

@@ -1,11 +1,11 @@
 package simgsm.phone.ui;
 
-/** What is open below or beside the keys. */
+/** The panel that is open below the keys or at their right. */
 enum HandsetFold {
     NONE(0),
     /** The tone scope. */
     SCOPE(376),
-    /** What just happened; low, so that it fits under the phone on a screen of 768 lines, too. */
+    /** The log of events; its height fits below the phone on a screen of 768 lines. */
     EVENTS(140);
 
     private final double heightUnits;

@@ -3,18 +3,18 @@ package simgsm.phone.ui;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.LayoutManager2;
 import java.awt.geom.Rectangle2D;
 import java.util.HashMap;
 import java.util.Map;
 import simgsm.phone.screen.PhoneKey;
+import simgsm.ui.Arrange;
 import simgsm.ui.Theme;
 
 /**
- * Lays out the handset on a drawing 320 units wide and scales the drawing to the panel, centred. The constraint of a
- * child is its rectangle on the drawing. What is open stands below the keys or, where that makes the handset larger, beside them.
+ * Lays out the handset on a drawing 320 units wide and scales the drawing to the panel, centred. The open fold is below the
+ * keys or, where that makes the handset larger, at their right.
  */
-final class HandsetLayout implements LayoutManager2 {
+final class HandsetLayout implements Arrange.FixedLayout {
     static final double WIDTH = 320;
     static final double CLOSED_HEIGHT = 624;
 
@@ -28,9 +28,9 @@ final class HandsetLayout implements LayoutManager2 {
 
     private static final double FOLD_TOP = 610;
     private static final double FOLD_BELOW = 8;
-    /** What a fold beside the keys adds to the width. */
+    /** Width of a fold at the right of the keys. */
     private static final double BESIDE_WIDTH = 288;
-    /** Texts still stand whole in a handset that is drawn this much smaller than the zoom. */
+    /** Least scale, relative to the zoom, at which no text is cut. */
     private static final double LEAST_SHRINKING = 0.95;
 
     private static final Rectangle2D BESIDE = new Rectangle2D.Double(308, 14, 280, 594);
@@ -69,7 +69,7 @@ final class HandsetLayout implements LayoutManager2 {
         return CLOSED_HEIGHT + fold.heightUnits();
     }
 
-    /** Whether what is open stands beside the keys in a panel of this size. */
+    /** True if the open fold is at the right of the keys in a panel of this size. */
     boolean isBeside(Dimension panel) {
         return fold != HandsetFold.NONE
                 && Math.min(panel.width / (WIDTH + BESIDE_WIDTH), panel.height / CLOSED_HEIGHT)
@@ -96,7 +96,7 @@ final class HandsetLayout implements LayoutManager2 {
         return new Rectangle2D.Double(0, 0, width(parent.getSize()), height(parent.getSize()));
     }
 
-    /** The background of what is open. */
+    /** The background of the open fold. */
     Rectangle2D screen(Component parent) {
         return isBeside(parent.getSize())
                 ? BESIDE
@@ -170,19 +170,9 @@ final class HandsetLayout implements LayoutManager2 {
         }
     }
 
-    @Override
-    public void addLayoutComponent(Component child, Object place) {
-        places.put(child, (Rectangle2D) place);
-    }
-
-    @Override
-    public void addLayoutComponent(String name, Component child) {
-        throw new IllegalArgumentException("expected the child's rectangle on the drawing");
-    }
-
-    @Override
-    public void removeLayoutComponent(Component child) {
-        places.remove(child);
+    /** Sets the rectangle of a child on the drawing. */
+    void place(Component child, Rectangle2D place) {
+        places.put(child, place);
     }
 
     @Override
@@ -193,25 +183,5 @@ final class HandsetLayout implements LayoutManager2 {
     @Override
     public Dimension minimumLayoutSize(Container parent) {
         return new Dimension((int) (WIDTH / 2), (int) (height() / 2));
-    }
-
-    @Override
-    public Dimension maximumLayoutSize(Container target) {
-        return new Dimension(Integer.MAX_VALUE, Integer.MAX_VALUE);
-    }
-
-    @Override
-    public float getLayoutAlignmentX(Container target) {
-        return 0.5f;
-    }
-
-    @Override
-    public float getLayoutAlignmentY(Container target) {
-        return 0.5f;
-    }
-
-    @Override
-    public void invalidateLayout(Container target) {
-        // Nothing is cached.
     }
 }

@@ -1,5 +1,6 @@
 package simgsm.phone.ui;
 
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -28,7 +29,7 @@ import simgsm.ui.UserAction;
 import simgsm.ui.scope.ToneScopePanel;
 import simgsm.ui.window.Display;
 
-/** The handset: display, keys, and below or beside them the tone scope or the events, folded open. Scales as a whole with the panel. */
+/** The handset: display, keys, and a fold with the tone scope or the events. The drawing scales with the panel. */
 public final class HandsetPanel extends JPanel {
     private final HandsetLayout layout = new HandsetLayout();
     private final Locale language;
@@ -53,20 +54,20 @@ public final class HandsetPanel extends JPanel {
         setLayout(layout);
         ComponentNames.name(this, "handset", texts.of("window.title"));
         lcd = new Lcd(texts, language, clock, first);
-        add(lcd, HandsetLayout.LCD);
+        place(lcd, HandsetLayout.LCD);
         link = Lamp.ofLink(language);
-        add(link, HandsetLayout.LINK);
+        place(link, HandsetLayout.LINK);
         for (PhoneKey key : PhoneKey.values()) {
             PhoneKeyButton button = new PhoneKeyButton(key, texts, controls);
             keys.put(key, button);
-            add(button, HandsetLayout.placeOf(key));
+            place(button, HandsetLayout.placeOf(key));
         }
         scope = new ToneScopePanel(language, controls::tryOut);
-        add(scope, HandsetLayout.SCOPE);
+        place(scope, HandsetLayout.SCOPE);
         events = new EventsPanel(texts, new WordsText(texts, clock.getZone()));
-        add(events, HandsetLayout.EVENTS);
+        place(events, HandsetLayout.EVENTS);
         foot = new HandsetFooter(texts, this::toggle);
-        add(foot, HandsetLayout.FOOT);
+        place(foot, HandsetLayout.FOOT);
         UserAction goToEvents = new UserAction("events.go", texts.of("events.title"), this::goToEvents)
                 .onKey(this, KeyEvent.VK_2, InputEvent.ALT_DOWN_MASK);
         foot.setToolTip(HandsetFold.EVENTS, (String) goToEvents.getValue(Action.SHORT_DESCRIPTION));
@@ -75,6 +76,11 @@ public final class HandsetPanel extends JPanel {
         setBackground(Theme.color(Ink.SURFACE));
         shown = null;
         show(first);
+    }
+
+    private void place(Component child, Rectangle2D place) {
+        layout.place(child, place);
+        add(child);
     }
 
     /** Shows a newer snapshot. */
@@ -132,7 +138,7 @@ public final class HandsetPanel extends JPanel {
     }
 
     /**
-     * Opens or closes what is below or beside the keys; the window that holds the panel changes its size, so that the keys keep
+     * Opens or closes a fold; the window that holds the panel changes its size, so that the keys keep
      * theirs as far as the screen allows.
      */
     void setFold(HandsetFold next) {
@@ -165,7 +171,7 @@ public final class HandsetPanel extends JPanel {
         setFold(fold() == wanted ? HandsetFold.NONE : wanted);
     }
 
-    /** Opens the events and goes there; from there it goes back to the phone and closes them. */
+    /** Opens the events and moves the focus there; with the focus there, closes them and moves it to the phone. */
     private void goToEvents() {
         if (events.hasFocusInside()) {
             setFold(HandsetFold.NONE);

@@ -22,10 +22,10 @@ public final class HandsetView extends JPanel {
     private final HandsetPanel panel;
     private final Locale language;
     private Appearance appearance;
-    /** Whether the phone has this view's language: only then it is the phone's user who changes it. */
+    /** True if the phone's language equals the view's; a later difference is the phone user's change. */
     private boolean isPhonesLanguage;
 
-    /** @param speak makes the window anew in another language */
+    /** @param speak rebuilds the window in another language */
     public HandsetView(
             TextBundle texts,
             Locale language,
@@ -59,7 +59,7 @@ public final class HandsetView extends JPanel {
         panel.show(snapshot);
     }
 
-    /** As the phone's settings write it. */
+    /** The language's code in the phone's settings. */
     private String code() {
         return TextBundle.bundleLocale(language).getLanguage().equals("es") ? "es" : "en";
     }

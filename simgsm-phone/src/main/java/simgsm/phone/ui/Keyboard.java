@@ -59,15 +59,20 @@ final class Keyboard {
         InputMap inputs = new Inputs();
         inputs.setParent(panel.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT));
         ActionMap actions = panel.getActionMap();
-        actions.put("typed", action(keyboard::typed));
-        actions.put("released", action(event -> keyboard.release()));
+        actions.put("typed", new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                keyboard.typed(event);
+            }
+        });
+        actions.put("released", new UserAction("released", "", keyboard::release));
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, false), "enter.down");
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0, true), "enter.up");
-        actions.put("enter.down", action(event -> controls.enterDown()));
-        actions.put("enter.up", action(event -> controls.enterUp()));
+        actions.put("enter.down", new UserAction("enter.down", "", controls::enterDown));
+        actions.put("enter.up", new UserAction("enter.up", "", controls::enterUp));
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, false), "erase");
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, true), "none");
-        actions.put("erase", action(event -> controls.eraseDown()));
+        actions.put("erase", new UserAction("erase", "", controls::eraseDown));
         KEYS.forEach((code, key) -> {
             String name = PhoneKeyButton.nameOf(key);
             String meaning =
@@ -75,7 +80,7 @@ final class Keyboard {
             inputs.put(KeyStroke.getKeyStroke(code, 0, false), name + ".down");
             inputs.put(KeyStroke.getKeyStroke(code, 0, true), name + ".up");
             actions.put(name + ".down", new UserAction(name + ".down", meaning, () -> controls.keyDown(key)));
-            actions.put(name + ".up", action(event -> controls.keyUp(key)));
+            actions.put(name + ".up", new UserAction(name + ".up", "", () -> controls.keyUp(key)));
         });
         panel.setInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, inputs);
         keyboard.watchFocus(panel);
@@ -129,19 +134,6 @@ final class Keyboard {
             controls.charUp(down);
             down = NONE;
         }
-    }
-
-    private interface Deed {
-        void on(ActionEvent event);
-    }
-
-    private static AbstractAction action(Deed deed) {
-        return new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                deed.on(event);
-            }
-        };
     }
 
     /**

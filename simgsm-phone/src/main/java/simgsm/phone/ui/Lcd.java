@@ -36,9 +36,7 @@ final class Lcd extends PaintedComponent {
                 && snapshot.names() == phone.names()
                 && snapshot.missed() == phone.missed()
                 && snapshot.station().equals(phone.station())
-                && snapshot.inbox() == phone.inbox()
-                && snapshot.outbox() == phone.outbox()
-                && snapshot.broadcasts() == phone.broadcasts();
+                && snapshot.folders().equals(phone.folders());
         change(() -> phone = snapshot);
         if (!sameLook) {
             repaint();

@@ -43,7 +43,7 @@ final class LcdCall {
         pen.hint(texts.of("lcd.hint.held"), HINT_BASELINE);
     }
 
-    /** What became of the call beside the held one. */
+    /** The end of the other call, above the held one. */
     private Optional<String> over(HandsetSnapshot phone) {
         CallSnapshot call = phone.call();
         return call.ended().map(cause -> phone.nameOf(call.number()) + ": " + CauseText.of(texts, cause));

@@ -30,7 +30,7 @@ final class LcdKeys {
         this.texts = texts;
     }
 
-    /** The newest keys that fit, in whole groups, after a label; an ellipsis stands for those before. */
+    /** Writes the newest keys that fit, in whole groups, after a label; an ellipsis replaces the older ones. */
     void keyed(LcdPen pen, String keys, double baseline) {
         if (keys.isEmpty()) {
             pen.ink(Ink.LCD_QUIET);
@@ -113,7 +113,7 @@ final class LcdKeys {
         }
     }
 
-    /** The newest that fit, the oldest of them first. */
+    /** Writes the newest keys that fit, the oldest of them first. */
     private void earlier(LcdPen pen, CallSnapshot call, String heard, double baseline) {
         double left = label(pen, "lcd.heard.before", baseline);
         Font font = pen.sans(EARLIER_SIZE, false);
@@ -131,7 +131,7 @@ final class LcdKeys {
         pen.ink(Ink.LCD_INK);
     }
 
-    /** A key heard, with its meaning in a robot's replies, if it has one. */
+    /** The text of a received key with its meaning, if it has one in a robot's replies. */
     private String item(CallSnapshot call, char key) {
         String meaning = meaning(call, key);
         return meaning.isEmpty() ? String.valueOf(key) : key + " " + meaning;

@@ -3,7 +3,7 @@ package simgsm.phone.ui;
 /** One line of text with its cursor, in the largest type in which it fits. */
 final class LcdLine {
     private static final double[] SIZES = {28, 20, 15};
-    /** In front of the text and behind it, where it goes on. */
+    /** Marks the ends of a text that is longer than the line. */
     private static final String CUT = "\u2026";
 
     private LcdLine() {}

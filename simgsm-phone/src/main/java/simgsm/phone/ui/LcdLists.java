@@ -140,7 +140,7 @@ final class LcdLists {
         pen.fill(x, LIST_TOP + height * first / all, 2.5, height * shown / all);
     }
 
-    /** A title above lines; a single line without a title stands in the middle. */
+    /** Writes a title above lines; a single line without a title is centred. */
     void details(LcdPen pen, Screen.Details details) {
         String title = words.of(details.title());
         if (title.isEmpty()) {
@@ -155,7 +155,7 @@ final class LcdLists {
         }
     }
 
-    /** A short text in the middle of the display. */
+    /** Writes a short text in the middle of the display. */
     static void middle(LcdPen pen, String text) {
         var font = pen.sans(15, true);
         List<String> lines = pen.wrap(text, font, LcdPen.WIDTH - 2 * LcdPen.MARGIN);

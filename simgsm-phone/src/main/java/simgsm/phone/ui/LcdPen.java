@@ -116,7 +116,7 @@ final class LcdPen {
         return lines(text, font, room).stream().map(Line::text).toList();
     }
 
-    /** As {@link #wrap}, with the places of the lines in the text. */
+    /** Breaks a text as {@link #wrap} does; each line has its position in the text. */
     List<Line> lines(String text, Font font, double room) {
         List<Line> lines = new ArrayList<>();
         int start = 0;

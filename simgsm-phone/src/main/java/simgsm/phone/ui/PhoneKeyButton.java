@@ -62,10 +62,6 @@ final class PhoneKeyButton extends JButton {
                         .orElse(key.name().toLowerCase(Locale.ROOT));
     }
 
-    PhoneKey key() {
-        return key;
-    }
-
     private void follow(HandsetControls controls) {
         boolean nowDown = getModel().isPressed() && getModel().isArmed();
         if (nowDown == down) {

@@ -118,7 +118,7 @@ final class PhoneKeyPainter {
         }
     }
 
-    /** With unread messages the envelope takes the accent, and their number stands beside it. */
+    /** The envelope; with unread messages it has the accent colour and their number at its right. */
     private static void envelope(Graphics2D g, double x, double y, double unit, int unread) {
         if (unread == 0) {
             Symbol.ENVELOPE.paint(g, x, y, 17 * unit);

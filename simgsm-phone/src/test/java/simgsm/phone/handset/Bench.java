@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
@@ -55,6 +56,22 @@ public final class Bench {
         handset.attach(station);
     }
 
+    /** A handset with European tones and an empty phone book. */
+    public static Handset handset(KeyMode keyMode, Consumer<StationEvent> listener, AudioOutput output) {
+        return new Handset(
+                new Msisdn("5550100"),
+                UserSettings.delivered(SpeechCodec.Kind.A_LAW, keyMode),
+                ToneSet.EUROPEAN,
+                new SimPhoneBook(),
+                listener,
+                output,
+                () -> NOON);
+    }
+
+    public HandsetKeys keys() {
+        return new HandsetKeys(handset);
+    }
+
     /** A bench whose handset is in a call with 5550200. */
     public static Bench connected() {
         return connected(KeyMode.IN_BAND);
@@ -87,11 +104,11 @@ public final class Bench {
     }
 
     public void down(PhoneKey key) {
-        handset.keys().keyDown(key, nowNanos);
+        keys().keyDown(key, nowNanos);
     }
 
     public void up(PhoneKey key) {
-        handset.keys().keyUp(key, nowNanos);
+        keys().keyUp(key, nowNanos);
     }
 
     /** Presses keys one after the other, shortly. */
@@ -141,8 +158,8 @@ public final class Bench {
     /** Characters of a computer's keyboard. */
     public void type(String text) {
         text.chars().forEach(sign -> {
-            handset.keys().charDown((char) sign, nowNanos);
-            handset.keys().charUp((char) sign, nowNanos);
+            keys().charDown((char) sign, nowNanos);
+            keys().charUp((char) sign, nowNanos);
         });
     }
 

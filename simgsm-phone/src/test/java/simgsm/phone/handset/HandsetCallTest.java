@@ -113,7 +113,7 @@ class HandsetCallTest {
         assertEquals(2, bench.snapshot().caret());
         bench.tap(PhoneKey.LEFT, PhoneKey.SOFT_RIGHT, PhoneKey.RIGHT, PhoneKey.RIGHT, PhoneKey.RIGHT, PhoneKey.EIGHT);
         assertEquals("678", bench.snapshot().typed());
-        bench.handset.keys().eraseDown();
+        bench.keys().eraseDown();
         assertEquals("67", bench.snapshot().typed());
     }
 
@@ -152,7 +152,7 @@ class HandsetCallTest {
     void aCallThatRingsComesToTheFrontAndADraftIsKept() {
         Bench bench = new Bench();
         bench.tap(PhoneKey.MESSAGE);
-        bench.handset.keys().charDown('h', bench.nowNanos);
+        bench.keys().charDown('h', bench.nowNanos);
         bench.station.ring("5550101");
         assertEquals(new Screen.HomeView(), bench.snapshot().screen());
         bench.tap(PhoneKey.END, PhoneKey.MESSAGE);

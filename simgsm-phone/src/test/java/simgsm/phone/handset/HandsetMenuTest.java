@@ -194,7 +194,7 @@ class HandsetMenuTest {
         bench.key("5");
         bench.tap(PhoneKey.OK);
         assertEquals(List.of("sms 5 later"), bench.station.asked);
-        assertEquals(List.of(), bench.snapshot().drafts());
+        assertEquals(List.of(), bench.snapshot().in(MessageFolder.DRAFTS));
     }
 
     @Test
@@ -205,7 +205,7 @@ class HandsetMenuTest {
         message("5550200", "3 Done");
         bench.tap(PhoneKey.DOWN, PhoneKey.OK, PhoneKey.OK);
         assertEquals("", ((Screen.Writing) bench.snapshot().screen()).text());
-        assertEquals("begun", bench.snapshot().drafts().get(0).text());
+        assertEquals("begun", bench.snapshot().in(MessageFolder.DRAFTS).get(0).text());
     }
 
     @Test
@@ -215,11 +215,11 @@ class HandsetMenuTest {
         bench.tap(PhoneKey.DOWN, PhoneKey.SOFT_LEFT);
         bench.key("6");
         bench.tap(PhoneKey.SOFT_RIGHT);
-        assertEquals(2, bench.snapshot().inbox().size());
+        assertEquals(2, bench.snapshot().in(MessageFolder.INBOX).size());
         bench.tap(PhoneKey.SOFT_LEFT);
         bench.key("6");
         bench.tap(PhoneKey.SOFT_LEFT);
-        assertEquals(0, bench.snapshot().inbox().size());
+        assertEquals(0, bench.snapshot().in(MessageFolder.INBOX).size());
     }
 
     @Test

@@ -20,7 +20,7 @@ class HandsetMessagesTest {
     private static final Msisdn ROBOT = new Msisdn("5550200");
 
     private static Delivery lastDelivery(Bench bench) {
-        List<StoredMessage> outbox = bench.snapshot().outbox();
+        List<StoredMessage> outbox = bench.snapshot().in(MessageFolder.OUTBOX);
         return outbox.get(outbox.size() - 1).delivery();
     }
 
@@ -72,8 +72,8 @@ class HandsetMessagesTest {
     void aBroadcastIsKeptInItsOwnBox() {
         Bench bench = new Bench();
         bench.handset.accept(new StationEvent.BroadcastReceived(50, 2, "storm"));
-        assertEquals("50", bench.snapshot().broadcasts().get(0).party());
-        assertEquals(0, bench.snapshot().inbox().size());
+        assertEquals("50", bench.snapshot().in(MessageFolder.BROADCASTS).get(0).party());
+        assertEquals(0, bench.snapshot().in(MessageFolder.INBOX).size());
         assertEquals(List.of("broadcast 50 storm"), bench.events);
     }
 
@@ -132,11 +132,11 @@ class HandsetMessagesTest {
         assertEquals(Delivery.FAILED, shownDelivery(bench));
         assertEquals(
                 Optional.of(RpCause.CONGESTION),
-                bench.snapshot().outbox().get(0).cause());
+                bench.snapshot().in(MessageFolder.OUTBOX).get(0).cause());
         bench.tap(PhoneKey.END, PhoneKey.UP, PhoneKey.OK, PhoneKey.OK);
         assertEquals(List.of("sms 5 A", "sms 5 A"), bench.station.asked);
         assertEquals(Delivery.SENDING, shownDelivery(bench));
-        assertEquals(1, bench.snapshot().outbox().size());
+        assertEquals(1, bench.snapshot().in(MessageFolder.OUTBOX).size());
     }
 
     @Test
@@ -147,7 +147,7 @@ class HandsetMessagesTest {
         for (int i = 0; i < 2; i++) {
             enter(bench);
         }
-        bench.handset.keys().charDown('k', bench.nowNanos);
+        bench.keys().charDown('k', bench.nowNanos);
         enter(bench);
         enter(bench);
         assertEquals(List.of("sms 5550200 k"), bench.station.asked);
@@ -166,8 +166,8 @@ class HandsetMessagesTest {
     }
 
     private static void enter(Bench bench) {
-        bench.handset.keys().enterDown(bench.nowNanos);
-        bench.handset.keys().enterUp(bench.nowNanos);
+        bench.keys().enterDown(bench.nowNanos);
+        bench.keys().enterUp(bench.nowNanos);
     }
 
     @Test
@@ -185,7 +185,7 @@ class HandsetMessagesTest {
     void aKeyboardWritesAnyLetter() {
         Bench bench = new Bench();
         bench.tap(PhoneKey.MESSAGE);
-        "** #*#90 **\u00e1".chars().forEach(letter -> bench.handset.keys().charDown((char) letter, bench.nowNanos));
+        "** #*#90 **\u00e1".chars().forEach(letter -> bench.keys().charDown((char) letter, bench.nowNanos));
         assertEquals("** #*#90 **\u00e1", ((Screen.Writing) bench.snapshot().screen()).text());
     }
 
@@ -198,7 +198,7 @@ class HandsetMessagesTest {
         assertEquals("3 Done", shownText(bench));
         assertEquals(0, bench.snapshot().unread());
         bench.tap(PhoneKey.OK);
-        bench.handset.keys().charDown('k', bench.nowNanos);
+        bench.keys().charDown('k', bench.nowNanos);
         bench.tap(PhoneKey.OK, PhoneKey.OK);
         assertEquals(List.of("sms 5550200 k"), bench.station.asked);
     }
@@ -220,7 +220,9 @@ class HandsetMessagesTest {
         bench.tap(PhoneKey.DOWN, PhoneKey.OK, PhoneKey.HASH);
         assertEquals(
                 List.of("old"),
-                bench.snapshot().inbox().stream().map(StoredMessage::text).toList());
+                bench.snapshot().in(MessageFolder.INBOX).stream()
+                        .map(StoredMessage::text)
+                        .toList());
         assertEquals("menu.inbox", bench.list().title().key());
     }
 
@@ -238,7 +240,7 @@ class HandsetMessagesTest {
         for (PhoneKey key : PhoneKey.values()) {
             bench.tap(PhoneKey.END, PhoneKey.MENU, PhoneKey.ONE, PhoneKey.TWO, key);
         }
-        assertEquals(List.of(), bench.snapshot().inbox());
+        assertEquals(List.of(), bench.snapshot().in(MessageFolder.INBOX));
     }
 
     @Test
@@ -247,8 +249,8 @@ class HandsetMessagesTest {
         for (int i = 0; i <= Mailbox.CAPACITY; i++) {
             bench.handset.accept(new StationEvent.ShortMessageReceived("1", "m" + i));
         }
-        assertEquals(Mailbox.CAPACITY, bench.snapshot().inbox().size());
-        assertEquals("m1", bench.snapshot().inbox().get(0).text());
+        assertEquals(Mailbox.CAPACITY, bench.snapshot().in(MessageFolder.INBOX).size());
+        assertEquals("m1", bench.snapshot().in(MessageFolder.INBOX).get(0).text());
     }
 
     @Test
@@ -261,7 +263,9 @@ class HandsetMessagesTest {
         bench.handset.accept(new StationEvent.MessageDelivered(1, ROBOT));
         assertEquals(
                 List.of(Delivery.SENT, Delivery.DELIVERED),
-                bench.snapshot().outbox().stream().map(StoredMessage::delivery).toList());
+                bench.snapshot().in(MessageFolder.OUTBOX).stream()
+                        .map(StoredMessage::delivery)
+                        .toList());
     }
 
     @Test
@@ -269,7 +273,7 @@ class HandsetMessagesTest {
         Bench bench = new Bench();
         bench.handset.sendMessage(ROBOT, "erased");
         bench.tap(PhoneKey.UP, PhoneKey.OK, PhoneKey.HASH);
-        assertEquals(List.of(), bench.snapshot().outbox());
+        assertEquals(List.of(), bench.snapshot().in(MessageFolder.OUTBOX));
         bench.handset.accept(new StationEvent.MessageFailed(0, ROBOT, RpCause.CONGESTION));
         for (int i = 1; i <= 256; i++) {
             bench.handset.sendMessage(ROBOT, "m" + i);

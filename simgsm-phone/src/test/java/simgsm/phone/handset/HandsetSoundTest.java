@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
-import simgsm.air.Msisdn;
 import simgsm.phone.screen.KeyMode;
 import simgsm.speech.AudioOutput;
 
@@ -28,7 +27,7 @@ class HandsetSoundTest {
     @Test
     void aSoundDeviceThatComesOrGoesIsShownAtTheNextLook() {
         Plug plug = new Plug();
-        Handset handset = new Handset(new Msisdn("5550100"), KeyMode.IN_BAND, event -> {}, plug, () -> Bench.NOON);
+        Handset handset = Bench.handset(KeyMode.IN_BAND, event -> {}, plug);
         handset.attach(new FakeStation());
         assertFalse(handset.snapshot().audible());
         plug.in = true;

@@ -76,7 +76,7 @@ class HandsetUssdTest {
     @Test
     void aQuestionIsAnsweredWithAKeyboardToo() {
         answer("Your name?", true);
-        "Ada".chars().forEach(letter -> bench.handset.keys().charDown((char) letter, bench.nowNanos));
+        "Ada".chars().forEach(letter -> bench.keys().charDown((char) letter, bench.nowNanos));
 
         assertEquals(
                 new Screen.Ussd(Phase.ASKED, "Your name?", "Ada"),
