@@ -38,6 +38,8 @@ have osmo-bts-omldummy || packages+=(osmo-bts)
 have ip || packages+=(iproute2)
 have cc || packages+=(gcc libc6-dev)
 have go || packages+=(golang-go)
+have chromium || packages+=(chromium)
+have zbarimg || packages+=(zbar-tools)
 have python3 || packages+=(python3)
 python3 -m pip --version >/dev/null 2>&1 || packages+=(python3-pip)
 have npm || packages+=(nodejs npm)
@@ -79,6 +81,9 @@ gsmmodem_tests() {
 [ -d target/peers/gsmmodem-tests ] || thrice gsmmodem_tests || missing+=("python-gsmmodem-new's tests")
 [ -d target/peers/node_modules/smpp ] \
     || thrice npm install --silent --no-fund --no-audit --prefix target/peers smpp@0.5.1 || missing+=(smpp@0.5.1)
+[ -d target/peers/node_modules/puppeteer-core ] \
+    || thrice npm install --silent --no-fund --no-audit --prefix target/peers puppeteer-core@24.43.0 \
+    || missing+=(puppeteer-core)
 smpp_commands() { (cd src/test/peers/smpp_commands && go build -buildvcs=false -o ../../../../target/peers/smpp_commands .); }
 [ -x target/peers/smpp_commands ] || thrice smpp_commands || missing+=("gosmpp and fiorix/go-smpp (Go 1.25)")
 if [ ${#missing[@]} -gt 0 ]; then

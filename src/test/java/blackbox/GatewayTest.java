@@ -35,18 +35,10 @@ class GatewayTest {
         scenario.center();
         robot = scenario.robot("empty.map", "--http", "0");
         String robots = "http://127.0.0.1:" + robot.said("ready").field("http");
-        gateway = gateway("5550110-5550149", "--robots", robots);
+        gateway = scenario.gateway("--robots", robots);
         ConsoleEvent ready = gateway.expect("ready");
         port = ready.field("web");
         assertEquals("http://127.0.0.1:" + port + "/#word", ready.field("link"));
-    }
-
-    private RunningProgram gateway(String numbers, String... options) {
-        return scenario.headless(
-                "gateway",
-                "simgsm-gateway",
-                List.of("--center", scenario.centerAddress(), "--web", "0", "--key", "word", "--numbers", numbers),
-                options);
     }
 
     @AfterAll
@@ -176,7 +168,8 @@ class GatewayTest {
 
     @Test
     void aPageWithoutAFreeNumberIsClosed() throws Exception {
-        String single = gateway("5550150-5550150").expect("ready").field("web");
+        String single =
+                scenario.gateway("--numbers", "5550160-5550160").expect("ready").field("web");
         try (WebPhone phone = new WebPhone(single, JOIN)) {
             phone.expect("welcome");
             try (WebPhone late = new WebPhone(single, JOIN)) {

@@ -108,6 +108,12 @@ public class Scenario implements AutoCloseable {
         return cells;
     }
 
+    /** Starts a gateway for browsers on a free port. */
+    public RunningProgram gateway(String... options) {
+        return headless(
+                "gateway", "simgsm-gateway", List.of("--center", network, "--web", "0", "--key", "word"), options);
+    }
+
     /** Where the centre, started with {@code --smpp}, takes applications. */
     public int smppPort() {
         return Integer.parseInt(ready.field("smpp"));

@@ -40,6 +40,8 @@ enum Peer {
     OSMO_MSC("osmo-msc"),
     OSMO_BSC("osmo-bsc"),
     OSMO_BTS("osmo-bts-omldummy"),
+    CHROMIUM("chromium"),
+    ZBARIMG("zbarimg"),
     XVFB("Xvfb"),
     OPENBOX("openbox"),
     XDOTOOL("xdotool"),
@@ -84,7 +86,8 @@ enum Peer {
         assumeTrue(isThere, name + " is not installed");
     }
 
-    private Path path() {
+    /** Where the peer is; null if it is not on PATH. */
+    Path path() {
         return Stream.of(System.getenv("PATH").split(File.pathSeparator))
                 .map(folder -> Path.of(folder, program))
                 .filter(Files::isExecutable)

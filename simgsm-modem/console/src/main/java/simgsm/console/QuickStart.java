@@ -10,9 +10,9 @@ import java.util.List;
 
 /**
  * Options of the Java machine with which a program starts in less CPU time: only the first compiler, on one thread, the
- * serial collector, and an archive of its classes. The archive is a file beside the jars, {@code PROGRAM-KEY.jsa}; the first
- * run with a window writes it when it ends. The key is made of the Java machine and the jars, so an archive is never used after
- * either has changed. An image made by Java 25 or newer has a cache of linked classes for each window program,
+ * serial collector, and for a window program an archive of its classes. The archive lies beside the jars as {@code PROGRAM-KEY.jsa}; the first
+ * run writes it when it ends. The key is made of the Java machine and the jars, so an archive is never used after either has
+ * changed. An image made by Java 25 or newer has a cache of linked classes for each window program,
  * {@code lib/PROGRAM.aot}; an older one has an archive in the place where the Java machine looks by itself.
  */
 public final class QuickStart {
@@ -37,18 +37,17 @@ public final class QuickStart {
 
     private QuickStart() {}
 
-    /** For a program that uses no archive. */
+    /** For a program without a window. */
     public static List<String> options() {
         return OPTIONS;
     }
 
     /**
-     * For a program that uses its archive.
+     * For a program with a window.
      *
      * @param jar its name in the folder
-     * @param mayWrite whether a program without an archive writes one when it ends
      */
-    public static List<String> options(ProgramFolder programs, String jar, boolean mayWrite) {
+    public static List<String> options(ProgramFolder programs, String jar) {
         String program = jar.substring(0, jar.length() - JAR.length());
         List<String> options = new ArrayList<>(OPTIONS);
         if (programs.isImage()) {
@@ -56,7 +55,7 @@ public final class QuickStart {
             return options;
         }
         try {
-            options.addAll(archive(programs.path(), program, mayWrite));
+            options.addAll(archive(programs.path(), program));
         } catch (IOException e) {
             // It starts without.
         }
@@ -100,12 +99,12 @@ public final class QuickStart {
         return folder.resolve(program + ".conf");
     }
 
-    private static List<String> archive(Path folder, String program, boolean mayWrite) throws IOException {
+    private static List<String> archive(Path folder, String program) throws IOException {
         Path archive = folder.resolve(program + "-" + key(folder) + ARCHIVE);
         if (isComplete(archive)) {
             return List.of("-XX:SharedArchiveFile=" + archive, QUIET);
         }
-        if (!mayWrite || !Files.isWritable(folder)) {
+        if (!Files.isWritable(folder)) {
             return List.of();
         }
         for (Path old : files(folder, ARCHIVE)) {

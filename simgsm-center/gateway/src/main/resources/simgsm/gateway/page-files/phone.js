@@ -108,7 +108,7 @@
       const item = row($('tones'), '');
       const chip = document.createElement('b');
       chip.textContent = event.key;
-      item.append(chip, words['tone.' + event.key] || '');
+      item.append(chip, ' ' + (words['tone.' + event.key] || ''));
     },
     sms: event => { row($('box'), word('sms.from', event.from, event.text)); show(word('sms.new', event.from)); },
     'sms-sent': event => row($('box'), word('sms.sent', event.to), 'quiet'),

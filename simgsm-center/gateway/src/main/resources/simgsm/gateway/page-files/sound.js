@@ -102,7 +102,7 @@ const Sound = (() => {
   }
 
   let context = null;
-  let output = null;
+  let output = null; // the far end, without the own keys
   let next = 0;
   let oscillators = [];
 
@@ -145,7 +145,7 @@ const Sound = (() => {
     }
     const gain = context.createGain();
     gain.gain.value = level;
-    gain.connect(output);
+    gain.connect(context.destination);
     oscillators = hertz.map(each => {
       const oscillator = context.createOscillator();
       oscillator.frequency.value = each;

@@ -1,0 +1,71 @@
+package blackbox.peers;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import blackbox.ConsoleEvent;
+import blackbox.RunningProgram;
+import blackbox.Scenario;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
+import simgsm.dtmf.DtmfReceiver;
+
+/** The gateway's pages in Chromium: keys by keyboard and touch drive the robot, its tones are played, zbarimg reads the link. */
+@Tag("peer")
+@Isolated("sound in real time")
+class BrowserTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void chromiumDrivesTheRobotByKeyboardAndTouch() throws Exception {
+        Peer.CHROMIUM.require();
+        Peer.require(Peer.NODE.run("-e", "require('puppeteer-core')").status() == 0, "puppeteer-core (Node)");
+        try (Scenario scenario = new Scenario("Chromium drives the robot")) {
+            scenario.center();
+            RunningProgram robot = scenario.robot("empty.map", "--http", "0");
+            RunningProgram gateway = scenario.gateway(
+                    "--robots", "http://127.0.0.1:" + robot.said("ready").field("http"));
+            ConsoleEvent ready = gateway.expect("ready");
+            Path sound = folder.resolve("played.raw");
+            Path code = folder.resolve("code.png");
+            ProcessBuilder browser = Peer.NODE.process(
+                    Peer.source("browser_order.js"),
+                    ready.field("link"),
+                    Scenario.ROBOT,
+                    sound.toString(),
+                    code.toString());
+            browser.environment().put("CHROMIUM", Peer.CHROMIUM.path().toString());
+            String printed = Peer.run(browser).expectSuccess();
+
+            assertTrue(printed.contains("secure false"), printed);
+            assertTrue(
+                    printed.contains("tones 1 connection accepted 6 executing 3 executed 6 executing 3 executed"),
+                    printed);
+            assertTrue(printed.contains("state Stopped x 0.20 m y 0.00 m heading 270\u00b0"), printed);
+            assertTrue(printed.contains("faults 0"), printed);
+            StringBuilder keys = new StringBuilder();
+            new DtmfReceiver(digit -> keys.append(digit.key().symbol())).accept(samples(sound));
+            assertEquals("16363", keys.toString(), "what the page played");
+            gateway.expect("joined", "name", "Ana");
+            Peer.ZBARIMG.require();
+            String read = Peer.ZBARIMG.run("-q", "--raw", code.toString()).text();
+            assertTrue(read.lines().anyMatch(ready.field("link")::equals), read);
+        }
+    }
+
+    private static short[] samples(Path raw) throws Exception {
+        short[] samples = new short[(int) Files.size(raw) / 2];
+        ByteBuffer.wrap(Files.readAllBytes(raw))
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .asShortBuffer()
+                .get(samples);
+        return samples;
+    }
+}
