@@ -110,13 +110,7 @@ public final class SimRobotMain {
         ListeningPorts ports = ListeningPorts.open(arguments, built.simRobot());
         return arguments.has("headless")
                 ? headless(arguments, built, ports)
-                : windowed(
-                        arguments,
-                        ProgramWindow.of(arguments, Optional.empty()),
-                        built,
-                        ports,
-                        WorldFile.find(first),
-                        recent);
+                : windowed(arguments, built, ports, WorldFile.find(first), recent);
     }
 
     private static int replay(Arguments arguments)
@@ -167,13 +161,9 @@ public final class SimRobotMain {
     private record Built(Simulation simulation, SimRobot simRobot, Fleet fleet, RequestedBehaviours behaviours) {}
 
     private static int windowed(
-            Arguments arguments,
-            ProgramWindow window,
-            Built built,
-            ListeningPorts opened,
-            Path worldFile,
-            RecentWorlds recent)
-            throws UsageException, IOException, InterruptedException {
+            Arguments arguments, Built built, ListeningPorts opened, Path worldFile, RecentWorlds recent)
+            throws UsageException, UnavailableException, IOException, InterruptedException {
+        ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
         try (SessionRecording record = new SessionRecording(built.simRobot().simulation());
                 SimRobot simRobot = built.simRobot();
                 ListeningPorts ports = opened) {

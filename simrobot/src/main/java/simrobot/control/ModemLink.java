@@ -125,13 +125,17 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         } else if (event instanceof StationEvent.MessageSent sent) {
             replies.remove(sent.id());
         } else if (event instanceof StationEvent.MessageFailed failed) {
-            LOG.log(
-                    Level.WARNING,
-                    "reply SMS to " + failed.to() + " was not taken: cause "
-                            + failed.cause().code());
-            Optional.ofNullable(replies.remove(failed.id()))
-                    .ifPresent(reply -> simulation.execute(() -> control.tell(reply)));
+            messageFailed(failed);
         }
+    }
+
+    private void messageFailed(StationEvent.MessageFailed failed) {
+        LOG.log(
+                Level.WARNING,
+                "reply SMS to " + failed.to() + " was not taken: cause "
+                        + failed.cause().code());
+        Optional.ofNullable(replies.remove(failed.id()))
+                .ifPresent(reply -> simulation.execute(() -> control.tell(reply)));
     }
 
     private void accept(ModemEvent event) {

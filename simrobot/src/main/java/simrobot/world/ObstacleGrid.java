@@ -289,8 +289,7 @@ public final class ObstacleGrid {
      * @param ux with uy the ray's direction, a unit vector
      */
     public double rayRange(double x, double y, double ux, double uy, double maxMeters) {
-        boolean inside = x >= minX && y >= minY && x < maxX && y < maxY;
-        double enter = inside ? 0 : entry(x, y, ux, uy, maxMeters);
+        double enter = entry(x, y, ux, uy, maxMeters);
         if (enter >= maxMeters) {
             return maxMeters;
         }
@@ -330,8 +329,11 @@ public final class ObstacleGrid {
         }
     }
 
-    /** The distance at which a ray from outside enters the grid; {@code max} if it does not. */
+    /** The distance at which a ray enters the grid, 0 from inside; {@code max} if it does not. */
     private double entry(double x, double y, double ux, double uy, double max) {
+        if (x >= minX && y >= minY && x < maxX && y < maxY) {
+            return 0;
+        }
         double in = 0;
         double out = max;
         if (ux != 0) {

@@ -1,9 +1,11 @@
 package simgsm.ui;
 
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Insets;
 import javax.swing.JTextField;
+import javax.swing.text.JTextComponent;
 import simgsm.draw.Ink;
 
 /** A text field that shows a hint while it is empty, which takes no room for a label. */
@@ -20,18 +22,20 @@ public final class HintedTextField extends JTextField {
     @Override
     protected void paintComponent(Graphics graphics) {
         super.paintComponent(graphics);
-        if (getDocument().getLength() > 0) {
-            return;
-        }
-        Graphics2D g = Drawing.on(graphics);
-        try {
-            Insets in = getInsets();
-            g.setFont(getFont());
+        Insets in = getInsets();
+        FontMetrics metrics = getFontMetrics(getFont());
+        int baseline = (getHeight() - metrics.getHeight()) / 2 + metrics.getAscent();
+        paintHint(graphics, this, hint, in.left, baseline);
+    }
+
+    /** Paints the hint of an empty field. @param x with baseline where it begins */
+    public static void paintHint(Graphics graphics, JTextComponent field, String hint, int x, int baseline) {
+        if (field.getDocument().getLength() == 0) {
+            Graphics2D g = Drawing.on(graphics);
+            g.setFont(field.getFont());
             g.setColor(Theme.color(Ink.QUIET));
-            int baseline = (getHeight() - g.getFontMetrics().getHeight()) / 2
-                    + g.getFontMetrics().getAscent();
-            g.drawString(Drawing.fitted(getFont(), hint, getWidth() - in.left - in.right), in.left, baseline);
-        } finally {
+            g.drawString(
+                    Drawing.fitted(field.getFont(), hint, field.getWidth() - x - field.getInsets().right), x, baseline);
             g.dispose();
         }
     }

@@ -35,79 +35,57 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
     }
 
     private void colours() {
-        put("control", Ink.SURFACE);
-        put("nimbusBase", Ink.ACCENT);
-        put("nimbusBlueGrey", Ink.LINE);
-        put("nimbusBorder", Ink.LINE);
-        put("nimbusLightBackground", Ink.CARD);
-        put("nimbusFocus", Ink.ACCENT);
-        put("nimbusSelection", Ink.ACCENT);
-        put("nimbusSelectionBackground", Ink.ACCENT_WASH);
-        put("nimbusSelectedText", Ink.TEXT);
-        put("nimbusDisabledText", Ink.DISABLED);
-        put("nimbusInfoBlue", Ink.ACCENT);
-        put("nimbusRed", Ink.DANGER);
-        put("nimbusGreen", Ink.GOOD);
-        put("nimbusOrange", Ink.WARNING);
-        put("nimbusAlertYellow", Ink.WARNING);
-        put("info", Ink.CARD);
-        put("menu", Ink.CARD);
-        put("menuText", Ink.TEXT);
-        put("text", Ink.TEXT);
-        put("controlText", Ink.TEXT);
-        put("infoText", Ink.TEXT);
-        put("textForeground", Ink.TEXT);
-        put("textBackground", Ink.ACCENT_WASH);
-        put("textHighlight", Ink.ACCENT_WASH);
-        put("textHighlightText", Ink.TEXT);
-        put("textInactiveText", Ink.DISABLED);
-        put("background", Ink.SURFACE);
-        put("desktop", Ink.SURFACE);
-        put("scrollbar", Ink.SURFACE);
-        put("controlHighlight", Ink.CARD);
-        put("controlLHighlight", Ink.CARD);
-        put("controlShadow", Ink.LINE);
-        put("controlDkShadow", Ink.CONTROL_LINE);
-        put("Table.alternateRowColor", Ink.CARD);
-        put("Table.background", Ink.CARD);
-        put("Table.gridColor", Ink.LINE);
-        put("Table[Enabled+Selected].textForeground", Ink.TEXT);
-        put("Table[Enabled+Selected].textBackground", Ink.ACCENT_WASH);
-        put("List.background", Ink.CARD);
-        put("List[Selected].textForeground", Ink.TEXT);
-        put("List[Selected].textBackground", Ink.ACCENT_WASH);
-        put("Tree.background", Ink.CARD);
-        put("TextField.caretForeground", Ink.ACCENT);
-        put("TextArea.caretForeground", Ink.ACCENT);
-        put("ToolTip.background", Ink.CARD);
+        put(Ink.SURFACE, "control background desktop scrollbar");
+        put(Ink.ACCENT, """
+                nimbusBase nimbusFocus nimbusSelection nimbusInfoBlue TextField.caretForeground
+                TextArea.caretForeground
+                """);
+        put(Ink.LINE, "nimbusBlueGrey nimbusBorder controlShadow Table.gridColor");
+        put(Ink.CARD, """
+                nimbusLightBackground info menu controlHighlight controlLHighlight Table.alternateRowColor
+                Table.background List.background Tree.background ToolTip.background
+                """);
+        put(Ink.ACCENT_WASH, """
+                nimbusSelectionBackground textBackground textHighlight Table[Enabled+Selected].textBackground
+                List[Selected].textBackground
+                """);
+        put(Ink.TEXT, """
+                nimbusSelectedText menuText text controlText infoText textForeground textHighlightText
+                Table[Enabled+Selected].textForeground List[Selected].textForeground
+                Menu[Enabled+Selected].textForeground MenuBar:Menu[Enabled].textForeground
+                MenuBar:Menu[Selected].textForeground CheckBoxMenuItem[Enabled+Selected].textForeground
+                RadioButtonMenuItem[Enabled+Selected].textForeground
+                CheckBoxMenuItem[MouseOver+Selected].textForeground
+                RadioButtonMenuItem[MouseOver+Selected].textForeground
+                """);
+        put(Ink.DISABLED, "nimbusDisabledText textInactiveText MenuBar:Menu[Disabled].textForeground");
+        put(Ink.DANGER, "nimbusRed");
+        put(Ink.GOOD, "nimbusGreen");
+        put(Ink.WARNING, "nimbusOrange nimbusAlertYellow");
+        put(Ink.CONTROL_LINE, "controlDkShadow");
+        put(Ink.ON_ACCENT, """
+                Button[Default].textForeground Button[Default+Pressed].textForeground
+                Button[Default+Focused+Pressed].textForeground Button[Default+Focused].textForeground
+                Button[Default+MouseOver].textForeground Button[Default+Focused+MouseOver].textForeground
+                """);
         for (String item : List.of("Menu", "MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem")) {
-            put(item + "[Enabled].textForeground", Ink.TEXT);
-            put(item + "[Disabled].textForeground", Ink.DISABLED);
-            put(item + "[MouseOver].textForeground", Ink.TEXT);
-            put(item + "[MouseOver]:MenuItemAccelerator.textForeground", Ink.QUIET);
-            put(item + ":MenuItemAccelerator.textForeground", Ink.QUIET);
+            put(Ink.TEXT, item + "[Enabled].textForeground " + item + "[MouseOver].textForeground");
+            put(Ink.DISABLED, item + "[Disabled].textForeground");
+            String accelerator = ":MenuItemAccelerator.textForeground";
+            put(Ink.QUIET, item + "[MouseOver]" + accelerator + " " + item + accelerator);
         }
-        put("Menu[Enabled+Selected].textForeground", Ink.TEXT);
-        put("MenuBar:Menu[Enabled].textForeground", Ink.TEXT);
-        put("MenuBar:Menu[Disabled].textForeground", Ink.DISABLED);
-        put("MenuBar:Menu[Selected].textForeground", Ink.TEXT);
-        put("CheckBoxMenuItem[Enabled+Selected].textForeground", Ink.TEXT);
-        put("RadioButtonMenuItem[Enabled+Selected].textForeground", Ink.TEXT);
-        put("CheckBoxMenuItem[MouseOver+Selected].textForeground", Ink.TEXT);
-        put("RadioButtonMenuItem[MouseOver+Selected].textForeground", Ink.TEXT);
-        put("Button[Default].textForeground", Ink.ON_ACCENT);
-        for (String state : List.of("Default+Focused", "Default+MouseOver", "Default+Focused+MouseOver")) {
-            put("Button[" + state + "].textForeground", Ink.ON_ACCENT);
-        }
-        put("Button[Default+Pressed].textForeground", Ink.ON_ACCENT);
-        put("Button[Default+Focused+Pressed].textForeground", Ink.ON_ACCENT);
     }
 
-    /** State colours are plain Colors, because Synth ignores a renderer's background that is a UIResource. */
-    private void put(String key, Ink ink) {
+    /**
+     * Gives a colour to keys, which white space divides. State colours are plain Colors, because Synth ignores a renderer's
+     * background that is a UIResource.
+     */
+    private void put(Ink ink, String keys) {
         Color color = Theme.color(ink);
-        boolean plain = key.contains("[") || key.endsWith("RowColor");
-        defaults.put(key, plain ? color : new ColorUIResource(color));
+        for (String key : keys.strip().split("\\s+")) {
+            boolean plain = key.contains("[") || key.endsWith("RowColor");
+            defaults.put(key, plain ? color : new ColorUIResource(color));
+        }
     }
 
     /** Multiplies Nimbus's content margins, and the sizes of the buttons in combo boxes, spinners and scroll bars, by the zoom. */

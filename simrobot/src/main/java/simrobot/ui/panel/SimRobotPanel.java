@@ -99,12 +99,16 @@ public final class SimRobotPanel extends JPanel {
         add(page, BorderLayout.CENTER);
         Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
         setName("simrobot");
-        UserAction presenting = new UserAction("presentation", texts.of("presentation"), this::switchPresentation);
-        presenting.bindInWindow(running, KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0));
-        endPresentation = new UserAction("presentation.end", texts.of("presentation"), this::switchPresentation);
-        endPresentation.bindInWindow(running, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+        presentationKey("presentation", KeyEvent.VK_F11);
+        endPresentation = presentationKey("presentation.end", KeyEvent.VK_ESCAPE);
         endPresentation.setEnabled(false);
         show(first);
+    }
+
+    private UserAction presentationKey(String id, int key) {
+        UserAction action = new UserAction(id, texts.of("presentation"), this::switchPresentation);
+        action.bindInWindow(running, KeyStroke.getKeyStroke(key, 0));
+        return action;
     }
 
     /** Shows the newest snapshot. */
@@ -141,6 +145,10 @@ public final class SimRobotPanel extends JPanel {
         line.ifPresent(modem::show);
         line.ifPresent(orders::show);
         line.ifPresent(presentation::show);
+        showNotice(newest);
+    }
+
+    private void showNotice(WindowSnapshot newest) {
         String text = newest.notice().isEmpty() && newest.worldChanged()
                 ? texts.of("world.changed", newest.worldFile().getFileName())
                 : newest.notice();

@@ -96,24 +96,18 @@ final class ToolRow extends JPanel {
         exports = new ExportChoice(texts, operator);
         JButton brake = worded(new JButton(), "brake", Symbol.BRAKE.icon(), KeyEvent.VK_B, () -> operator.brake(robot));
         record = new RecordButton(texts, operator);
-        left = Arrange.row(
-                Theme.HALF,
-                worlds.component(),
-                gap(),
-                link,
-                gap(),
-                power,
-                motors,
-                brake,
-                gap(),
-                pause,
-                step,
-                speed.component(),
-                record.component());
+        left = worldTools(brake);
         liveTools = List.of(worlds.component(), power, motors, brake, record.component());
         right = floorTools(inspectorSwitch);
         words.put(record.component(), texts.of("tool.record.word"));
         add(new SplitRow(left, right), BorderLayout.CENTER);
+    }
+
+    private JPanel worldTools(JButton brake) {
+        List<JComponent> first = List.of(worlds.component(), gap(), link, gap(), power, motors, brake, gap());
+        JPanel row = Arrange.row(Theme.HALF, first.toArray(JComponent[]::new));
+        List.of(pause, step, speed.component(), record.component()).forEach(row::add);
+        return row;
     }
 
     private JPanel floorTools(Runnable inspectorSwitch) {

@@ -67,8 +67,8 @@ final class TowerRow extends JPanel {
     }
 
     private void setPower(TownActions town, String name) {
-        power.setText(texts.of("tower.dbm", String.valueOf(fader.value())));
-        town.setPower(name, fader.value());
+        power.setText(texts.of("tower.dbm", String.valueOf(fader.getValue())));
+        town.setPower(name, fader.getValue());
     }
 
     void show(CellState state) {
@@ -77,7 +77,7 @@ final class TowerRow extends JPanel {
             fader.show((int) Math.round(state.powerDbm()));
         }
         isShowing = true;
-        power.setText(texts.of("tower.dbm", String.valueOf(fader.value())));
+        power.setText(texts.of("tower.dbm", String.valueOf(fader.getValue())));
     }
 
     /** The colour of the cell on the map. */

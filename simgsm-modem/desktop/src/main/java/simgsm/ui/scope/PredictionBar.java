@@ -62,6 +62,19 @@ final class PredictionBar extends JPanel {
         ComponentNames.name(keyboard, "scope.keyboard", "");
         tellKeyboard(false);
         field.addActionListener(event -> practise.run());
+        Theme.styled(field, it -> {
+            it.setFont(Theme.monoStrong());
+            it.setHorizontalAlignment(JTextField.CENTER);
+        });
+        JLabel answer = Theme.label(texts.of("scope.guess"), Theme::small, Ink.QUIET);
+        answer.setLabelFor(field);
+        add(Arrange.column(
+                2, question, Arrange.row(6, answer, field, Arrange.spring(), practiseButton(practise)), keyboard));
+        Theme.styled(this, panel -> panel.setBorder(Theme.padding(4, 0, 0, 0)));
+        update();
+    }
+
+    private JButton practiseButton(Runnable practise) {
         JButton tone = new JButton(new UserAction("scope.practise", texts.of("scope.practise"), practise)
                 .described(texts.of("scope.practise.tip"))
                 .with(Symbol.PLAY.icon(14)));
@@ -70,15 +83,7 @@ final class PredictionBar extends JPanel {
             it.setFont(Theme.small());
             it.setBorder(Theme.padding(4, 4, 4, 6));
         });
-        Theme.styled(field, it -> {
-            it.setFont(Theme.monoStrong());
-            it.setHorizontalAlignment(JTextField.CENTER);
-        });
-        JLabel answer = Theme.label(texts.of("scope.guess"), Theme::small, Ink.QUIET);
-        answer.setLabelFor(field);
-        add(Arrange.column(2, question, Arrange.row(6, answer, field, Arrange.spring(), tone), keyboard));
-        Theme.styled(this, panel -> panel.setBorder(Theme.padding(4, 0, 0, 0)));
-        update();
+        return tone;
     }
 
     private void tellKeyboard(boolean isHere) {

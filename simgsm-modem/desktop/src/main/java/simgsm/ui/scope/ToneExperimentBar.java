@@ -193,8 +193,8 @@ final class ToneExperimentBar extends JPanel {
     }
 
     private void changed() {
-        double snr = noise.value() == 0 ? Double.POSITIVE_INFINITY : MOST_SNR_DECIBELS + 1 - noise.value();
-        ToneExperiment wanted = new ToneExperiment(snr, shift.value() / 10.0, CODECS.get(codec.getSelectedIndex()));
+        double snr = noise.getValue() == 0 ? Double.POSITIVE_INFINITY : MOST_SNR_DECIBELS + 1 - noise.getValue();
+        ToneExperiment wanted = new ToneExperiment(snr, shift.getValue() / 10.0, CODECS.get(codec.getSelectedIndex()));
         if (!wanted.equals(experiment)) {
             experiment = wanted;
             score = ToneScore.NONE;

@@ -142,11 +142,11 @@ class ToneScopeTest {
         for (String key : new String[] {"RIGHT", "UP", "PAGE_UP", "LEFT"}) {
             press(fader, key);
         }
-        assertEquals(16, fader.value());
+        assertEquals(16, fader.getValue());
         press(fader, "HOME");
-        assertEquals(10, fader.value());
+        assertEquals(10, fader.getValue());
         press(fader, "END");
-        assertEquals(40, fader.value());
+        assertEquals(40, fader.getValue());
     }
 
     private static void press(Slider fader, String key) {
