@@ -63,7 +63,7 @@ public sealed interface RobotEvent {
     @EventLine("reply robot= to= text=")
     record ReplySent(String to, String text) implements RobotEvent {}
 
-    /** A reply SMS was refused for good, or not taken for 10 minutes. */
+    /** A reply SMS was refused, or not taken for 10 minutes. */
     @EventLine("reply-failed robot= to= text=")
     record ReplyFailed(String to, String text) implements RobotEvent {}
 

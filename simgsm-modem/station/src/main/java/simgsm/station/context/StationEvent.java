@@ -79,18 +79,18 @@ public sealed interface StationEvent {
     @EventLine("held-over cause=")
     record HeldCallEnded(Cause cause) implements OfCall {}
 
-    /** The other party holds the current call. */
+    /** The other party holds the call. */
     @EventLine("on-hold")
     record HeldByPeer() implements OfCall {}
 
-    /** The other party has retrieved the current call. */
+    /** The other party has retrieved it. */
     @EventLine("on-hold-over")
     record RetrievedByPeer() implements OfCall {}
 
     /** The network does not hold the call, or does not give it back. */
     record HoldRefused() implements OfCall {}
 
-    /** The waiting call has ended before the first. */
+    /** The waiting call has ended. */
     @EventLine("waiting-over")
     record WaitingCallEnded() implements OfCall {}
 
@@ -141,7 +141,7 @@ public sealed interface StationEvent {
     @EventLine("sms-sent to= parts= id=reference")
     record MessageSent(int id, Msisdn to, int parts) implements OfSubmittedMessage {}
 
-    /** The network has refused a message, or has not answered. */
+    /** The message is refused, or not answered. */
     @EventLine("sms-failed to= cause= text=cause.title")
     record MessageFailed(int id, Msisdn to, RpCause cause) implements OfSubmittedMessage {}
 
