@@ -42,7 +42,6 @@ final class MessageRequests {
 
     /** TP-MR and the reference of concatenated parts are one octet. */
     private static final int REFERENCES = 256;
-
     /** Pause before the next {@link #MAX_MESSAGES} of those that one request cancels. */
     private static final long CANCEL_PAUSE_NANOS = Duration.ofMillis(1).toNanos();
 
@@ -127,9 +126,7 @@ final class MessageRequests {
             throws SmppViolation {
         SmsAddress source = source(message.source(), by);
         Receipts receipts = receipts(message.registeredDelivery());
-        if ((message.esmClass() & TYPE_BITS) != 0 || (message.esmClass() & MODE_BITS) == FORWARD_MODE) {
-            throw new SmppViolation(SmppStatus.INVALID_ESM_CLASS, "esm_class " + message.esmClass() + " is not served");
-        }
+        requireServed(message.esmClass());
         Optional<Instant> deliverAt = schedule(message.schedule());
         Optional<Instant> expiry = expiry(message.validity(), deliverAt);
         int dataCoding = MessageContent.standardCoding(message.dataCoding(), by.alphabet);
@@ -149,17 +146,22 @@ final class MessageRequests {
         }
         EsmeOrigin origin = new EsmeOrigin(
                 by.systemId, source, dataCoding, receipts, EsmeOrigin.Group.SINGLE, deliverAt, message.serviceType());
-        boolean replaces = message.replaceIfPresent() != 0;
         // Parts are delivered in order, so the last one's id and receipt stand for the message.
         String id = Long.toString(firstId + units.size() - 1);
         center.submit(origin, source.number().orElse(by.ownNumber), units, expiry, cause -> {
-            if (replaces && cause.isEmpty()) {
+            if (message.replaceIfPresent() != 0 && cause.isEmpty()) {
                 units.stream().map(SubmitTpdu::destination).distinct().forEach(to -> cancelReplaced(origin, to));
             }
             answer.accept(responder.apply(cause.map(
                             refusal -> new Submitted("", status(refusal), List.<SmppPdu.Refused>of()))
                     .orElseGet(() -> new Submitted(id, SmppStatus.OK, refused))));
         });
+    }
+
+    private static void requireServed(int esmClass) throws SmppViolation {
+        if ((esmClass & TYPE_BITS) != 0 || (esmClass & MODE_BITS) == FORWARD_MODE) {
+            throw new SmppViolation(SmppStatus.INVALID_ESM_CLASS, "esm_class " + esmClass + " is not served");
+        }
     }
 
     /** The parts for each destination that can be served; the others are added to {@code refused}. */
