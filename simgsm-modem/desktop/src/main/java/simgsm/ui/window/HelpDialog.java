@@ -45,6 +45,7 @@ import simgsm.ui.lesson.SheetPanel;
 final class HelpDialog {
     private static final Dimension SIZE_UNITS = new Dimension(720, 520);
     private static final int KEY_MARGIN_UNITS = 24;
+    private static final int MESSAGE_UNITS = 400;
 
     private HelpDialog() {}
 
@@ -164,7 +165,7 @@ final class HelpDialog {
 
     /** The versions of program, Java and system, to be read or copied. */
     static JComponent versions(String title, String version, TextBundle texts) {
-        JTextArea lines = new JTextArea(String.join(
+        JTextArea lines = wrapped(String.join(
                 "\n",
                 texts.of("about.program") + ": " + title + ", SimGSM " + version,
                 texts.of("about.java") + ": " + System.getProperty("java.vm.name") + " "
@@ -172,12 +173,24 @@ final class HelpDialog {
                 texts.of("about.system") + ": " + System.getProperty("os.name") + " " + System.getProperty("os.version")
                         + ", " + System.getProperty("os.arch"),
                 texts.of("about.licence") + ": MIT"));
+        lines.setBorder(Theme.padding(12));
+        return ComponentNames.name(lines, "about.versions", texts.of("about.title"));
+    }
+
+    /** A text for a message box, in several lines, so that the box fits the screen at any zoom. */
+    static JTextArea message(String text) {
+        JTextArea lines = wrapped(text);
+        lines.setSize(Theme.px(MESSAGE_UNITS), Short.MAX_VALUE);
+        return lines;
+    }
+
+    private static JTextArea wrapped(String text) {
+        JTextArea lines = new JTextArea(text);
         lines.setEditable(false);
         lines.setLineWrap(true);
         lines.setWrapStyleWord(true);
         lines.setFont(Theme.base());
-        lines.setBorder(Theme.padding(12));
-        return ComponentNames.name(lines, "about.versions", texts.of("about.title"));
+        return lines;
     }
 
     /** Closed by Escape; the list of lessons stays open. */
@@ -194,7 +207,10 @@ final class HelpDialog {
     private static void begin(JDialog dialog, String name, TextBundle texts, Lessons lessons) {
         if (lessons.chosen().isPresent()) {
             int answer = JOptionPane.showConfirmDialog(
-                    dialog, texts.of("lessons.ends"), texts.of("lessons.title"), JOptionPane.OK_CANCEL_OPTION);
+                    dialog,
+                    message(texts.of("lessons.ends")),
+                    texts.of("lessons.title"),
+                    JOptionPane.OK_CANCEL_OPTION);
             if (answer == JOptionPane.OK_OPTION) {
                 dialog.dispose();
                 lessons.chosen().get().accept(name);
@@ -206,7 +222,7 @@ final class HelpDialog {
                     .orElse("");
             JOptionPane.showMessageDialog(
                     dialog,
-                    new JTextArea(texts.of("lessons.elsewhere", name + folder)),
+                    message(texts.of("lessons.elsewhere", name + folder)),
                     texts.of("lessons.title"),
                     JOptionPane.PLAIN_MESSAGE);
         }
@@ -224,11 +240,7 @@ final class HelpDialog {
     }
 
     static JPanel content(Component root, String about, String version, TextBundle texts) {
-        JTextArea text = new JTextArea(about);
-        text.setEditable(false);
-        text.setLineWrap(true);
-        text.setWrapStyleWord(true);
-        text.setFont(Theme.base());
+        JTextArea text = wrapped(about);
         text.setOpaque(false);
         DefaultTableModel rows =
                 new DefaultTableModel(new Object[] {texts.of("window.help.key"), texts.of("window.help.action")}, 0);

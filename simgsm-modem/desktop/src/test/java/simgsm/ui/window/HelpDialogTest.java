@@ -72,6 +72,13 @@ class HelpDialogTest {
     }
 
     @Test
+    void aMessageHasSeveralLinesAndFitsASmallScreen() {
+        JTextArea message = HelpDialog.message(DesktopTexts.in(Locale.ENGLISH).of("lessons.ends"));
+        assertTrue(message.getPreferredSize().width <= 400, message.getPreferredSize().toString());
+        assertTrue(message.getPreferredSize().height > 2 * message.getFontMetrics(message.getFont()).getHeight());
+    }
+
+    @Test
     void keysOfAPanelAreListed() {
         JPanel phone = new JPanel();
         new UserAction("message", "Write a message", () -> {})
