@@ -207,10 +207,7 @@ final class HelpDialog {
     private static void begin(JDialog dialog, String name, TextBundle texts, Lessons lessons) {
         if (lessons.chosen().isPresent()) {
             int answer = JOptionPane.showConfirmDialog(
-                    dialog,
-                    message(texts.of("lessons.ends")),
-                    texts.of("lessons.title"),
-                    JOptionPane.OK_CANCEL_OPTION);
+                    dialog, message(texts.of("lessons.ends")), texts.of("lessons.title"), JOptionPane.OK_CANCEL_OPTION);
             if (answer == JOptionPane.OK_OPTION) {
                 dialog.dispose();
                 lessons.chosen().get().accept(name);

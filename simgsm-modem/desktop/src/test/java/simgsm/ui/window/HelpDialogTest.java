@@ -74,8 +74,11 @@ class HelpDialogTest {
     @Test
     void aMessageHasSeveralLinesAndFitsASmallScreen() {
         JTextArea message = HelpDialog.message(DesktopTexts.in(Locale.ENGLISH).of("lessons.ends"));
-        assertTrue(message.getPreferredSize().width <= 400, message.getPreferredSize().toString());
-        assertTrue(message.getPreferredSize().height > 2 * message.getFontMetrics(message.getFont()).getHeight());
+        assertTrue(
+                message.getPreferredSize().width <= 400,
+                message.getPreferredSize().toString());
+        assertTrue(message.getPreferredSize().height
+                > 2 * message.getFontMetrics(message.getFont()).getHeight());
     }
 
     @Test
