@@ -69,7 +69,7 @@ class LayeringTest {
             simgsm.modem.at.sms      : simgsm.modem.at simgsm.modem.at.state simgsm.octets simgsm.air simgsm.sms
             simgsm.modem.at.command  : simgsm.modem simgsm.modem.at.state simgsm.modem.at.sms simgsm.ss simgsm.octets simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
             simgsm.modem.at.port     : simgsm.timer simgsm.net simgsm.station simgsm.station.context simgsm.modem.at.command
-            simgsm.modem.client      : simgsm.event simgsm.octets simgsm.net simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.dtmf simgsm.station simgsm.station.call simgsm.station.context simgsm.modem
+            simgsm.modem.client      : simgsm.event simgsm.octets simgsm.net simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.dtmf simgsm.station simgsm.station.call simgsm.station.context simgsm.modem simgsm.modem.at
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools.fuzz        : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call

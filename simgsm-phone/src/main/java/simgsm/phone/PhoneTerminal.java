@@ -4,12 +4,9 @@ import java.util.List;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.at.command.AtTerminal;
-import simgsm.octets.OctetString;
 import simgsm.phone.handset.Handset;
 import simgsm.sim.SimPhoneBook;
 import simgsm.station.MobileStation;
-import simgsm.station.StationSnapshot;
-import simgsm.station.context.StationIdentity;
 
 /** The phone as a modem: AT commands act on the handset, which shows what they do. */
 final class PhoneTerminal implements AtTerminal {
@@ -29,13 +26,8 @@ final class PhoneTerminal implements AtTerminal {
     }
 
     @Override
-    public StationIdentity identity() {
-        return station.identity();
-    }
-
-    @Override
-    public StationSnapshot snapshot() {
-        return station.snapshot();
+    public MobileStation station() {
+        return station;
     }
 
     @Override
@@ -90,16 +82,6 @@ final class PhoneTerminal implements AtTerminal {
     @Override
     public boolean sendUssd(String text) {
         return handset.ussd(text).isEmpty();
-    }
-
-    @Override
-    public boolean endUssd() {
-        return station.endUssd();
-    }
-
-    @Override
-    public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
-        return station.submit(tpdu, to, serviceCenter);
     }
 
     @Override

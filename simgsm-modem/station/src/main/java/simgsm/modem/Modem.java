@@ -121,11 +121,6 @@ public final class Modem implements AnsweringModem {
         return heard;
     }
 
-    /** @return the message's id, as in {@link MobileStation#sendMessage} */
-    public int sendSms(Msisdn to, String text) {
-        return station.sendMessage(to, text);
-    }
-
     /** As in the interface; of more than 20 messages that wait the oldest fails. */
     @Override
     public int reply(Msisdn to, String text) {

@@ -13,15 +13,6 @@ public enum ModemState {
     /** Not registered. */
     NO_NETWORK;
 
-    /**
-     * The state of a name in events.
-     *
-     * @throws IllegalArgumentException for an unknown name
-     */
-    public static ModemState ofWord(String word) {
-        return valueOf(word.toUpperCase(Locale.ROOT).replace('-', '_'));
-    }
-
     /** The name in events, such as {@code sim-pin}. */
     public String word() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');

@@ -76,7 +76,7 @@ class RepliesTest {
     @Test
     void aMessageThatIsNoReplyFailsAsTheStationSays() {
         scene.lose();
-        int id = scene.modem.sendSms(CalledModem.CALLER, "hello");
+        int id = scene.modem.station().sendMessage(CalledModem.CALLER, "hello");
         scene.pass(40_000);
         assertEquals(List.of("sms failed " + id + " 38"), scene.told);
     }

@@ -1,11 +1,14 @@
 package simgsm.modem.at;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** The commands of a modem by name. It prints itself as the manual's list of commands. */
 public final class AtCommandTable<C> {
@@ -14,6 +17,8 @@ public final class AtCommandTable<C> {
         private final String name;
         private final String parameters;
         private final String meaning;
+        private String ranges = "";
+        private Optional<String> initial = Optional.empty();
         private final Map<AtCommand.Form, AtHandler<C>> handlers = new EnumMap<>(AtCommand.Form.class);
 
         Row(String name, String parameters, String meaning) {
@@ -57,6 +62,7 @@ public final class AtCommandTable<C> {
 
         /** The answer to the test form, after the command's name. */
         public Row<C> test(String values) {
+            ranges = values;
             return on(AtCommand.Form.TEST, ending((client, request) -> request.answer(values)));
         }
 
@@ -73,6 +79,16 @@ public final class AtCommandTable<C> {
 
         public String name() {
             return name;
+        }
+
+        /** The answer to the test form; empty if it has none, or none that is fixed. */
+        public String ranges() {
+            return ranges;
+        }
+
+        /** The values of a new connection, of a command that only keeps its numbers. */
+        public Optional<String> initial() {
+            return initial;
         }
 
         /** The forms as they are typed, such as {@code AT+CSQ AT+CSQ=?}. */
@@ -94,23 +110,58 @@ public final class AtCommandTable<C> {
     private final Map<String, Row<C>> rows = new LinkedHashMap<>();
 
     /** A table without commands. */
-    public AtCommandTable() {}
+    AtCommandTable() {}
+
+    /**
+     * A table with a row for each block of text: the name, and the parameters of SET or of a basic command; then
+     * indented {@code test:} with the answer to the test form, {@code kept:} with the initial values of a command that only
+     * keeps its numbers, and the meaning.
+     */
+    public AtCommandTable(Stream<String> blocks) {
+        blocks.forEach(block -> add(block.strip().split("\n *")));
+    }
+
+    private void add(String[] block) {
+        String[] head = block[0].split(" ", 2);
+        Optional<String> test = field(block, "test: ");
+        Optional<String> kept = field(block, "kept: ");
+        String meaning = block[block.length - 1]
+                + kept.map(initial -> " (" + initial + ")").orElse("");
+        String parameters = kept.isPresent()
+                ? test.orElseThrow().replaceAll("(\\d),(?=\\d)", "$1|").replaceAll("[()]", "")
+                : head.length > 1 ? head[1] : "";
+        Row<C> row = add(head[0], parameters, meaning);
+        row.initial = kept;
+        test.ifPresent(row::test);
+    }
+
+    private static Optional<String> field(String[] block, String name) {
+        return Stream.of(block)
+                .filter(line -> line.startsWith(name))
+                .map(line -> line.substring(name.length()))
+                .findFirst();
+    }
 
     /** Adds a command. @param parameters of SET, or of a basic command, as the manual shows them */
-    public Row<C> add(String name, String parameters, String meaning) {
+    Row<C> add(String name, String parameters, String meaning) {
         Row<C> row = new Row<>(name, parameters, meaning);
         if (rows.put(name, row) != null) {
-            throw new IllegalArgumentException("AT" + name + " stands twice in the table");
+            throw new IllegalArgumentException("AT" + name + " is twice in the table");
         }
         return row;
     }
 
-    Optional<AtHandler<C>> handler(AtCommand command) {
-        return Optional.ofNullable(rows.get(command.name())).flatMap(row -> row.handler(command.form()));
+    /** The row of a command, which must be there. */
+    public Row<C> row(String name) {
+        return Objects.requireNonNull(rows.get(name), name);
     }
 
-    public List<String> names() {
-        return List.copyOf(rows.keySet());
+    public Collection<Row<C>> rows() {
+        return rows.values();
+    }
+
+    Optional<AtHandler<C>> handler(AtCommand command) {
+        return Optional.ofNullable(rows.get(command.name())).flatMap(row -> row.handler(command.form()));
     }
 
     /** The commands as a list in Markdown. */

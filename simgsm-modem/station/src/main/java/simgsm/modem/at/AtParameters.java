@@ -21,18 +21,27 @@ public final class AtParameters {
     static AtParameters of(String text) throws AtException {
         AtResult refusal = new AtResult.EquipmentError(CmeError.INCORRECT_PARAMETERS);
         List<String> values = new ArrayList<>();
+        for (String raw : split(text)) {
+            values.add(value(raw, refusal));
+        }
+        return new AtParameters(text.isEmpty() ? List.of() : values, refusal);
+    }
+
+    /** Cuts at the commas outside quotation marks, which stay; at least one value. */
+    public static List<String> split(String text) {
+        List<String> values = new ArrayList<>();
         int start = 0;
         boolean quoted = false;
         for (int i = 0; i <= text.length(); i++) {
             boolean ends = i == text.length() || !quoted && text.charAt(i) == ',';
             if (ends) {
-                values.add(value(text.substring(start, i).strip(), refusal));
+                values.add(text.substring(start, i).strip());
                 start = i + 1;
             } else {
                 quoted ^= text.charAt(i) == '"';
             }
         }
-        return new AtParameters(text.isEmpty() ? List.of() : values, refusal);
+        return values;
     }
 
     private static String value(String raw, AtResult refusal) throws AtException {

@@ -21,16 +21,9 @@ public final class AtSession<C> {
     private static final String TOO_LONG = "too long";
     /** Longer than any message; a longer text is cut there, and then refused by the command. */
     static final int MAX_TEXT = 4_096;
-    /** Of more codes that are held back the oldest is dropped. */
-    static final int MAX_HELD = 256;
 
     static final long PROMPT_NANOS = TimeUnit.SECONDS.toNanos(60);
     static final long INCOMPLETE_LINE_NANOS = TimeUnit.SECONDS.toNanos(2);
-    /** Clients read an announced message at once, and take a code that meets one of their commands for its answer. */
-    static final long ANNOUNCED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
-
-    static final long MOST_ANNOUNCED_NANOS = TimeUnit.SECONDS.toNanos(2);
-
     private static final int INPUT_ENOUGH = 16_384;
     private static final char BACKSPACE = 0x08;
     private static final char CTRL_Z = 0x1a;
@@ -43,16 +36,13 @@ public final class AtSession<C> {
         TEXT
     }
 
-    /** A code that is ready to be sent. @param isAnnouncement whether a command is expected to follow it */
-    private record Code(String octets, boolean isAnnouncement) {}
-
     private final AtCommandTable<C> table;
     private final C client;
     private final Timers timers;
     private final Consumer<byte[]> output;
     private final StringBuilder unsent = new StringBuilder();
     private final Deque<Byte> input = new ArrayDeque<>();
-    private final Deque<Code> held = new ArrayDeque<>();
+    private final HeldCodes held;
     private final StringBuilder line = new StringBuilder();
     private final StringBuilder text = new StringBuilder();
 
@@ -71,8 +61,6 @@ public final class AtSession<C> {
     private boolean textOfLines;
     private AtRequest.TextReceiver receiver;
     private Timer timer;
-    private Timer afterAnnouncement;
-    private long latestAnnouncedNanos;
 
     /** @param output receives what is to be sent, at the end of each call */
     public AtSession(AtCommandTable<C> table, C client, Timers timers, Consumer<byte[]> output) {
@@ -80,6 +68,7 @@ public final class AtSession<C> {
         this.client = client;
         this.timers = timers;
         this.output = output;
+        held = new HeldCodes(timers, this::send, this::sendOrWait);
     }
 
     /** How answers look: echo, verbosity, errors. */
@@ -115,7 +104,7 @@ public final class AtSession<C> {
         isClosed = true;
         request = null;
         timers.cancel(timer);
-        timers.cancel(afterAnnouncement);
+        held.close();
     }
 
     private void process() {
@@ -188,7 +177,7 @@ public final class AtSession<C> {
     private void lineIsEmpty() {
         if (line.length() == 0) {
             timers.cancel(timer);
-            sendHeld();
+            held.send();
         }
     }
 
@@ -197,7 +186,7 @@ public final class AtSession<C> {
         boolean wasTooLong = isTooLong;
         isTooLong = false;
         if (commands.isEmpty()) {
-            sendHeld();
+            held.send();
         } else if (wasTooLong) {
             lastLine = TOO_LONG;
             end(AtResult.ERROR);
@@ -273,10 +262,7 @@ public final class AtSession<C> {
         request = null;
         mode = Mode.COMMAND;
         send(result);
-        if (isAwaitingCommand()) {
-            awaitCommand();
-        }
-        sendHeld();
+        held.commandEnded();
     }
 
     // ---- the prompt ---------------------------------------------------------------------------------------------
@@ -368,17 +354,17 @@ public final class AtSession<C> {
 
     /** Sends an unsolicited line of information, now or after the present command. */
     public void report(String information) {
-        reportFormatted(new Code(format.line(information), false));
+        reportFormatted(format.line(information), false);
     }
 
     /** Sends an unsolicited line that a client answers with a command, such as +CMTI; later codes wait for that. */
     public void announce(String information) {
-        reportFormatted(new Code(format.line(information), true));
+        reportFormatted(format.line(information), true);
     }
 
     /** Sends an unsolicited result code such as NO CARRIER, likewise. */
     public void report(AtResult code) {
-        reportFormatted(new Code(format.result(code), false));
+        reportFormatted(format.result(code), false);
     }
 
     /** Sends what is reported meanwhile as one piece: clients read RING and +CLIP as one notification. */
@@ -389,50 +375,23 @@ public final class AtSession<C> {
         flush();
     }
 
-    private void reportFormatted(Code code) {
-        if (isClosed || code.octets().isEmpty()) {
-            return;
+    private void reportFormatted(String octets, boolean isAnnouncement) {
+        if (!isClosed && !octets.isEmpty()) {
+            held.add(octets, isAnnouncement);
+            sendOrWait();
         }
-        if (held.size() == MAX_HELD) {
-            held.remove();
-        }
-        held.add(code);
-        sendOrWait();
     }
 
     /** Sends what is held between two lines; behind an incomplete line after 2 s; else the end of the command does. */
     private void sendOrWait() {
         if (mode == Mode.COMMAND && line.length() == 0 && !isProcessing) {
-            sendHeld();
+            held.send();
             flush();
         } else if (mode == Mode.COMMAND && (timer == null || !timer.isRunning())) {
             timer = timers.start(INCOMPLETE_LINE_NANOS, () -> {
-                sendHeld();
+                held.send();
                 flush();
             });
         }
-    }
-
-    private void sendHeld() {
-        while (!held.isEmpty() && !isAwaitingCommand()) {
-            Code code = held.remove();
-            send(code.octets());
-            if (code.isAnnouncement()) {
-                latestAnnouncedNanos = timers.nowNanos() + MOST_ANNOUNCED_NANOS;
-                awaitCommand();
-            }
-        }
-    }
-
-    private void awaitCommand() {
-        timers.cancel(afterAnnouncement);
-        long mostNanos = latestAnnouncedNanos - timers.nowNanos();
-        if (mostNanos > 0) {
-            afterAnnouncement = timers.start(Math.min(ANNOUNCED_NANOS, mostNanos), this::sendOrWait);
-        }
-    }
-
-    private boolean isAwaitingCommand() {
-        return afterAnnouncement != null && afterAnnouncement.isRunning();
     }
 }

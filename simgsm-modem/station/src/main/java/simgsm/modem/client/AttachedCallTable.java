@@ -7,17 +7,29 @@ import static simgsm.modem.client.AttachedCallTable.CallEvent.*;
 import java.util.EnumSet;
 import java.util.Set;
 import simgsm.state.StateTable;
+import simgsm.station.call.MobileCallTable.MobileCallState;
 
 /** The one call of an attached modem: it rings, is answered, and ends. */
 final class AttachedCallTable {
     enum AttachedCallPhase {
-        IDLE,
-        RINGING,
+        IDLE(MobileCallState.NULL),
+        RINGING(MobileCallState.CALL_RECEIVED),
         /** {@code ATA} waits for its result. */
-        ANSWERING,
-        ACTIVE,
+        ANSWERING(MobileCallState.CONNECT_REQUEST),
+        ACTIVE(MobileCallState.ACTIVE),
         /** Ended for the robot, not yet for the modem. */
-        HANGING_UP
+        HANGING_UP(MobileCallState.DISCONNECT_REQUEST);
+
+        private final MobileCallState shown;
+
+        AttachedCallPhase(MobileCallState shown) {
+            this.shown = shown;
+        }
+
+        /** The state of a mobile station's call that snapshots show. */
+        MobileCallState shown() {
+            return shown;
+        }
     }
 
     enum CallEvent {

@@ -3,7 +3,7 @@ package simgsm.modem.client;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.time.Instant;
-import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
@@ -21,7 +21,6 @@ import simgsm.modem.client.ModemServiceTable.ServiceEvent;
 import simgsm.modem.client.ModemServiceTable.ServiceState;
 import simgsm.state.StateMachine;
 import simgsm.station.StationSnapshot;
-import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationEvent;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
@@ -39,13 +38,13 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     /** Without an octet for this time, no earlier dialogue is under way. */
     static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
 
-    private static final ModemEvent.StateChanged NOT_ASKED =
-            new ModemEvent.StateChanged(ModemState.SILENT, "the line is not open yet");
-
     private static final long ATTENTION_MILLIS = 500;
 
     /** Interval in which stored messages and the registration are looked at, in case a notice was lost. */
     static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(30);
+
+    /** Each comes once after a start. */
+    private static final Set<String> START_CODES = Set.of("+CPIN:", "+CFUN:", "Call Ready", "SMS Ready", "PB DONE");
 
     private static final Logger LOG = System.getLogger(AttachedModem.class.getName());
 
@@ -58,7 +57,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private final AttachedMessages messages;
     private final StateMachine<ServiceState, ServiceEvent, ServiceAction> service;
     /** Starting codes that are still expected of the last start. */
-    private final Set<StartCode> expectedCodes = EnumSet.allOf(StartCode.class);
+    private final Set<String> expectedCodes = new HashSet<>(START_CODES);
 
     private Timer attentionTimer;
     private Timer lookTimer;
@@ -68,21 +67,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
 
     private UnsolicitedCode bodyOf = UnsolicitedCode.NEWS;
     private volatile StationSnapshot snapshot;
-    private volatile ModemEvent.StateChanged state = NOT_ASKED;
-
-    private enum StartCode {
-        CARD("+CPIN:"),
-        FUNCTION("+CFUN:"),
-        CALLS("Call Ready"),
-        MESSAGES("SMS Ready"),
-        PHONE_BOOK("PB DONE");
-
-        private final String beginning;
-
-        StartCode(String beginning) {
-            this.beginning = beginning;
-        }
-    }
+    private final ReportedState state;
 
     /**
      * A modem whose line is down.
@@ -103,6 +88,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
             Consumer<StationEvent> listener) {
         this.number = number;
         this.listener = listener;
+        state = new ReportedState("modem " + number, listener);
         dialogue = new CommandDialogue(timers, output, new Codes());
         setup = new ModemSetup(dialogue, timers, Integer.MAX_VALUE, this::logged);
         call = new AttachedCall(dialogue, timers, answerAfterMillis, admission, listener);
@@ -117,7 +103,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     @Override
     public void lineUp(long nowNanos) {
         timePassed(nowNanos);
-        expectedCodes.addAll(EnumSet.allOf(StartCode.class));
+        expectedCodes.addAll(START_CODES);
         service.fire(ServiceEvent.LINE_UP);
         publish();
     }
@@ -174,7 +160,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
 
     @Override
     public ModemEvent.StateChanged state() {
-        return state;
+        return state.newest();
     }
 
     @Override
@@ -195,11 +181,6 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     @Override
     public boolean hangUp() {
         return call.hangUp();
-    }
-
-    /** Whether the modem is prepared and registered. */
-    boolean isInService() {
-        return service.state() == ServiceState.READY && registered;
     }
 
     // ---- service ---------------------------------------------------------------------------------------------------
@@ -256,16 +237,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     }
 
     private void serve() {
-        if (setup.losesEqualKeys()) {
-            boolean isOff = setup.text(SetupStep.KEY_INTERVAL).matches("\\+DDET: ?0.*");
-            String why = isOff ? "reports no keys, +DDET is 0" : "drops the second of two equal keys";
-            LOG.log(Level.WARNING, "the modem " + why + "; calls are refused");
-        } else if (!setup.hasAll(SetupStep.Need.FOR_CALLS)) {
-            LOG.log(Level.WARNING, "the modem does not report keys; calls are refused");
-        }
-        if (!setup.hasAll(SetupStep.Need.FOR_MESSAGES)) {
-            LOG.log(Level.WARNING, "the modem handles no short messages");
-        }
+        setup.shortcomings().forEach(text -> LOG.log(Level.WARNING, "the modem " + text));
         setRegistered(true);
         call.ready(setup);
         messages.ready(setup);
@@ -304,15 +276,8 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         }
     }
 
-    /** Reports a change of the state; a new text alone is only kept. */
     private void setState(ModemState now, String text) {
-        boolean isNews = state == NOT_ASKED || state.state() != now;
-        state = new ModemEvent.StateChanged(now, text);
-        if (isNews) {
-            boolean isExpected = now == ModemState.READY || service.state() == ServiceState.NO_LINE;
-            LOG.log(isExpected ? Level.INFO : Level.WARNING, "modem " + number + ": " + now.word() + ", " + text);
-            listener.accept(state);
-        }
+        state.set(now, text, service.state() == ServiceState.NO_LINE);
     }
 
     private void logged(SetupStep step, ModemCommand command, ModemAnswer answer, SetupVerdict verdict) {
@@ -390,19 +355,15 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
 
     private void booted() {
         setState(ModemState.SILENT, "the modem has started again");
-        expectedCodes.addAll(EnumSet.allOf(StartCode.class));
+        expectedCodes.addAll(START_CODES);
         service.fire(ServiceEvent.BOOTED);
     }
 
     /** The code of a start that was not seen is a start of its own. */
     private void started(String line) {
-        boolean expected = false;
-        for (StartCode code : StartCode.values()) {
-            expected |= line.startsWith(code.beginning) && expectedCodes.remove(code);
-        }
-        if (!expected) {
+        if (!expectedCodes.removeIf(line::startsWith)) {
             booted();
-            expectedCodes.removeIf(code -> line.startsWith(code.beginning));
+            expectedCodes.removeIf(line::startsWith);
         }
     }
 
@@ -424,7 +385,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
                 Optional.empty(),
                 false,
                 operatorName(),
-                callState(),
+                call.phase().shown(),
                 call.caller(),
                 Optional.empty(),
                 Optional.empty());
@@ -433,15 +394,5 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private String operatorName() {
         String answer = setup.text(SetupStep.OPERATOR);
         return answer.isEmpty() ? "" : AnswerFields.of(answer).text(2);
-    }
-
-    private MobileCallState callState() {
-        return switch (call.phase()) {
-            case IDLE -> MobileCallState.NULL;
-            case RINGING -> MobileCallState.CALL_RECEIVED;
-            case ANSWERING -> MobileCallState.CONNECT_REQUEST;
-            case ACTIVE -> MobileCallState.ACTIVE;
-            case HANGING_UP -> MobileCallState.DISCONNECT_REQUEST;
-        };
     }
 }

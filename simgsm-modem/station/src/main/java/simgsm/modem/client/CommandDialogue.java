@@ -20,16 +20,16 @@ final class CommandDialogue {
     /** Receives what no command has asked for. */
     interface Listener {
         /** A code of {@link UnsolicitedCode} or a {@link DtmfDialect}. */
-        void unsolicited(String line);
+        default void unsolicited(String line) {}
 
         /** The line after a code that has one, whatever it looks like. */
-        void body(String line);
+        default void body(String line) {}
 
         /** Neither an answer, nor echo, nor a known code. */
-        void unreadable(String line);
+        default void unreadable(String line) {}
 
         /** A command has had no final result in time; the others have been dropped. Its receiver learns of it next. */
-        void stalled(ModemCommand command);
+        default void stalled(ModemCommand command) {}
     }
 
     private static final String END_OF_COMMAND = "\r";

@@ -22,7 +22,6 @@ public final class ModemCheck implements ModemLine.Party {
     private static final int MOST_CALLS_FOR_ATTENTION = 5;
     private static final long PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
 
-    private final Consumer<String> output;
     private final Consumer<Result> results;
     private final Consumer<Boolean> done;
     private final Timers timers = new Timers();
@@ -39,34 +38,11 @@ public final class ModemCheck implements ModemLine.Party {
      * @param done called once: whether the modem can take M2's place
      */
     public ModemCheck(Consumer<String> output, Consumer<Result> results, Consumer<Boolean> done) {
-        this.output = output;
         this.results = results;
         this.done = done;
-        dialogue = new CommandDialogue(timers, this.output, new Silent());
+        dialogue = new CommandDialogue(timers, output, new CommandDialogue.Listener() {});
         setup = new ModemSetup(
                 dialogue, timers, MOST_TRIES, (step, command, answer, verdict) -> report(command, answer, verdict));
-    }
-
-    private static final class Silent implements CommandDialogue.Listener {
-        @Override
-        public void unsolicited(String line) {
-            // the check does not use the modem
-        }
-
-        @Override
-        public void body(String line) {
-            // nor its messages
-        }
-
-        @Override
-        public void unreadable(String line) {
-            // an answer that it damages shows in its verdict
-        }
-
-        @Override
-        public void stalled(ModemCommand command) {
-            // the verdict says it
-        }
     }
 
     @Override

@@ -1,6 +1,7 @@
 package simgsm.modem.client;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.EnumMap;
 import java.util.List;
@@ -171,6 +172,22 @@ final class ModemSetup {
     /** Whether the modem says that the second of two equal keys is dropped: its orders could be read wrong. */
     boolean losesEqualKeys() {
         return verdicts.get(SetupStep.KEY_INTERVAL) == SetupVerdict.UNEXPECTED;
+    }
+
+    /** What the modem cannot do, in words that follow "the modem". */
+    List<String> shortcomings() {
+        List<String> all = new ArrayList<>();
+        if (losesEqualKeys()) {
+            boolean isOff = text(SetupStep.KEY_INTERVAL).matches("\\+DDET: ?0.*");
+            all.add((isOff ? "reports no keys, +DDET is 0" : "drops the second of two equal keys")
+                    + "; calls are refused");
+        } else if (!hasAll(SetupStep.Need.FOR_CALLS)) {
+            all.add("does not report keys; calls are refused");
+        }
+        if (!hasAll(SetupStep.Need.FOR_MESSAGES)) {
+            all.add("handles no short messages");
+        }
+        return all;
     }
 
     /** The answer's lines of a step, in one; empty before the step. */

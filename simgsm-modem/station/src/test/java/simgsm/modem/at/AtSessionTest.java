@@ -268,16 +268,16 @@ class AtSessionTest {
         session.report(AtResult.RING);
         assertEquals("|+CMTI: 1|", heard());
         assertEquals("", say("AT+WAIT\r"));
-        timers.advance(AtSession.ANNOUNCED_NANOS);
+        timers.advance(HeldCodes.ANNOUNCED_NANOS);
         assertEquals("", heard());
         pending.finish(AtResult.OK);
         assertEquals("|OK||+CMTI: 2|", heard());
         assertEquals("|OK|", say("AT\r"));
-        timers.advance(2 * AtSession.ANNOUNCED_NANOS - 1);
+        timers.advance(2 * HeldCodes.ANNOUNCED_NANOS - 1);
         assertEquals("|OK|", say("AT\r"));
-        timers.advance(3 * AtSession.ANNOUNCED_NANOS - 2);
+        timers.advance(3 * HeldCodes.ANNOUNCED_NANOS - 2);
         assertEquals("", heard());
-        timers.advance(3 * AtSession.ANNOUNCED_NANOS - 1);
+        timers.advance(3 * HeldCodes.ANNOUNCED_NANOS - 1);
         assertEquals("|RING|", heard());
     }
 
@@ -287,11 +287,11 @@ class AtSessionTest {
         session.announce("+CMTI: 1");
         session.report(AtResult.RING);
         heard();
-        for (long nanos = 0; nanos < AtSession.MOST_ANNOUNCED_NANOS; nanos += AtSession.ANNOUNCED_NANOS / 2) {
+        for (long nanos = 0; nanos < HeldCodes.MOST_ANNOUNCED_NANOS; nanos += HeldCodes.ANNOUNCED_NANOS / 2) {
             timers.advance(nanos);
             assertEquals("|OK|", say("AT\r"));
         }
-        timers.advance(AtSession.MOST_ANNOUNCED_NANOS);
+        timers.advance(HeldCodes.MOST_ANNOUNCED_NANOS);
         assertEquals("|RING|", heard());
     }
 
@@ -300,15 +300,15 @@ class AtSessionTest {
         silent();
         session.announce("+CMTI: 1");
         session.report(AtResult.RING);
-        timers.advance(AtSession.ANNOUNCED_NANOS - 1);
+        timers.advance(HeldCodes.ANNOUNCED_NANOS - 1);
         assertEquals("|+CMTI: 1|", heard());
-        timers.advance(AtSession.ANNOUNCED_NANOS);
+        timers.advance(HeldCodes.ANNOUNCED_NANOS);
         assertEquals("|RING|", heard());
         session.announce("+CMTI: 2");
         session.report(AtResult.RING);
         assertEquals("|+CMTI: 2|", heard());
         say("A");
-        timers.advance(2 * AtSession.ANNOUNCED_NANOS);
+        timers.advance(2 * HeldCodes.ANNOUNCED_NANOS);
         assertEquals("", heard());
         assertEquals("|OK||RING|", say("T\r"));
     }
@@ -357,13 +357,13 @@ class AtSessionTest {
     void ofTooManyNewsTheOldestAreDropped() {
         silent();
         say("AT+WAIT\r");
-        for (int i = 0; i <= AtSession.MAX_HELD; i++) {
+        for (int i = 0; i <= HeldCodes.MAX_HELD; i++) {
             session.report("+NEWS: " + i);
         }
         pending.finish(AtResult.OK);
         String heard = heard();
         assertTrue(heard.startsWith("|OK||+NEWS: 1|"), heard);
-        assertTrue(heard.endsWith("|+NEWS: " + AtSession.MAX_HELD + "|"), heard);
+        assertTrue(heard.endsWith("|+NEWS: " + HeldCodes.MAX_HELD + "|"), heard);
     }
 
     @Test
@@ -379,7 +379,9 @@ class AtSessionTest {
     void aCommandStandsOnceInTheTable() {
         AtCommandTable<List<String>> table = table();
         assertThrows(IllegalArgumentException.class, () -> table.add("E", "", "again"));
-        assertEquals(List.of("E", "V", "Q", "Z"), table.names().subList(0, 4));
+        assertEquals(
+                List.of("E", "V", "Q", "Z"),
+                table.rows().stream().map(AtCommandTable.Row::name).limit(4).toList());
     }
 
     @Test

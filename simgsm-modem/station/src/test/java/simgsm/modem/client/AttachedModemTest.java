@@ -45,17 +45,17 @@ class AttachedModemTest {
         assertTrue(bench.sent.size() > 1 && bench.sent.stream().allMatch("AT"::equals), bench.sent.toString());
         bench.answers.remove("AT");
         bench.millis(3000);
-        assertTrue(bench.modem.isInService());
+        assertTrue(bench.isReady());
     }
 
     @Test
     void aSimThatIsNotReadyIsAwaited() {
         bench.answers.put("AT+CPIN?", "+CPIN: SIM PIN|OK");
         bench.ready();
-        assertFalse(bench.modem.isInService());
+        assertFalse(bench.isReady());
         bench.answers.put("AT+CPIN?", "+CPIN: READY|OK");
         bench.millis(1500);
-        assertTrue(bench.modem.isInService());
+        assertTrue(bench.isReady());
     }
 
     @ParameterizedTest
@@ -118,9 +118,9 @@ class AttachedModemTest {
     void anAnswerWithoutItsFinalResultIsTakenAfterItsTime() {
         bench.answers.put("AT+CPIN?", "+CPIN: READY");
         bench.ready();
-        assertFalse(bench.modem.isInService());
+        assertFalse(bench.isReady());
         bench.millis(2000);
-        assertTrue(bench.modem.isInService());
+        assertTrue(bench.isReady());
     }
 
     @Test
@@ -128,7 +128,7 @@ class AttachedModemTest {
         bench.answers.put("AT+COPS?", ModemBench.NO_ANSWER);
         bench.ready();
         bench.millis(5500);
-        assertTrue(bench.modem.isInService());
+        assertTrue(bench.isReady());
         assertEquals("", bench.modem.snapshot().networkName());
     }
 
@@ -142,7 +142,7 @@ class AttachedModemTest {
         bench.answers.remove("AT");
         bench.answers.put("AT+CREG?", "+CREG: 1,5|OK");
         bench.millis(3000);
-        assertTrue(bench.modem.isInService());
+        assertTrue(bench.isReady());
         assertEquals(2, bench.sent.stream().filter("ATE0"::equals).count());
     }
 

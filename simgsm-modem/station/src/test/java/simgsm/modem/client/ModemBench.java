@@ -11,6 +11,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.CallDecision;
 import simgsm.modem.ModemEvent;
+import simgsm.modem.ModemState;
 import simgsm.station.context.StationEvent;
 
 /** A client with a modem that answers by a list, at once; what it says unasked and the time are given by hand. */
@@ -130,6 +131,10 @@ final class ModemBench {
         answers.put("AT+CLCC", "+CLCC: 1,1,0,0,0,\"5550100\",129|OK");
         millis(500);
         return this;
+    }
+
+    boolean isReady() {
+        return modem.state().state() == ModemState.READY;
     }
 
     /** The events since the last look. */

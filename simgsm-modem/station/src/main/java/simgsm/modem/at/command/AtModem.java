@@ -34,7 +34,7 @@ public final class AtModem {
         this.terminal = terminal;
         this.profile = profile;
         clock = new ModemClock(wallClock);
-        books = new PhoneBooks(terminal.identity().number(), terminal.phoneBook());
+        books = new PhoneBooks(terminal.station().identity().number(), terminal.phoneBook());
         keys = new KeyCodes(this);
         ussd = new UssdCodes(this);
         services = new ServiceAnswers(terminal);

@@ -3,35 +3,37 @@ package simgsm.modem.at.command;
 import java.util.List;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
-import simgsm.octets.OctetString;
 import simgsm.sim.SimPhoneBook;
-import simgsm.station.StationSnapshot;
+import simgsm.station.MobileStation;
 import simgsm.station.context.StationEvent;
-import simgsm.station.context.StationIdentity;
 
 /** The terminal that is commanded: a phone or M2. All methods belong to the thread that owns its station. */
 public interface AtTerminal {
     /** The model's name, such as M1. */
     String model();
 
-    StationIdentity identity();
-
-    StationSnapshot snapshot();
+    MobileStation station();
 
     /** The SIM's phone book. */
     SimPhoneBook phoneBook();
 
     /** @return false if a call is under way or the terminal is off */
-    boolean dial(Msisdn number);
+    default boolean dial(Msisdn number) {
+        return station().dial(number);
+    }
 
     /** Answers the ringing call. @return false if there is none */
     boolean answer();
 
     /** Ends the call, or rejects the ringing one. @return false if there is none */
-    boolean hangUp();
+    default boolean hangUp() {
+        return station().hangUp();
+    }
 
     /** Rejects the waiting call, or ends the held one. @return false if there is neither */
-    boolean rejectWaiting();
+    default boolean rejectWaiting() {
+        return station().rejectWaiting();
+    }
 
     /** As in {@link simgsm.station.StationCommands#hold}. */
     default boolean hold() {
@@ -53,21 +55,14 @@ public interface AtTerminal {
     void setPower(boolean on);
 
     /** As in {@link simgsm.station.StationCommands#sendUssd}. */
-    boolean sendUssd(String text);
-
-    /** Ends the USSD dialogue. @return false if there is none */
-    boolean endUssd();
-
-    /**
-     * Submits a transfer unit; its message reference is set by the station.
-     *
-     * @param tpdu SUBMIT or COMMAND (TS 23.040), at least two octets
-     * @return the message's id in {@link StationEvent.OfSubmittedMessage}
-     */
-    int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter);
+    default boolean sendUssd(String text) {
+        return station().sendUssd(text);
+    }
 
     /** Whether there is room for received messages; see {@link simgsm.station.StationCommands#setMemoryAvailable}. */
-    void setMemoryAvailable(boolean available);
+    default void setMemoryAvailable(boolean available) {
+        station().setMemoryAvailable(available);
+    }
 
     /** Receives the station's events before the commands do. */
     default void accept(StationEvent event) {}

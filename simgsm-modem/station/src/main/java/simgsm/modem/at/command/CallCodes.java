@@ -114,7 +114,7 @@ final class CallCodes {
     }
 
     boolean isActive() {
-        return modem.terminal().snapshot().callState() == MobileCallState.ACTIVE;
+        return modem.terminal().station().snapshot().callState() == MobileCallState.ACTIVE;
     }
 
     boolean isRinging() {
@@ -140,7 +140,7 @@ final class CallCodes {
 
     /** 0 active, 2 dialling, 3 alerting, 4 incoming (TS 27.007, 7.18). */
     private Optional<Integer> state() {
-        return switch (modem.terminal().snapshot().callState()) {
+        return switch (modem.terminal().station().snapshot().callState()) {
             case ACTIVE -> Optional.of(0);
             case MM_CONNECTION_PENDING, CALL_INITIATED, MO_CALL_PROCEEDING -> Optional.of(2);
             case CALL_DELIVERED -> Optional.of(3);
@@ -245,7 +245,7 @@ final class CallCodes {
             return;
         }
         if (modem.clients().stream()
-                .anyMatch(client -> KeptSettings.kept(client, "+GSMBUSY", "0").equals("1"))) {
+                .anyMatch(client -> KeptSettings.kept(client, "+GSMBUSY").equals("1"))) {
             modem.terminal().hangUp();
             return;
         }

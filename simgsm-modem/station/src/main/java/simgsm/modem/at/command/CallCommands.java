@@ -23,43 +23,32 @@ final class CallCommands {
     private CallCommands() {}
 
     static void addTo(AtCommandTable<AtClient> table) {
-        table.add(
-                        "D",
-                        "[T]number; | >place; | >\"name\"; | L;",
-                        "calls a number, a place or name of the phone book, or the last number; without the semicolon, a data call: NO CARRIER")
-                .executeFor(CallCommands::dial);
-        table.add("A", "", "answers the ringing call")
-                .executeFor((client, request) -> client.modem().calls().answer(request));
-        table.add("H", "[0]", "ends the call, or rejects the ringing one").execute((client, request) -> {
+        table.row("D").executeFor(CallCommands::dial);
+        table.row("A").executeFor((client, request) -> client.modem().calls().answer(request));
+        table.row("H").execute((client, request) -> {
             request.basicNumber(0);
             client.modem().calls().hangUp(client);
         });
-        table.add("+CHUP", "", "the same")
-                .execute((client, request) -> client.modem().calls().hangUp(client));
-        table.add(
-                        "+CHLD",
-                        "0|1|2",
-                        "rejects the waiting call or ends the held one; ends the call and takes the other one; holds the call and takes the other one")
+        table.row("+CHUP").execute((client, request) -> client.modem().calls().hangUp(client));
+        table.row("+CHLD")
                 .testWith((client, request) ->
                         request.answer(client.modem().terminal().hasCallWaiting() ? "(0,1,2)" : "(0,1)"))
                 .set(CallCommands::supplementary);
-        table.add("+CLCC", "", "lists the calls: index, direction, state, mode, conference, number, type")
+        table.row("+CLCC")
                 .execute((client, request) -> client.modem().calls().list().forEach(request::answer));
-        table.add("+CPAS", "", "activity: 0 ready, 3 ringing, 4 call in progress")
-                .test("(0,3,4)")
+        table.row("+CPAS")
                 .execute((client, request) -> request.answer(
                         client.modem().calls().isRinging()
                                 ? 3
                                 : client.modem().calls().list().isEmpty() ? 0 : 4));
-        table.add("+CEER", "", "cause of the last release")
+        table.row("+CEER")
                 .execute((client, request) -> request.answer(client.modem()
                         .calls()
                         .lastCause()
                         .map(cause -> cause.code() + "," + AtRequest.quoted(cause.title()))
                         .orElse("\"no cause\"")));
-        table.add("+CUSD", "0-2[,\"text\"[,dcs]]", "USSD: 1 reports +CUSD, a text is sent, 2 ends the dialogue (0)")
+        table.row("+CUSD")
                 .read((client, request) -> request.answer(client.settings().ussdMode))
-                .test("(0-2)")
                 .set(CallCommands::ussd);
         codes(table);
         ServiceCommands.addTo(table);
@@ -67,48 +56,34 @@ final class CallCommands {
     }
 
     private static void codes(AtCommandTable<AtClient> table) {
-        table.add("+CLIP", "0|1", "+CLIP with the caller's number after each RING (0)")
+        table.row("+CLIP")
                 .read((client, request) -> request.answer(client.settings().showsCaller ? 1 : 0, 1))
-                .test("(0,1)")
                 .set((client, request) -> client.settings().showsCaller = flag(request));
-        table.add("+CRC", "0|1", "+CRING: VOICE in place of RING (0)")
+        table.row("+CRC")
                 .read((client, request) -> request.answer(client.settings().namesRingKind ? 1 : 0))
-                .test("(0,1)")
                 .execute((client, request) -> client.settings().namesRingKind = false)
                 .set((client, request) -> client.settings().namesRingKind = flag(request));
-        table.add("+COLP", "0|1", "+COLP with the number that has answered (0)")
+        table.row("+COLP")
                 .read((client, request) -> request.answer(client.settings().showsConnectedNumber ? 1 : 0, 1))
-                .test("(0,1)")
                 .set((client, request) -> client.settings().showsConnectedNumber = flag(request));
-        KeptSettings.add(table, "+GSMBUSY", "(0,1)", "0", "1 rejects incoming calls");
         for (String name : List.of("+CLDTMF", "+STTONE")) {
-            table.add(name, "...", "a tone at the loudspeaker; accepted, without effect")
+            table.row(name)
                     .set((client, request) -> request.parameters().atMost(3).number(0, 0, 100));
         }
     }
 
     private static void keys(AtCommandTable<AtClient> table) {
-        table.add(
-                        "+VTS",
-                        "key,key,... | \"key,key,...\" | {key,tenths},...",
-                        "sends keys in the call; OK once the last has been sent")
-                .test("(0-9,A-D,*,#)")
-                .setFor(CallCommands::sendKeys);
-        table.add("+VTD", "0-255", "length of a key in 0.1 s; 0 is 100 ms (0)")
+        table.row("+VTS").setFor(CallCommands::sendKeys);
+        table.row("+VTD")
                 .read((client, request) -> request.answer(client.settings().keyTenths))
-                .test("(0-255)")
                 .set((client, request) -> client.settings().keyTenths =
                         request.parameters().atMost(1).number(0, 0, 255));
-        table.add(
-                        "+DDET",
-                        "0|1[,interval[,report[,0]]]",
-                        "+DTMF: key for each key of the far end (0); interval: least ms between equal keys, report 1: +DTMF: key,ms once the tone has ended")
+        table.row("+DDET")
                 .read((client, request) -> request.answer(
                         client.settings().reportsKeys ? 1 : 0,
                         client.settings().equalKeysMillis,
                         client.settings().reportsKeyMillis ? 1 : 0,
                         0))
-                .test("(0,1),(0-10000),(0,1),(0)")
                 .set(CallCommands::detectKeys);
     }
 
@@ -192,7 +167,7 @@ final class CallCommands {
         int mode = parameters.number(0, 0, 2, client.settings().ussdMode);
         parameters.number(2, 0, 255, 0);
         if (mode == 2) {
-            client.modem().terminal().endUssd();
+            client.modem().terminal().station().endUssd();
             return;
         }
         client.settings().ussdMode = mode;

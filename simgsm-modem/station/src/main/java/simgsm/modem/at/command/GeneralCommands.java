@@ -1,6 +1,7 @@
 package simgsm.modem.at.command;
 
 import java.util.Locale;
+import java.util.function.Function;
 import simgsm.modem.at.AtCommandTable;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtRequest;
@@ -21,44 +22,35 @@ final class GeneralCommands {
     }
 
     private static void answers(AtCommandTable<AtClient> table) {
-        table.add("E", "0|1", "echo off or on (on)")
-                .execute((client, request) -> client.session().format().setEchoed(request.basicNumber(1) == 1));
-        table.add("V", "0|1", "results as numbers or in words (words)")
-                .execute((client, request) -> client.session().format().setInWords(request.basicNumber(1) == 1));
-        table.add("Q", "0|1", "with or without result codes (with)")
-                .execute((client, request) -> client.session().format().setQuiet(request.basicNumber(1) == 1));
-        table.add("X", "0-4", "below 3 a busy line is reported as NO CARRIER (4)")
-                .execute((client, request) -> client.settings().callProgress = request.basicNumber(4));
-        table.add("Z", "[0]", "restores what the client has set, and ends its call")
-                .execute((client, request) -> {
-                    request.basicNumber(1);
-                    client.modem().calls().hangUp(client);
-                    client.reset();
-                });
-        table.add("&F", "[0]", "restores what the client has set").execute((client, request) -> client.reset());
-        table.add("&V", "", "shows the settings")
+        table.row("E").execute((client, request) -> client.session().format().setEchoed(request.basicNumber(1) == 1));
+        table.row("V").execute((client, request) -> client.session().format().setInWords(request.basicNumber(1) == 1));
+        table.row("Q").execute((client, request) -> client.session().format().setQuiet(request.basicNumber(1) == 1));
+        table.row("X").execute((client, request) -> client.settings().callProgress = request.basicNumber(4));
+        table.row("Z").execute((client, request) -> {
+            request.basicNumber(1);
+            client.modem().calls().hangUp(client);
+            client.reset();
+        });
+        table.row("&F").execute((client, request) -> client.reset());
+        table.row("&V")
                 .execute((client, request) -> request.line(
                         client.session().format().describe() + " S0:" + client.settings().ringsBeforeAnswer));
-        table.add("S", "n=value|n?", "S0: rings before a call is answered, 0 never (0); the others are read only")
-                .execute(GeneralCommands::register);
+        table.row("S").execute(GeneralCommands::register);
         for (String name : new String[] {"&C", "&D", "&W", "&K", "&S", "L", "M", "N"}) {
-            table.add(name, "n", "accepted, without effect").execute((client, request) -> request.basicNumber(9));
+            table.row(name).execute((client, request) -> request.basicNumber(9));
         }
-        table.add("+CMEE", "0-2", "errors as ERROR, with numbers or in words (0)")
+        table.row("+CMEE")
                 .read((client, request) ->
                         request.answer(client.session().format().errorMode()))
-                .test("(0-2)")
                 .set((client, request) -> client.session()
                         .format()
                         .setErrorMode(request.parameters().atMost(1).number(0, 0, 2)));
-        table.add("+CSCS", "\"GSM\"|\"IRA\"|\"UCS2\"|\"HEX\"", "character set of texts and names (IRA)")
+        table.row("+CSCS")
                 .read((client, request) -> request.answer(
                         AtRequest.quoted(client.settings().characterSet.name())))
-                .test("(\"GSM\",\"IRA\",\"UCS2\",\"HEX\")")
                 .set(GeneralCommands::characterSet);
-        table.add("+CLAC", "", "lists all commands")
-                .execute((client, request) -> AtCommands.TABLE.names().forEach(name -> request.line("AT" + name)));
-        KeptSettings.addTo(table);
+        table.row("+CLAC")
+                .execute((client, request) -> AtCommands.TABLE.rows().forEach(row -> request.line("AT" + row.name())));
     }
 
     private static void register(AtClient client, AtRequest request) throws AtException {
@@ -97,34 +89,32 @@ final class GeneralCommands {
     }
 
     private static void identity(AtCommandTable<AtClient> table) {
-        table.add("I", "", "manufacturer, model and revision")
+        table.row("I")
                 .execute((client, request) -> client.modem()
                         .profile()
                         .information(client.modem().terminal().model())
                         .forEach(request::line));
-        for (String name : new String[] {"+CGMI", "+GMI"}) {
-            table.add(name, "", "manufacturer")
-                    .execute((client, request) -> request.line(client.modem().profile().manufacturer));
-        }
-        for (String name : new String[] {"+CGMM", "+GMM"}) {
-            table.add(name, "", "model: M1 for the phone, M2 for the robot's modem")
-                    .execute((client, request) -> request.line(client.modem()
-                            .profile()
-                            .model(client.modem().terminal().model())));
-        }
-        for (String name : new String[] {"+CGMR", "+GMR"}) {
-            table.add(name, "", "revision")
-                    .execute((client, request) -> request.line(client.modem().profile().revision));
-        }
-        for (String name : new String[] {"+CGSN", "+GSN"}) {
-            table.add(name, "", "IMEI")
-                    .execute((client, request) -> request.line(
-                            client.modem().terminal().identity().imei().digits()));
-        }
-        table.add("+GCAP", "", "capabilities").execute((client, request) -> request.answer("+CGSM"));
-        table.add("+WS46", "12", "radio technology: GSM")
+        information(table, "GMI", client -> client.modem().profile().manufacturer);
+        information(
+                table,
+                "GMM",
+                client ->
+                        client.modem().profile().model(client.modem().terminal().model()));
+        information(table, "GMR", client -> client.modem().profile().revision);
+        information(
+                table,
+                "GSN",
+                client -> client.modem().terminal().station().identity().imei().digits());
+        table.row("+GCAP").execute((client, request) -> request.answer("+CGSM"));
+        table.row("+WS46")
                 .read((client, request) -> request.line("12"))
-                .test("(12)")
                 .set((client, request) -> request.parameters().atMost(1).number(0, 12, 12));
+    }
+
+    /** The command of TS 27.007 and the one of V.250. */
+    private static void information(AtCommandTable<AtClient> table, String name, Function<AtClient, String> text) {
+        for (String prefix : new String[] {"+C", "+"}) {
+            table.row(prefix + name).execute((client, request) -> request.line(text.apply(client)));
+        }
     }
 }

@@ -62,7 +62,7 @@ final class MessageCodes {
 
     MessageCodes(AtModem modem) {
         this.modem = modem;
-        serviceCenter = modem.terminal().identity().serviceCenter();
+        serviceCenter = modem.terminal().station().identity().serviceCenter();
     }
 
     SimMemory memory() {

@@ -34,21 +34,11 @@ final class MessageCommands {
     private MessageCommands() {}
 
     static void addTo(AtCommandTable<AtClient> table) {
-        table.add(
-                        "+CMGS",
-                        "length | \"number\"[,type]",
-                        "sends a message that follows at the prompt, up to Ctrl-Z; ESC gives up")
-                .setFor(MessageCommands::send);
-        table.add("+CMGW", "length[,status] | \"number\"[,type[,status]]", "stores a message likewise")
-                .executeFor(MessageCommands::write)
-                .setFor(MessageCommands::write);
-        table.add("+CMSS", "place[,\"number\"[,type]]", "sends a stored message")
-                .setFor(MessageCommands::sendStored);
-        table.add("+CMGC", "length", "sends an SMS-COMMAND; PDU mode only").setFor(MessageCommands::command);
-        table.add(
-                        "+CMGL",
-                        "0-4 | \"REC UNREAD\"|\"REC READ\"|\"STO UNSENT\"|\"STO SENT\"|\"ALL\"",
-                        "lists messages; unread ones become read")
+        table.row("+CMGS").setFor(MessageCommands::send);
+        table.row("+CMGW").executeFor(MessageCommands::write).setFor(MessageCommands::write);
+        table.row("+CMSS").setFor(MessageCommands::sendStored);
+        table.row("+CMGC").setFor(MessageCommands::command);
+        table.row("+CMGL")
                 .testWith((client, request) -> request.answer(
                         client.settings().textMode
                                 ? "(\"REC UNREAD\",\"REC READ\",\"STO UNSENT\",\"STO SENT\",\"ALL\")"
@@ -56,38 +46,24 @@ final class MessageCommands {
                 .execute((client, request) ->
                         list(client, request, entry -> entry.status() == SimMemory.Status.RECEIVED_UNREAD))
                 .set((client, request) -> list(client, request, selection(client, request)));
-        table.add("+CMGR", "place", "reads a message; an unread one becomes read")
-                .set(MessageCommands::read);
-        table.add(
-                        "+CMGD",
-                        "place[,0-4]",
-                        "deletes a message; 1 all read ones, 2 also sent ones, 3 also unsent ones, 4 all")
-                .test("(1-" + SimMemory.CAPACITY + "),(0-4)")
-                .set(MessageCommands::delete);
-        table.add(
-                        "+CMGDA",
-                        "1-6 | \"DEL READ\"|...|\"DEL ALL\"",
-                        "deletes read, unread, sent, unsent, received or all messages")
-                .test("(1-6)")
-                .set(MessageCommands::deleteAll);
-        table.add("+CNMA", "[0-2]", "acknowledges a message that was passed directly, after +CSMS=1")
-                .execute(MessageCommands::acknowledge)
-                .set(MessageCommands::acknowledge)
-                .test("(0-2)");
+        table.row("+CMGR").set(MessageCommands::read);
+        table.row("+CMGD").set(MessageCommands::delete);
+        table.row("+CMGDA").set(MessageCommands::deleteAll);
+        table.row("+CNMA").execute(MessageCommands::acknowledge).set(MessageCommands::acknowledge);
     }
 
     // ---- sending ------------------------------------------------------------------------------------------------
 
     private static AtResult send(AtClient client, AtRequest request) throws AtException {
-        return client.settings().textMode ? sendText(client, request) : sendPdu(client, request);
+        return client.settings().textMode ? sendText(client, request) : sendPdu(client, request, false);
     }
 
-    private static AtResult sendPdu(AtClient client, AtRequest request) throws AtException {
+    private static AtResult sendPdu(AtClient client, AtRequest request, boolean isCommand) throws AtException {
         int length = pduLength(request.parameters().refusing(BAD_PDU).atMost(1));
         return request.prompt(false, entered -> {
             PduText pdu =
                     PduText.parse(entered, length, client.modem().messages().serviceCenter());
-            return submit(client, request, pdu, pdu.receiver());
+            return submit(client, request, pdu, isCommand ? pdu.commandReceiver() : pdu.receiver());
         });
     }
 
@@ -99,12 +75,7 @@ final class MessageCommands {
         if (client.settings().textMode) {
             throw AtException.ofMessage(CmsError.OPERATION_NOT_SUPPORTED);
         }
-        int length = pduLength(request.parameters().refusing(BAD_PDU).atMost(1));
-        return request.prompt(false, entered -> {
-            PduText pdu =
-                    PduText.parse(entered, length, client.modem().messages().serviceCenter());
-            return submit(client, request, pdu, pdu.commandReceiver());
-        });
+        return sendPdu(client, request, true);
     }
 
     private static AtResult submit(AtClient client, AtRequest request, PduText pdu, Msisdn to) throws AtException {

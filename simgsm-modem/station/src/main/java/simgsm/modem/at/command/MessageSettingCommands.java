@@ -24,28 +24,22 @@ final class MessageSettingCommands {
     private MessageSettingCommands() {}
 
     static void addTo(AtCommandTable<AtClient> table) {
-        table.add("+CMGF", "0|1", "messages as PDU or as text (PDU)")
+        table.row("+CMGF")
                 .read((client, request) -> request.answer(client.settings().textMode ? 1 : 0))
-                .test("(0,1)")
                 .set((client, request) -> client.settings().textMode = number(request, 1) == 1);
-        table.add("+CSMS", "0|1", "1: messages passed directly are acknowledged with +CNMA (0)")
+        table.row("+CSMS")
                 .read((client, request) -> request.answer(client.settings().acknowledges ? 1 : 0, 1, 1, 1))
-                .test("(0,1)")
                 .set((client, request) -> {
                     client.settings().acknowledges = number(request, 1) == 1;
                     request.answer(1, 1, 1);
                 });
-        table.add("+CPMS", "\"SM\"[,\"SM\"[,\"SM\"]]", "message memory: the SIM, with 50 places")
+        table.row("+CPMS")
                 .read((client, request) -> {
                     String memory = "\"SM\"," + used(client);
                     request.answer(memory, memory, memory);
                 })
-                .test("(\"SM\"),(\"SM\"),(\"SM\")")
                 .set(MessageSettingCommands::memories);
-        table.add(
-                        "+CNMI",
-                        "mode,mt,bm,ds,bfr",
-                        "new messages: mt 1 +CMTI, 2 +CMT, 3 +CMT for class 3; bm 2 +CBM; ds 1 +CDS, 2 +CDSI; mode 0 keeps the codes (0,0,0,0,0)")
+        table.row("+CNMI")
                 .read((client, request) -> {
                     ClientSettings settings = client.settings();
                     request.answer(
@@ -55,9 +49,12 @@ final class MessageSettingCommands {
                             settings.reportMode,
                             settings.bufferMode);
                 })
-                .test("(0-2),(0-3),(0,2),(0-2),(0,1)")
                 .set(MessageSettingCommands::indications);
-        table.add("+CSCA", "\"number\"[,type]", "service centre's number")
+        submissions(table);
+    }
+
+    private static void submissions(AtCommandTable<AtClient> table) {
+        table.row("+CSCA")
                 .read((client, request) -> request.answer(
                         AtRequest.quoted(client.settings()
                                 .characterSet
@@ -67,7 +64,7 @@ final class MessageSettingCommands {
                                         .toString())),
                         AddressType.of(client.modem().messages().serviceCenter().toString())))
                 .set(MessageSettingCommands::serviceCenter);
-        table.add("+CSMP", "fo,vp,pid,dcs", "text mode: first octet, validity, protocol, coding (17,167,0,0)")
+        table.row("+CSMP")
                 .read((client, request) -> {
                     ClientSettings settings = client.settings();
                     request.answer(
@@ -77,13 +74,11 @@ final class MessageSettingCommands {
                             settings.submitCoding);
                 })
                 .set(MessageSettingCommands::submitParameters);
-        table.add("+CSDH", "0|1", "text mode: shows all header fields (0)")
+        table.row("+CSDH")
                 .read((client, request) -> request.answer(client.settings().showsHeader ? 1 : 0))
-                .test("(0,1)")
                 .set((client, request) -> client.settings().showsHeader = number(request, 1) == 1);
-        table.add("+CSCB", "0,\"channels\"", "broadcast channels that +CBM reports, as 50,919,4370-4399 (all)")
+        table.row("+CSCB")
                 .read((client, request) -> request.answer(0, AtRequest.quoted("" + client.settings().channels), "\"\""))
-                .test("(0,1)")
                 .set(MessageSettingCommands::channels);
     }
 

@@ -3,14 +3,11 @@ package simgsm.modem.at.command;
 import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Queue;
-import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.Modem;
-import simgsm.octets.OctetString;
 import simgsm.sim.SimPhoneBook;
-import simgsm.station.StationSnapshot;
+import simgsm.station.MobileStation;
 import simgsm.station.context.StationEvent;
-import simgsm.station.context.StationIdentity;
 
 /**
  * M2 as a modem for AT commands, beside the robot that it serves. Keys are signalled, as by real modems: the network makes
@@ -41,13 +38,8 @@ public final class ModemTerminal implements AtTerminal {
     }
 
     @Override
-    public StationIdentity identity() {
-        return modem.station().identity();
-    }
-
-    @Override
-    public StationSnapshot snapshot() {
-        return modem.snapshot();
+    public MobileStation station() {
+        return modem.station();
     }
 
     @Override
@@ -56,23 +48,8 @@ public final class ModemTerminal implements AtTerminal {
     }
 
     @Override
-    public boolean dial(Msisdn number) {
-        return modem.station().dial(number);
-    }
-
-    @Override
     public boolean answer() {
         return modem.answer();
-    }
-
-    @Override
-    public boolean hangUp() {
-        return modem.station().hangUp();
-    }
-
-    @Override
-    public boolean rejectWaiting() {
-        return modem.station().rejectWaiting();
     }
 
     @Override
@@ -93,26 +70,6 @@ public final class ModemTerminal implements AtTerminal {
         } else {
             modem.station().powerOff();
         }
-    }
-
-    @Override
-    public boolean sendUssd(String text) {
-        return modem.station().sendUssd(text);
-    }
-
-    @Override
-    public boolean endUssd() {
-        return modem.station().endUssd();
-    }
-
-    @Override
-    public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
-        return modem.station().submit(tpdu, to, serviceCenter);
-    }
-
-    @Override
-    public void setMemoryAvailable(boolean available) {
-        modem.station().setMemoryAvailable(available);
     }
 
     @Override

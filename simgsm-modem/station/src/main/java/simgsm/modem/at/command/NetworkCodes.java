@@ -38,7 +38,7 @@ final class NetworkCodes {
     }
 
     private StationSnapshot station() {
-        return modem.terminal().snapshot();
+        return modem.terminal().station().snapshot();
     }
 
     /** Registers, or detaches. @param function what +CFUN tells from now on */
@@ -75,7 +75,7 @@ final class NetworkCodes {
 
     /** The client's mode of +CREG or +CGREG. */
     int mode(AtClient client, String command) {
-        return Integer.parseInt(KeptSettings.kept(client, command, "0"));
+        return Integer.parseInt(KeptSettings.kept(client, command));
     }
 
     /** As above; there is no packet service, so +CGREG follows +CREG while the client wants to be attached. */
@@ -84,7 +84,7 @@ final class NetworkCodes {
     }
 
     boolean isAttached(AtClient client) {
-        return registration() == 1 && KeptSettings.kept(client, "+CGATT", "1").equals("1");
+        return registration() == 1 && KeptSettings.kept(client, "+CGATT").equals("1");
     }
 
     /** 0 to 31, -113 dBm and 2 dB a step, or 99. */
@@ -152,7 +152,7 @@ final class NetworkCodes {
 
     private void report(String line) {
         modem.clients().stream()
-                .filter(client -> KeptSettings.kept(client, "+CMER", "").matches("[1-3],0,0,[12].*"))
+                .filter(client -> KeptSettings.kept(client, "+CMER").matches("[1-3],0,0,[12].*"))
                 .forEach(client -> client.report(line));
     }
 }

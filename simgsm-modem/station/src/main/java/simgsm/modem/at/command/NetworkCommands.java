@@ -14,22 +14,12 @@ final class NetworkCommands {
     private NetworkCommands() {}
 
     static void addTo(AtCommandTable<AtClient> table) {
-        KeptSettings.add(
-                        table,
-                        "+CREG",
-                        "(0-2)",
-                        "0",
-                        "registration: 0 off, 1 home, 2 searching, 3 denied; 1: +CREG at each change, 2: with area and cell")
-                .read(NetworkCommands::registration);
-        KeptSettings.add(table, "+CGREG", "(0-2)", "0", "packet registration; as +CREG, though no context is set up")
-                .read(NetworkCommands::registration);
-        KeptSettings.add(table, "+CGATT", "(0,1)", "1", "packet service; accepted, no context is set up")
+        table.row("+CREG").read(NetworkCommands::registration);
+        table.row("+CGREG").read(NetworkCommands::registration);
+        table.row("+CGATT")
                 .read((client, request) ->
                         request.answer(client.modem().network().isAttached(client) ? 1 : 0));
-        table.add(
-                        "+COPS",
-                        "0|2|3[,format]",
-                        "operator: registers, detaches, sets the format (0 long, 1 short, 2 number)")
+        table.row("+COPS")
                 .read(NetworkCommands::operator)
                 .testWith((client, request) -> {
                     NetworkCodes network = client.modem().network();
@@ -39,31 +29,29 @@ final class NetworkCommands {
                             "(2," + name + "," + name + ",\"" + NetworkCodes.operatorCode() + "\"),,(0,2,3),(0-2)");
                 })
                 .set(NetworkCommands::setOperator);
-        table.add("+CSQ", "", "signal, 0 to 31 or 99, and bit error rate")
-                .test("(0-31,99),(99)")
+        table.row("+CSQ")
                 .execute((client, request) ->
                         request.answer(client.modem().network().signal(), 99));
-        table.add("+CIND", "", "indicators: battery, signal, service, message, call, roaming, full memory, call setup")
+        table.row("+CIND")
                 .test(NetworkCodes.INDICATORS)
                 .read((client, request) -> request.answer(client.modem().network().indicators().stream()
                         .map(String::valueOf)
                         .collect(Collectors.joining(","))));
-        KeptSettings.add(
-                table, "+CMER", "(0-3),(0),(0),(0-2),(0,1)", "0,0,0,0,0", "+CIEV at each change of an indicator");
-        table.add("+CFUN", "0|1|4[,0|1]", "1: on, 0 and 4: detached from the network; 1,1: also restores the settings")
+        power(table);
+    }
+
+    private static void power(AtCommandTable<AtClient> table) {
+        table.row("+CFUN")
                 .read((client, request) ->
                         request.answer(client.modem().network().function()))
-                .test("(0,1,4),(0,1)")
                 .set(NetworkCommands::function);
-        table.add("+CBC", "", "battery: 0, 100 %")
-                .test("(0),(100)")
+        table.row("+CBC")
                 .execute((client, request) -> request.answer(client.modem().profile().battery));
-        table.add("+CSPN", "", "name of the service provider")
+        table.row("+CSPN")
                 .read((client, request) ->
                         request.answer(AtRequest.quoted(client.modem().network().operatorName()), 0));
-        table.add("+CPOWD", "0|1", "detaches, as +CFUN=0; 1 answers NORMAL POWER DOWN in place of OK")
-                .setFor(NetworkCommands::powerDown);
-        table.add("+CCLK", "\"yy/MM/dd,hh:mm:ss+zz\"", "clock; zz are quarters of an hour")
+        table.row("+CPOWD").setFor(NetworkCommands::powerDown);
+        table.row("+CCLK")
                 .read((client, request) -> request.answer(AtRequest.quoted(
                         ModemClock.format(client.modem().clock().now()))))
                 .set(NetworkCommands::setClock);
@@ -79,7 +67,7 @@ final class NetworkCommands {
         NetworkCodes network = client.modem().network();
         int format = client.settings().operatorFormat;
         if (network.registration() != 1) {
-            request.answer(client.modem().terminal().snapshot().powered() ? 0 : 2);
+            request.answer(client.modem().terminal().station().snapshot().powered() ? 0 : 2);
         } else {
             String name = format == 2
                     ? NetworkCodes.operatorCode()

@@ -18,27 +18,23 @@ final class PhoneBookCommands {
     private PhoneBookCommands() {}
 
     static void addTo(AtCommandTable<AtClient> table) {
-        table.add(
-                        "+CPBS",
-                        "\"SM\"|\"ON\"|\"LD\"|\"RC\"|\"MC\"",
-                        "phone book: SIM, own number, dialled, received, missed (SM)")
+        table.row("+CPBS")
                 .read((client, request) -> {
                     String book = client.settings().phoneBook;
                     PhoneBooks books = client.modem().books();
                     request.answer(AtRequest.quoted(book), books.entries(book).size(), books.capacity(book));
                 })
-                .test("(\"SM\",\"ON\",\"LD\",\"RC\",\"MC\")")
                 .set(PhoneBookCommands::select);
-        table.add("+CPBR", "place[,last]", "reads entries")
+        table.row("+CPBR")
                 .testWith((client, request) -> request.answer(
                         "(1-" + client.modem().books().capacity(client.settings().phoneBook) + ")",
                         SimPhoneBook.MOST_DIGITS,
                         SimPhoneBook.MOST_LETTERS))
                 .set(PhoneBookCommands::read);
-        table.add("+CPBF", "\"text\"", "finds entries whose name begins so")
+        table.row("+CPBF")
                 .testWith((client, request) -> request.answer(SimPhoneBook.MOST_DIGITS, SimPhoneBook.MOST_LETTERS))
                 .set(PhoneBookCommands::find);
-        table.add("+CPBW", "[place][,\"number\"[,type[,\"name\"]]]", "writes an entry, or erases it")
+        table.row("+CPBW")
                 .test("(1-" + SimPhoneBook.CAPACITY + ")," + SimPhoneBook.MOST_DIGITS + ",(129,145),"
                         + SimPhoneBook.MOST_LETTERS)
                 .set(PhoneBookCommands::write);

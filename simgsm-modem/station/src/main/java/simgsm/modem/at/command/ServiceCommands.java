@@ -42,32 +42,17 @@ final class ServiceCommands {
     private ServiceCommands() {}
 
     static void addTo(AtCommandTable<AtClient> table) {
-        table.add(
-                        "+CCFC",
-                        "0-5,0-4[,\"number\"[,type[,class]]]",
-                        "call forwarding: reason (0 all calls, 1 busy, 2 no reply, 3 not reachable, 4 all, 5 all conditions)"
-                                + " and mode (0 deactivates, 1 activates, 2 asks, 3 registers, 4 erases); 2 answers +CCFC: status,class[,number,type]")
-                .test("(0-5)")
-                .setFor(ServiceCommands::forward);
-        table.add(
-                        "+CCWA",
-                        "0|1[,0-2[,class]]",
-                        "+CCWA with the number of a waiting caller (0); mode 0 deactivates call waiting, 1 activates it, 2 asks the network")
+        table.row("+CCFC").setFor(ServiceCommands::forward);
+        table.row("+CCWA")
                 .read((client, request) -> request.answer(client.settings().showsWaiting ? 1 : 0))
-                .test("(0,1)")
                 .setFor(ServiceCommands::callWaiting);
-        KeptSettings.add(
-                        table,
-                        "+CLIR",
-                        "(0,2)",
-                        "0",
-                        "one's own number is shown; the network hides none, so that 1 is refused")
-                .read((client, request) -> request.answer(KeptSettings.kept(client, "+CLIR", "0"), 0))
+        table.row("+CLIR")
+                .read((client, request) -> request.answer(KeptSettings.kept(client, "+CLIR"), 0))
                 .set((client, request) -> {
                     if (request.parameters().number(0, 0, 2) == INVOKED) {
                         throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
                     }
-                    KeptSettings.keep(client, request, "(0,2)", "0");
+                    KeptSettings.keep(client, request);
                 });
     }
 

@@ -14,38 +14,33 @@ final class SimCommands {
     private SimCommands() {}
 
     static void addTo(AtCommandTable<AtClient> table) {
-        table.add("+CPIN", "\"PIN\"", "SIM: READY, without a PIN")
+        table.row("+CPIN")
                 .read((client, request) -> request.answer("READY"))
                 .setFor((client, request) -> new AtResult.EquipmentError(CmeError.OPERATION_NOT_ALLOWED));
-        table.add("+CIMI", "", "IMSI")
-                .execute((client, request) ->
-                        request.line(client.modem().terminal().identity().imsi().digits()));
-        table.add("+CNUM", "", "own number").execute((client, request) -> {
-            String number = client.modem().terminal().identity().number().toString();
+        table.row("+CIMI")
+                .execute((client, request) -> request.line(
+                        client.modem().terminal().station().identity().imsi().digits()));
+        table.row("+CNUM").execute((client, request) -> {
+            String number =
+                    client.modem().terminal().station().identity().number().toString();
             request.answer("\"\"", AtRequest.quoted(number), AddressType.of(number));
         });
-        table.add("+CCID", "", "number of the SIM")
+        table.row("+CCID")
                 .execute((client, request) -> request.line(
                         client.modem().profile().cardNumber(files(client).iccid())));
-        table.add("+SPIC", "", "tries that are left for PIN, PUK, PIN2, PUK2")
-                .execute((client, request) -> request.answer(3, 10, 3, 10));
-        table.add("+CPINR", "", "the same by name").execute((client, request) -> {
+        table.row("+SPIC").execute((client, request) -> request.answer(3, 10, 3, 10));
+        table.row("+CPINR").execute((client, request) -> {
             request.answer("SIM PIN", 3, 3);
             request.answer("SIM PUK", 10, 10);
         });
-        table.add("+CLCK", "\"SC\",2", "locks: asks whether the SIM has a PIN")
-                .test("(\"SC\")")
-                .set(SimCommands::lock);
-        table.add(
-                        "+CRSM",
-                        "command,file[,P1,P2,P3]",
-                        "reads files of the SIM: ICCID, IMSI, AD, SPN, ECC, MSISDN, SMSP, LOCI and others")
-                .set(SimCommands::restrictedAccess);
+        table.row("+CLCK").set(SimCommands::lock);
+        table.row("+CRSM").set(SimCommands::restrictedAccess);
     }
 
     private static SimFiles files(AtClient client) {
         return new SimFiles(
-                client.modem().terminal().identity(), client.modem().network().operatorName());
+                client.modem().terminal().station().identity(),
+                client.modem().network().operatorName());
     }
 
     private static void lock(AtClient client, AtRequest request) throws AtException {

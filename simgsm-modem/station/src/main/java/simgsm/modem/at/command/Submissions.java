@@ -34,12 +34,12 @@ final class Submissions {
      */
     AtResult submit(AtRequest request, OctetString tpdu, Msisdn to, Msisdn serviceCenter, IntConsumer acknowledged)
             throws AtException {
-        if (!terminal.snapshot().registered()) {
+        if (!terminal.station().snapshot().registered()) {
             throw AtException.ofMessage(CmsError.NO_NETWORK_SERVICE);
         }
         early.clear();
         isSubmitting = true;
-        int id = terminal.submit(tpdu, to, serviceCenter);
+        int id = terminal.station().submit(tpdu, to, serviceCenter);
         isSubmitting = false;
         waiting.put(id, new Submitted(request, acknowledged));
         early.stream().filter(event -> event.id() == id).toList().forEach(this::accept);

@@ -36,7 +36,10 @@ final class UssdCodes {
         if (text.equals(ServiceCode.IMEI)) {
             if (isDialled || client.settings().ussdMode == 1) {
                 client.report("+CUSD: "
-                        + text(client, OVER, modem.terminal().identity().imei().digits()));
+                        + text(
+                                client,
+                                OVER,
+                                modem.terminal().station().identity().imei().digits()));
             }
             return;
         }

@@ -1,0 +1,41 @@
+package simgsm.modem.client;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.function.Consumer;
+import simgsm.modem.ModemEvent;
+import simgsm.modem.ModemState;
+import simgsm.station.context.StationEvent;
+
+/** The state of an attached modem; each change is logged and reported, a new text alone is only kept. */
+final class ReportedState {
+    private static final Logger LOG = System.getLogger(ReportedState.class.getName());
+    private static final ModemEvent.StateChanged NOT_ASKED =
+            new ModemEvent.StateChanged(ModemState.SILENT, "the line is not open yet");
+
+    private final String modem;
+    private final Consumer<StationEvent> listener;
+    private volatile ModemEvent.StateChanged newest = NOT_ASKED;
+
+    /** @param modem its name in the log */
+    ReportedState(String modem, Consumer<StationEvent> listener) {
+        this.modem = modem;
+        this.listener = listener;
+    }
+
+    /** Callable on any thread. */
+    ModemEvent.StateChanged newest() {
+        return newest;
+    }
+
+    /** @param isLogged whether the log has a warning of the line already */
+    void set(ModemState now, String text, boolean isLogged) {
+        boolean isNews = newest == NOT_ASKED || newest.state() != now;
+        newest = new ModemEvent.StateChanged(now, text);
+        if (isNews) {
+            Level level = isLogged || now == ModemState.READY ? Level.INFO : Level.WARNING;
+            LOG.log(level, modem + ": " + now.word() + ", " + text);
+            listener.accept(newest);
+        }
+    }
+}
