@@ -22,8 +22,7 @@ public final class AtCommands {
     private AtCommands() {}
 
     private static AtCommandTable<AtClient> rows() {
-        try (Scanner text =
-                new Scanner(AtCommands.class.getResourceAsStream("commands.txt"), StandardCharsets.UTF_8)) {
+        try (Scanner text = new Scanner(AtCommands.class.getResourceAsStream("commands.txt"), StandardCharsets.UTF_8)) {
             return new AtCommandTable<>(text.useDelimiter("\n\n").tokens());
         }
     }
