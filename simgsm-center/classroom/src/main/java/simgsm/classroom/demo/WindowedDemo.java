@@ -1,5 +1,7 @@
 package simgsm.classroom.demo;
 
+import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
@@ -52,25 +54,7 @@ public final class WindowedDemo {
                     opened.thenAccept(ProgramWindow::close);
                 }
             });
-            session.start(
-                    "phone",
-                    "simgsm-phone",
-                    Session.PHONE_NUMBER,
-                    layout.options(layout.phone(), "--console", "--remember-as", PHONE));
-            // On one machine each tone is heard once, from the phone.
-            session.start(
-                    "robot",
-                    "simrobot",
-                    Session.ROBOT_NUMBER,
-                    layout.options(
-                            layout.robot(),
-                            "--no-sound",
-                            "--unfocused",
-                            "--console",
-                            "--world",
-                            HeadlessDemo.WORLD,
-                            "--remember-as",
-                            ROBOT));
+            start(session, layout);
             // The phone has the keyboard: the user dials first.
             ProgramWindow window = layout.centerWindow(arguments.with("unfocused", ""));
             opened.complete(window);
@@ -78,6 +62,22 @@ public final class WindowedDemo {
                             session.center(), arguments, settings, session.children(), window, CenterWindow.Watch.NONE)
                     .or(() -> Optional.ofNullable(lesson.get()));
         }
+    }
+
+    /** Starts phone and robot; on one machine each tone is heard once, from the phone. */
+    private static void start(Session session, DemoLayout layout) throws IOException {
+        List<String> phone = layout.options(layout.phone(), "--console", "--remember-as", PHONE);
+        session.start("phone", "simgsm-phone", Session.PHONE_NUMBER, phone);
+        List<String> robot = layout.options(
+                layout.robot(),
+                "--no-sound",
+                "--unfocused",
+                "--console",
+                "--world",
+                HeadlessDemo.WORLD,
+                "--remember-as",
+                ROBOT);
+        session.start("robot", "simrobot", Session.ROBOT_NUMBER, robot);
     }
 
     private static Session result(FutureTask<Session> opening) throws Exception {

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import simgsm.classroom.session.Session;
 import simgsm.classroom.session.SessionFailure;
@@ -33,6 +32,9 @@ public final class LessonCheck {
     private static final long SETTLE_MILLIS = 250;
 
     private static final String UNSEEN_SPEED = "25";
+
+    /** A lesson and its texts in the user's language. */
+    record Named(Lesson lesson, LessonTexts texts) {}
 
     private LessonCheck() {}
 
@@ -76,8 +78,8 @@ public final class LessonCheck {
     public static int run(Arguments arguments)
             throws UsageException, IOException, LessonException, InterruptedException {
         LessonLibrary library = LessonLibrary.of(arguments);
-        Lesson lesson = lesson(library, arguments);
-        LessonTexts texts = texts(library, lesson, arguments.language());
+        Named named = named(library, arguments);
+        Lesson lesson = named.lesson();
         Solution solution =
                 Solution.of(library, lesson.name(), arguments.text("check").orElseThrow());
         Optional<Path> result = arguments.path("result");
@@ -85,13 +87,13 @@ public final class LessonCheck {
             FileErrors.requireWritable(result.get());
         }
         LessonRun run = new LessonRun(lesson, seed(arguments), new LessonFigures());
-        try (Session network = LessonSession.open(lesson, arguments)) {
+        try (Session network = LessonNetwork.open(lesson, arguments)) {
             LessonSession session = new LessonSession(
                     run, network, library.folder(lesson.name()), LessonCheck::options, arguments.language());
             network.center().publishSnapshots(session.trace());
             network.center().start(session.centerEvents());
             play(session, solution);
-            String score = session.ofRun(each -> score(each, texts));
+            String score = session.ofRun(each -> score(each, named.texts()));
             Program.standardOutput().print(score);
             Program.standardOutput().flush();
             if (result.isPresent()) {
@@ -109,17 +111,11 @@ public final class LessonCheck {
                 : List.of("--headless", "--no-sound");
     }
 
-    static Lesson lesson(LessonLibrary library, Arguments arguments) throws UsageException {
+    /** The lesson that {@code --lesson} names, with its texts. */
+    static Named named(LessonLibrary library, Arguments arguments) throws UsageException {
         try {
-            return read(library, arguments.text("lesson").orElseThrow());
-        } catch (LessonException e) {
-            throw new UsageException("--lesson: " + e.getMessage());
-        }
-    }
-
-    static LessonTexts texts(LessonLibrary library, Lesson lesson, Locale language) throws UsageException {
-        try {
-            return library.texts(lesson, language);
+            Lesson lesson = read(library, arguments.text("lesson").orElseThrow());
+            return new Named(lesson, library.texts(lesson, arguments.language()));
         } catch (LessonException e) {
             throw new UsageException("--lesson: " + e.getMessage());
         }

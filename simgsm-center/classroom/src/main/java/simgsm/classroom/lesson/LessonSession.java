@@ -1,39 +1,28 @@
 package simgsm.classroom.lesson;
 
 import java.io.IOException;
-import java.io.OutputStream;
-import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import simgsm.air.Msisdn;
-import simgsm.center.app.CenterSettings;
-import simgsm.center.app.NewSims;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.classroom.session.Consoles;
 import simgsm.classroom.session.Session;
 import simgsm.classroom.session.SessionFailure;
 import simgsm.classroom.ui.ClassroomTexts;
-import simgsm.console.Arguments;
 import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 import simgsm.console.TextBundle;
-import simgsm.console.UsageException;
-import simgsm.lesson.Lesson;
 import simgsm.lesson.LessonAction;
 import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonRun;
@@ -45,25 +34,6 @@ import simgsm.lesson.LessonRun;
 final class LessonSession implements Consoles.Listener {
     /** Starting Java programs on a slow machine. */
     private static final double START_SECONDS = 60;
-
-    /** In the lesson's folder. */
-    private static final String CAPTURE = "lesson.pcap";
-
-    /** Options of the user's own network, which a lesson does not have; the seed is that of the student's numbers. */
-    private static final String[] OWN = {
-        "seed",
-        "data",
-        "hlr",
-        "barred-imeis",
-        "smpp",
-        "http",
-        "cdr",
-        "capture",
-        "call-waiting",
-        "tones",
-        "t303",
-        "handover"
-    };
 
     /** Told what a student has to know; called by the threads of the programs' consoles. */
     interface Watcher {
@@ -116,39 +86,6 @@ final class LessonSession implements Consoles.Listener {
         tools = new LessonTools(session.children(), session.folder());
         run.put("folder", session.folder().toString());
         own.ifPresent(place -> run.put("lesson", place.toAbsolutePath().toString()));
-    }
-
-    /** Opens the network of a lesson, closed or with a capture as the lesson asks; nothing is started. */
-    static Session open(Lesson lesson, Arguments arguments) throws IOException, UsageException {
-        Arguments own = arguments.without(OWN);
-        return Session.open(own, folder -> settings(lesson, own, folder));
-    }
-
-    /** @throws UsageException naming the lesson where an option of its centre is wrong */
-    private static CenterSettings settings(Lesson lesson, Arguments arguments, Path folder)
-            throws IOException, UsageException {
-        Arguments own = arguments;
-        for (Map.Entry<String, String> option : lesson.center().entrySet()) {
-            own = own.with(option.getKey(), option.getValue());
-        }
-        if (!lesson.closed().isEmpty()) {
-            Path list = folder.resolve("class.hlr");
-            Set<Msisdn> numbers = new LinkedHashSet<>();
-            lesson.closed().forEach(number -> numbers.add(new Msisdn(number)));
-            PrintStream nowhere = new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
-            NewSims.make(list, numbers, nowhere);
-            own = own.with("hlr", list.toString());
-        }
-        if (lesson.isCaptured()) {
-            own = own.with("capture", folder.resolve(CAPTURE).toString());
-        }
-        try {
-            return CenterSettings.read(own);
-        } catch (UsageException e) {
-            boolean isLessons = lesson.center().keySet().stream()
-                    .anyMatch(option -> e.getMessage().startsWith("--" + option + ":"));
-            throw isLessons ? new UsageException(lesson.name() + ": centre " + e.getMessage()) : e;
-        }
     }
 
     @Override
@@ -297,7 +234,7 @@ final class LessonSession implements Consoles.Listener {
     private void capture() throws SessionFailure, IOException {
         consoles.add(
                 "tool",
-                CapturedMessage.setup(session.folder().resolve(CAPTURE))
+                CapturedMessage.setup(session.folder().resolve(LessonNetwork.CAPTURE))
                         .orElseThrow(() -> new SessionFailure(words.of("lesson.capture.none"))));
     }
 

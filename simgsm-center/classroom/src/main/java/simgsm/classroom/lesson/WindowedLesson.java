@@ -97,8 +97,8 @@ public final class WindowedLesson implements LessonActs, LessonSession.Watcher {
                 : ThreadLocalRandom.current().nextInt(MOST_RANDOM_SEED);
         Arguments arguments = given.with("seed", Long.toString(seed));
         LessonLibrary library = LessonLibrary.of(arguments);
-        Lesson lesson = LessonCheck.lesson(library, arguments);
-        LessonTexts texts = LessonCheck.texts(library, lesson, arguments.language());
+        LessonCheck.Named named = LessonCheck.named(library, arguments);
+        Lesson lesson = named.lesson();
         ProgramWindow.of(arguments, Optional.empty()); // ends here without a display
         WindowPlace screen = Display.usableArea();
         WindowPlace place = place(
@@ -111,14 +111,15 @@ public final class WindowedLesson implements LessonActs, LessonSession.Watcher {
         ProgramWindow window = ProgramWindow.of(
                 arguments.with("zoom", String.valueOf(layout.zoomPercent())), Optional.of(layout.center()));
         LessonRun run = new LessonRun(lesson, seed, new LessonFigures());
-        try (Session network = LessonSession.open(lesson, arguments)) {
+        try (Session network = LessonNetwork.open(lesson, arguments)) {
             LessonSession session = new LessonSession(
                     run,
                     network,
                     library.folder(lesson.name()),
                     program -> options(program, lesson, layout, screen),
                     arguments.language());
-            WindowedLesson opened = new WindowedLesson(library, texts, arguments.language(), run, session, window);
+            WindowedLesson opened =
+                    new WindowedLesson(library, named.texts(), arguments.language(), run, session, window);
             CenterWindow.Watch watch = new CenterWindow.Watch(
                     session.centerEvents(), session.trace(), () -> opened.open(place), language -> {}, true, Set.of());
             Optional<String> chosen = CenterWindow.run(

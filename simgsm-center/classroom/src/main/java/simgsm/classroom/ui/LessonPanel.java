@@ -42,7 +42,6 @@ import simgsm.ui.pane.WrappedColumn;
  * question when all steps are done. Needs no display.
  */
 public final class LessonPanel extends JPanel {
-    private static final int GAP = Theme.GRID;
     private static final int NOTICES_UNITS = 96;
 
     private final Lesson lesson;
@@ -98,14 +97,9 @@ public final class LessonPanel extends JPanel {
         notice.setVisible(false);
         work = work();
         work.setVisible(false);
-        JPanel column = Arrange.column(GAP, heading(), task, prediction(), work, Arrange.spring());
+        JPanel column = Arrange.column(Theme.GRID, heading(), task, prediction(), work, Arrange.spring());
         column.setBorder(Theme.padding(12));
-        JScrollPane scroll = new JScrollPane(new WrappedColumn(column));
-        scroll.setBorder(null);
-        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        // A disappearing scroll bar would re-wrap the text.
-        scroll.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
-        add(scroll, BorderLayout.CENTER);
+        add(scrolled(column), BorderLayout.CENTER);
         add(notices(), BorderLayout.SOUTH);
         setBackground(Theme.color(Ink.SURFACE));
         setFocusTraversalPolicyProvider(true);
@@ -119,6 +113,15 @@ public final class LessonPanel extends JPanel {
             setComparator(isText.thenComparing(
                     each -> ComponentNames.all(LessonPanel.this).toList().indexOf(each)));
         }
+    }
+
+    private static JScrollPane scrolled(JPanel column) {
+        JScrollPane scroll = new JScrollPane(new WrappedColumn(column));
+        scroll.setBorder(null);
+        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        // A disappearing scroll bar would re-wrap the text.
+        scroll.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
+        return scroll;
     }
 
     /** Notice and term have a place of one height, always in view, so that neither moves a button. */
@@ -247,7 +250,7 @@ public final class LessonPanel extends JPanel {
                 Theme.HALF,
                 Arrange.growing(student),
                 ComponentNames.name(new JButton(save), "lesson.save", words.of("lesson.save"))));
-        return Arrange.column(GAP, parts.toArray(Component[]::new));
+        return Arrange.column(Theme.GRID, parts.toArray(Component[]::new));
     }
 
     /** Adds the actions that follow the steps added so far. */
