@@ -41,6 +41,8 @@ import org.jsmpp.session.SMPPSession;
 import org.jsmpp.session.Session;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** SMPP applications that were written elsewhere drive the robot: smpplib, node-smpp, jSMPP and Kannel. */
 @Tag("peer")
@@ -81,10 +83,17 @@ class SmppPeersTest {
         }
     }
 
-    @Test
-    void jsmppDrivesTheRobot() throws Exception {
+    /** @param isStopped whether the centre is stopped for 1.5 s as the application begins */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void jsmppDrivesTheRobot(boolean isStopped) throws Exception {
         try (Scenario scenario = new Scenario("jSMPP drives the robot")) {
-            RunningProgram robot = begin(scenario);
+            RunningProgram center = scenario.center("--smpp", "0");
+            RunningProgram robot = scenario.robot("empty.map", "--speed", "20");
+            int port = scenario.smppPort();
+            if (isStopped) {
+                StoppedServerTest.stop(center);
+            }
             BlockingQueue<String> receipts = new LinkedBlockingQueue<>();
             BlockingQueue<String> replies = new LinkedBlockingQueue<>();
             SMPPSession session = new SMPPSession();
@@ -104,7 +113,7 @@ class SmppPeersTest {
                     return null;
                 }
             });
-            session.connectAndBind("127.0.0.1", scenario.smppPort(), binding());
+            session.connectAndBind("127.0.0.1", port, binding());
             String id = session.submitShortMessage(
                             "",
                             TypeOfNumber.INTERNATIONAL,
@@ -148,8 +157,10 @@ class SmppPeersTest {
         return text;
     }
 
-    @Test
-    void kannelDrivesTheRobot() throws Exception {
+    /** @param isStopped likewise */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void kannelDrivesTheRobot(boolean isStopped) throws Exception {
         Peer.BEARERBOX.require();
         Peer.SMSBOX.require();
         BlockingQueue<String> replies = new LinkedBlockingQueue<>();
@@ -161,7 +172,8 @@ class SmppPeersTest {
         });
         receiver.start();
         try (Scenario scenario = new Scenario("Kannel drives the robot")) {
-            RunningProgram robot = begin(scenario);
+            RunningProgram center = scenario.center("--smpp", "0");
+            RunningProgram robot = scenario.robot("empty.map", "--speed", "20");
             int statusPort = freePort();
             int sendPort = freePort();
             Path file = Files.writeString(
@@ -171,6 +183,9 @@ class SmppPeersTest {
                             statusPort,
                             sendPort,
                             receiver.getAddress().getPort()));
+            if (isStopped) {
+                StoppedServerTest.stop(center);
+            }
             Process bearerbox = start(scenario, Peer.BEARERBOX, file);
             awaitAnswer(bearerbox, statusPort, "/status.txt?password=test");
             Process smsbox = start(scenario, Peer.SMSBOX, file);

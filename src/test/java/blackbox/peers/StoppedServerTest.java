@@ -7,11 +7,13 @@ import blackbox.Scenario;
 import java.io.IOException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Clients from elsewhere begin while the server is stopped for 1.5 s, as on a busy machine, and are served afterwards. */
 @Tag("peer")
 class StoppedServerTest {
-    private static void stop(RunningProgram server) throws IOException, InterruptedException {
+    static void stop(RunningProgram server) throws IOException, InterruptedException {
         new ProcessBuilder("kill", "-STOP", String.valueOf(server.pid()))
                 .start()
                 .waitFor();
@@ -37,16 +39,24 @@ class StoppedServerTest {
         }
     }
 
-    @Test
-    void socatSendsAnAtCommand() throws Exception {
+    @ParameterizedTest
+    @CsvSource({
+        "socat, printf 'AT\\r' | socat -t 20 - TCP:127.0.0.1:PORT",
+        "gammu, 'socat PTY,link=tty,raw,echo=0,wait-slave TCP:127.0.0.1:PORT & "
+                + "until [ -e tty ]; do sleep 0.1; done; printf \"[gammu]\\ndevice = tty\\nconnection = at115200\\n\" > rc; "
+                + "gammu -c rc identify && echo OK'",
+    })
+    void aClientOfTheAtPortIsAnswered(String client, String script) throws Exception {
         Peer.SOCAT.require();
-        try (Scenario scenario = new Scenario("socat meets a stopped SimRobot")) {
+        Peer.require(Peer.BASH.run("-c", "command -v " + client).status() == 0, client);
+        try (Scenario scenario = new Scenario(client + " meets a stopped SimRobot")) {
             RunningProgram robot =
                     scenario.start("robot", "simrobot", "--headless", "--center", "127.0.0.1:1", "--at", "0");
             String port = robot.expect("ready").field("at");
             stop(robot);
-            String printed = Peer.BASH
-                    .run("-c", "printf 'AT\\r' | socat -t 20 - TCP:127.0.0.1:" + port)
+            String printed = Peer.run(Peer.BASH
+                            .process("-c", script.replace("PORT", port))
+                            .directory(scenario.folder().toFile()))
                     .expectSuccess();
             assertTrue(printed.contains("OK"), printed);
         }

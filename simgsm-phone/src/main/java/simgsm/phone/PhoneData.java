@@ -43,15 +43,17 @@ final class PhoneData implements AutoCloseable {
 
     /** @throws IOException naming a file that is there and cannot be read */
     Map<String, String> read() throws IOException {
+        Properties properties = new Properties();
         if (!Files.exists(file)) {
+            lock.hold(file);
             return Map.of();
         }
-        Properties properties = new Properties();
         try (Reader in = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
             properties.load(in);
         } catch (IllegalArgumentException | CharacterCodingException e) {
             throw new IOException(file + ": expected properties in UTF-8, " + e.getMessage(), e);
         }
+        lock.hold(file);
         Map<String, String> texts = new TreeMap<>();
         properties.forEach((key, text) -> texts.put((String) key, (String) text));
         known = texts;
@@ -74,6 +76,7 @@ final class PhoneData implements AutoCloseable {
             ByteArrayOutputStream octets = new ByteArrayOutputStream();
             properties.store(octets, null);
             FileReplacement.writePrivately(file, octets.toByteArray());
+            lock.hold(file);
             known = Map.copyOf(texts);
         } catch (IOException e) {
             unwritten = Map.copyOf(texts);

@@ -12,6 +12,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.phone.handset.Bench;
@@ -52,6 +54,22 @@ class PhoneDataTest {
             assertEquals(List.of(), after.handset.restore(data.read()));
         }
         return after;
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aSecondPhoneIsRefusedAlthoughTheLockFileIsDeleted(boolean isWritten) throws IOException {
+        try (PhoneData data = PhoneData.take(folder, OWN)) {
+            data.read();
+            if (isWritten) {
+                data.write(used().handset.texts());
+            }
+            Files.delete(folder.resolve("phone-5550100.lock"));
+            try (PhoneData second = PhoneData.take(folder, OWN)) {
+                IOException refused = assertThrows(IOException.class, second::read);
+                assertTrue(refused.getMessage().startsWith("another phone 5550100 holds"), refused.getMessage());
+            }
+        }
     }
 
     @Test

@@ -2,7 +2,6 @@ package simgsm.console;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -11,14 +10,19 @@ import simgsm.file.PrivateFiles;
 
 /** A data directory, or a part of it, that one process at a time owns, by a file lock that ends with the process. */
 public final class FolderLock implements AutoCloseable {
-    private final Path folder;
-    private final FileChannel channel;
-    private final FileLock lock;
+    /** One octet behind any content: a lock on the content would keep this process from reading it on Windows. */
+    private static final long LOCKED_OCTET = Long.MAX_VALUE - 1;
 
-    private FolderLock(Path folder, FileChannel channel, FileLock lock) {
+    private final Path folder;
+    private final String holder;
+    private final FileChannel lockFile;
+    /** Null until a data file is held. */
+    private FileChannel dataFile;
+
+    private FolderLock(Path folder, String holder, FileChannel lockFile) {
         this.folder = folder;
-        this.channel = channel;
-        this.lock = lock;
+        this.holder = holder;
+        this.lockFile = lockFile;
     }
 
     /**
@@ -35,32 +39,43 @@ public final class FolderLock implements AutoCloseable {
         } catch (IOException e) {
             throw new IOException("cannot make the data directory " + FileErrors.describe(e), e);
         }
-        Path lockFile = path.resolve(file);
-        try {
-            return FileErrors.naming(lockFile, () -> lock(path, lockFile));
-        } catch (OverlappingFileLockException e) {
-            throw new IOException(
-                    holder + " holds the data directory " + path + "; expected another one by --data DIR", e);
-        } catch (IOException e) {
-            throw new IOException("cannot lock the data directory: " + FileErrors.describe(e), e);
-        }
+        return new FolderLock(path, holder, lock(path, path.resolve(file), holder));
     }
 
-    /** @throws OverlappingFileLockException if another process, or this one, holds the lock */
-    private static FolderLock lock(Path path, Path lockFile) throws IOException {
-        FileChannel channel = PrivateFiles.open(lockFile, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
-        FileLock lock = null;
+    /**
+     * Locks a data file, which is created if it is missing, in place of the one before: so the lock holds although its own
+     * file is deleted. To be called when the file has been read or replaced, for to close a file ends its locks.
+     *
+     * @throws IOException naming the directory if another process holds the file
+     */
+    public void hold(Path file) throws IOException {
+        if (dataFile != null) {
+            dataFile.close();
+        }
+        dataFile = lock(folder, file, holder);
+    }
+
+    private static FileChannel lock(Path folder, Path file, String holder) throws IOException {
+        FileChannel channel = null;
+        boolean isLocked = false;
         try {
-            lock = channel.tryLock();
+            channel = FileErrors.naming(
+                    file, () -> PrivateFiles.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE));
+            isLocked = channel.tryLock(LOCKED_OCTET, 1, false) != null;
+        } catch (OverlappingFileLockException e) {
+            // held by this process
+        } catch (IOException e) {
+            throw new IOException("cannot lock the data directory: " + FileErrors.describe(e), e);
         } finally {
-            if (lock == null) {
+            if (channel != null && !isLocked) {
                 channel.close();
             }
         }
-        if (lock == null) {
-            throw new OverlappingFileLockException();
+        if (!isLocked) {
+            throw new IOException(
+                    holder + " holds the data directory " + folder + "; expected another one by --data DIR");
         }
-        return new FolderLock(path, channel, lock);
+        return channel;
     }
 
     /** Absolute. */
@@ -72,8 +87,10 @@ public final class FolderLock implements AutoCloseable {
     @Override
     public void close() {
         try {
-            lock.release();
-            channel.close();
+            lockFile.close();
+            if (dataFile != null) {
+                dataFile.close();
+            }
         } catch (IOException e) {
             // The process is ending, and the lock with it.
         }
