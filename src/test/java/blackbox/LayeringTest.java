@@ -8,6 +8,8 @@ import com.tngtech.archunit.core.domain.Dependency;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.lang.syntax.elements.GivenClassesConjunction;
 import java.lang.module.ModuleDescriptor;
+import java.lang.module.ModuleDescriptor.Requires;
+import java.lang.module.ModuleFinder;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -256,6 +258,21 @@ class LayeringTest {
         return used.getPackageName().startsWith("javax.swing")
                 || used.getPackageName().equals("java.awt")
                 || used.getPackageName().startsWith("java.awt.");
+    }
+
+    @Test
+    void modulesRequireOneAnotherAndTheJdkAlone() {
+        Set<String> known = MainCode.descriptors().stream()
+                .map(ModuleDescriptor::name)
+                .collect(Collectors.toCollection(TreeSet::new));
+        ModuleFinder.ofSystem()
+                .findAll()
+                .forEach(module -> known.add(module.descriptor().name()));
+        MainCode.descriptors()
+                .forEach(module -> assertEquals(
+                        Set.of(),
+                        minus(module.requires().stream().map(Requires::name).collect(Collectors.toSet()), known),
+                        module.name()));
     }
 
     @Test

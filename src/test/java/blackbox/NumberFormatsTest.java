@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 /** In some of the system's languages the default locale has other digits, or a comma for the decimal point. */
 class NumberFormatsTest {
-    private static final String LITERAL = "(\"(?:[^\"\\\\\n]|\\\\.)*\")";
+    private static final String LITERAL = "(\"(?:[^\"\\\\\n]++|\\\\.)*+\")";
     private static final Pattern WITHOUT_LOCALE =
             Pattern.compile("(?:String\\.format|printf)\\(\\s*" + LITERAL + "|" + LITERAL + "\\s*\\.formatted\\(");
     /** Hexadecimal digits and texts are the same in every locale. */

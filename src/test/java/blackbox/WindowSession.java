@@ -88,9 +88,11 @@ final class WindowSession {
         Frame robot = frame("SimRobot");
         Frame phone = frame("Sim Cellular");
         System.out.println("three windows: " + center.getTitle() + ", " + robot.getTitle() + ", " + phone.getTitle());
+        // A window shows before it has its content.
         await(
                 "both registered",
-                () -> name(phone, "lamp.link").contains("in service")
+                () -> onEventThread(() -> search(phone, "lamp.link") != null && search(robot, "lamp.link") != null)
+                        && name(phone, "lamp.link").contains("in service")
                         && name(robot, "lamp.link").contains("in service"));
         double before = pose(robot, "pose.x");
 

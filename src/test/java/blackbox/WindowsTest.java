@@ -15,6 +15,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
+import simgsm.console.ProgramFolder;
+import simgsm.console.QuickStart;
 
 /** The three real windows on a display, where there is one (CI has a virtual one). */
 @Isolated("one mouse, one keyboard, one screen")
@@ -36,14 +38,14 @@ class WindowsTest {
                                         .toURI())
                                 .toString()))
                 .collect(Collectors.joining(File.pathSeparator));
-        List<String> command = List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+        List<String> command = ProgramFolder.java(QuickStart.options());
+        command.addAll(List.of(
                 "-cp",
                 classPath,
                 WindowSession.class.getName(),
                 Integer.toString(port),
                 data.resolve("data").toString(),
-                Scenario.world("empty.map").toString());
+                Scenario.world("empty.map").toString()));
         Process process = new ProcessBuilder(command)
                 .directory(Dist.root().toFile())
                 .redirectErrorStream(true)

@@ -46,8 +46,8 @@ public final class ChildPrograms implements AutoCloseable {
      */
     public Process start(String jar, String number, List<String> arguments, ProcessBuilder.Redirect output)
             throws IOException {
-        boolean isHeadless = arguments.contains("--headless");
-        List<String> options = isHeadless ? QuickStart.options() : QuickStart.options(programs, jar);
+        boolean hasWindow = !arguments.contains("--headless");
+        List<String> options = QuickStart.options(programs, jar, hasWindow);
         List<String> command = programs.command(jar, options);
         command.addAll(arguments);
         Process process = new ProcessBuilder(command)
@@ -68,7 +68,7 @@ public final class ChildPrograms implements AutoCloseable {
      * @param folder in which it runs
      */
     public Process startTool(String jar, List<String> arguments, Path folder) throws IOException {
-        return start(programs.command(jar, QuickStart.options()), arguments, folder);
+        return start(programs.command(jar, QuickStart.options(programs, jar, false)), arguments, folder);
     }
 
     /** Starts a Java source file as a program, likewise. */

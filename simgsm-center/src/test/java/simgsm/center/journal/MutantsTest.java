@@ -5,11 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.spi.ToolProvider;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -19,7 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Known faults, put into the source one at a time: the simulation must break within {@link #MOST_SEEDS} seeds. Each mutant
- * is compiled and run in processes of its own.
+ * runs in a process of its own.
  */
 class MutantsTest {
     private static final int MOST_SEEDS = 400;
@@ -118,8 +121,12 @@ class MutantsTest {
         Path file = directory.resolve(Path.of(mutant.file).getFileName());
         Files.writeString(file, source.replace(mutant.right, mutant.wrong));
         Path classes = Files.createDirectory(directory.resolve("classes"));
-        String compiled = output("javac", "-nowarn", "-d", classes.toString(), "-cp", classPath(), file.toString());
-        assertTrue(compiled.endsWith("exit 0"), compiled);
+        StringWriter compiled = new StringWriter();
+        PrintWriter printed = new PrintWriter(compiled);
+        int status = ToolProvider.findFirst("javac")
+                .orElseThrow()
+                .run(printed, printed, "-nowarn", "-d", classes.toString(), "-cp", classPath(), file.toString());
+        assertEquals(0, status, compiled::toString);
         String run = seeds(classes + File.pathSeparator + classPath(), MOST_SEEDS);
         assertTrue(run.contains(" broke: ") && run.endsWith("exit 1"), run);
     }
@@ -132,7 +139,6 @@ class MutantsTest {
 
     private static String seeds(String classPath, int count) throws Exception {
         return output(
-                "java",
                 "-XX:TieredStopAtLevel=1",
                 "-XX:+UseSerialGC",
                 "-Xmx256m",
@@ -155,9 +161,9 @@ class MutantsTest {
                 .collect(Collectors.joining(File.pathSeparator));
     }
 
-    private static String output(String program, String... arguments) throws IOException, InterruptedException {
+    private static String output(String... arguments) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>();
-        command.add(Path.of(System.getProperty("java.home"), "bin", program).toString());
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(List.of(arguments));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         String text = new String(process.getInputStream().readAllBytes());

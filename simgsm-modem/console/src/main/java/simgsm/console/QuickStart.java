@@ -10,9 +10,9 @@ import java.util.List;
 
 /**
  * Options of the Java machine with which a program starts in less CPU time: only the first compiler, on one thread, the
- * serial collector, and for a window program an archive of its classes. The archive lies beside the jars as {@code PROGRAM-KEY.jsa}; the first
- * run writes it when it ends. The key is made of the Java machine and the jars, so an archive is never used after either has
- * changed. An image made by Java 25 or newer has a cache of linked classes for each window program,
+ * serial collector, and an archive of its classes. The archive is a file beside the jars, {@code PROGRAM-KEY.jsa}; the first
+ * run with a window writes it when it ends. The key is made of the Java machine and the jars, so an archive is never used after
+ * either has changed. An image made by Java 25 or newer has a cache of linked classes for each window program,
  * {@code lib/PROGRAM.aot}; an older one has an archive in the place where the Java machine looks by itself.
  */
 public final class QuickStart {
@@ -37,17 +37,18 @@ public final class QuickStart {
 
     private QuickStart() {}
 
-    /** For a program without a window. */
+    /** For a program that uses no archive. */
     public static List<String> options() {
         return OPTIONS;
     }
 
     /**
-     * For a program with a window.
+     * For a program that uses its archive.
      *
      * @param jar its name in the folder
+     * @param mayWrite whether a program without an archive writes one when it ends
      */
-    public static List<String> options(ProgramFolder programs, String jar) {
+    public static List<String> options(ProgramFolder programs, String jar, boolean mayWrite) {
         String program = jar.substring(0, jar.length() - JAR.length());
         List<String> options = new ArrayList<>(OPTIONS);
         if (programs.isImage()) {
@@ -55,7 +56,7 @@ public final class QuickStart {
             return options;
         }
         try {
-            options.addAll(archive(programs.path(), program));
+            options.addAll(archive(programs.path(), program, mayWrite));
         } catch (IOException e) {
             // It starts without.
         }
@@ -99,12 +100,12 @@ public final class QuickStart {
         return folder.resolve(program + ".conf");
     }
 
-    private static List<String> archive(Path folder, String program) throws IOException {
+    private static List<String> archive(Path folder, String program, boolean mayWrite) throws IOException {
         Path archive = folder.resolve(program + "-" + key(folder) + ARCHIVE);
         if (isComplete(archive)) {
             return List.of("-XX:SharedArchiveFile=" + archive, QUIET);
         }
-        if (!Files.isWritable(folder)) {
+        if (!mayWrite || !Files.isWritable(folder)) {
             return List.of();
         }
         for (Path old : files(folder, ARCHIVE)) {

@@ -35,6 +35,17 @@ class QuickStartTest {
     }
 
     @Test
+    void aProgramWithoutAWindowUsesTheArchiveAndMakesNone() throws IOException {
+        ProgramFolder programs = new ProgramFolder(folder, false);
+        assertEquals(QuickStart.options(), QuickStart.options(programs, "simgsm-phone.jar", false));
+        Files.writeString(archive(MAKE), "archive");
+        assertEquals(
+                QuickStart.options(programs, "simgsm-phone.jar", true),
+                QuickStart.options(programs, "simgsm-phone.jar", false));
+        assertTrue(QuickStart.options(programs, "simgsm-phone.jar", false).contains(USE + archive(USE)));
+    }
+
+    @Test
     void anArchiveIsNotUsedOnceAnyJarHasChanged() throws IOException {
         Path archive = archive(MAKE);
         Files.writeString(archive, "archive");
@@ -59,31 +70,32 @@ class QuickStartTest {
 
     @Test
     void aFolderThatCannotBeReadGivesNoArchive() {
-        List<String> options = QuickStart.options(new ProgramFolder(folder.resolve("none"), false), "simgsm-phone.jar");
+        List<String> options =
+                QuickStart.options(new ProgramFolder(folder.resolve("none"), false), "simgsm-phone.jar", true);
         assertEquals(QuickStart.options(), options);
     }
 
     @Test
     void aRunThatMakesAnArchiveDiffersFromOneThatUsesIt() throws IOException {
         ProgramFolder programs = new ProgramFolder(folder, false);
-        assertTrue(QuickStart.writesAtEnd(QuickStart.options(programs, "simgsm-phone.jar")));
+        assertTrue(QuickStart.writesAtEnd(QuickStart.options(programs, "simgsm-phone.jar", true)));
         Files.writeString(archive(MAKE), "archive");
-        assertFalse(QuickStart.writesAtEnd(QuickStart.options(programs, "simgsm-phone.jar")));
+        assertFalse(QuickStart.writesAtEnd(QuickStart.options(programs, "simgsm-phone.jar", true)));
     }
 
     @Test
     void anImageUsesTheCacheThatItHasAndMakesNone() throws IOException {
         ProgramFolder image = new ProgramFolder(folder, true);
-        assertEquals(QuickStart.options(), QuickStart.options(image, "simgsm-phone.jar"));
+        assertEquals(QuickStart.options(), QuickStart.options(image, "simgsm-phone.jar", true));
         Path cache = QuickStart.cacheOf(folder, "simgsm-phone");
         Files.createDirectories(cache.getParent());
         Files.writeString(cache, "cache");
-        assertTrue(QuickStart.options(image, "simgsm-phone.jar").contains("-XX:AOTCache=" + cache));
-        assertEquals(QuickStart.options(), QuickStart.options(image, "simrobot.jar"));
+        assertTrue(QuickStart.options(image, "simgsm-phone.jar", true).contains("-XX:AOTCache=" + cache));
+        assertEquals(QuickStart.options(), QuickStart.options(image, "simrobot.jar", true));
     }
 
     private Path archive(String option) {
-        return QuickStart.options(new ProgramFolder(folder, false), "simgsm-phone.jar").stream()
+        return QuickStart.options(new ProgramFolder(folder, false), "simgsm-phone.jar", true).stream()
                 .filter(word -> word.startsWith(option))
                 .map(word -> Path.of(word.substring(option.length())))
                 .findFirst()

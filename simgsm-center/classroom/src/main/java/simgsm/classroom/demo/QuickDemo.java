@@ -75,7 +75,7 @@ public final class QuickDemo {
     }
 
     private static int run(ProgramFolder programs, String... words) throws IOException, InterruptedException {
-        List<String> options = new ArrayList<>(QuickStart.options(programs, JAR));
+        List<String> options = new ArrayList<>(QuickStart.options(programs, JAR, true));
         options.add("-D" + SECOND + "=true");
         options.add("-D" + Program.IN_TERMINAL + "=" + (System.console() != null));
         List<String> command = programs.command(JAR, options);
