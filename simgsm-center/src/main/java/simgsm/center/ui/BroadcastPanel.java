@@ -112,16 +112,16 @@ final class BroadcastPanel extends DressedPanel {
             editor.getTextField().setColumns(NUMBER_COLUMNS);
             number.setEditor(editor);
         }
-        name(channelName, "channel.name", "channel.name");
+        name(channelName, "broadcast.channel.name", "window.broadcast.channel.name");
         channel.addChangeListener(event -> nameChannel());
         nameChannel();
-        name(channel, "channel", "channel");
-        name(language, "language", "language.name");
-        name(times, "times", "times.name");
-        name(period, "period", "period.name");
-        name(text, "text", "text");
-        name(pages, "pages", "pages.name");
-        name(result, "result", "result");
+        name(channel, "broadcast.channel", "window.broadcast.channel");
+        name(language, "broadcast.language", "window.broadcast.language.name");
+        name(times, "broadcast.times", "window.broadcast.times.name");
+        name(period, "broadcast.period", "window.broadcast.period.name");
+        name(text, "broadcast.text", "window.broadcast.text");
+        name(pages, "broadcast.pages", "window.broadcast.pages.name");
+        name(result, "broadcast.result", "window.broadcast.result");
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
         // Tab moves the focus.
@@ -130,9 +130,8 @@ final class BroadcastPanel extends DressedPanel {
         language.addActionListener(event -> count());
     }
 
-    /** Names a component {@code broadcast.ID}, for users with the text of the key. */
     private void name(JComponent component, String id, String key) {
-        ComponentNames.name(component, "broadcast." + id, texts.of("window.broadcast." + key));
+        ComponentNames.name(component, id, texts.of(key));
     }
 
     private JPanel form() {
