@@ -178,6 +178,41 @@ class GatewayTest {
         }
     }
 
+    @Test
+    void aPageThatComesBackBeforeItsConnectionHasEndedHasLostItsCall() throws Exception {
+        WebPhone phone = new WebPhone(port, JOIN);
+        Map<String, Object> welcome = phone.expect("welcome");
+        phone.expect("registered");
+        phone.say("{\"do\":\"dial\",\"number\":\"5550200\"}");
+        phone.expect("connected");
+        try (WebPhone again = new WebPhone(port, "{\"key\":\"word\",\"token\":\"" + welcome.get("token") + "\"}")) {
+            assertEquals(welcome.get("number"), again.expect("welcome").get("number"));
+            assertEquals(4000, phone.closeCode());
+            robot.expect("released", "cause", "16");
+            again.say("{\"do\":\"hangup\"}");
+            assertEquals("hangup: there is no call", again.expect("error").get("text"));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"5550200,", "5550200,--class=2"})
+    void theDemoPrintsTheLinkByWhichABrowserReachesItsRobot(String number, String more) throws Exception {
+        RunningProgram demo = scenario.headless(
+                "demo",
+                "simgsm-center",
+                List.of("--demo", "--port", "0", "--web", "0"),
+                more == null ? new String[0] : new String[] {more});
+        URI link = URI.create(demo.expect("ready").field("link"));
+        try (WebPhone phone =
+                new WebPhone(String.valueOf(link.getPort()), "{\"key\":\"" + link.getFragment() + "\"}")) {
+            phone.expect("registered");
+            phone.say("{\"do\":\"dial\",\"number\":\"" + number + "\"}");
+            phone.expect("connected");
+            phone.expect("tone", "key", "1");
+        }
+        assertEquals(0, demo.quit());
+    }
+
     private HttpResponse<String> get(String path, String key) throws Exception {
         HttpRequest request = HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + port + path))
                 .header("Authorization", "Bearer " + key)

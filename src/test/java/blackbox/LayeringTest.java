@@ -102,7 +102,7 @@ class LayeringTest {
             simgsm.center.ui         : simgsm.air simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc simgsm.center.ui.ladder
             simgsm.center.app        : simgsm.event simgsm.file simgsm.net simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.tone simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center            :
-            simgsm.classroom.ui      : simgsm.console simgsm.draw simgsm.file simgsm.lesson simgsm.ui simgsm.ui.file simgsm.ui.glossary simgsm.ui.pane simgsm.ui.window
+            simgsm.classroom.ui      : simgsm.console simgsm.draw simgsm.file simgsm.lesson simgsm.ui simgsm.ui.file simgsm.ui.glossary simgsm.ui.pane simgsm.ui.window simgsm.web
             simgsm.classroom.session : simgsm.air simgsm.center.app simgsm.center.msc simgsm.console simgsm.lesson simgsm.ui.window
             simgsm.classroom.demo    : simgsm.air simgsm.center.app simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.file simgsm.ui.window
             simgsm.classroom.lesson  : simgsm.air simgsm.center.app simgsm.center.msc simgsm.classroom.demo simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.dtmf simgsm.file simgsm.lesson simgsm.octets simgsm.sms simgsm.ui simgsm.ui.window

@@ -6,6 +6,7 @@ module simgsm.classroom {
     requires simgsm.sound;
     requires simgsm.console;
     requires simgsm.desktop;
+    requires simgsm.web;
 
     provides simgsm.center.CenterLauncher with
             simgsm.classroom.SuiteLauncher;

@@ -75,8 +75,12 @@ final class PhoneData implements AutoCloseable {
             // Octets, not characters: so every character outside ASCII is escaped, half a surrogate pair too.
             ByteArrayOutputStream octets = new ByteArrayOutputStream();
             properties.store(octets, null);
-            FileReplacement.writePrivately(file, octets.toByteArray());
-            lock.hold(file);
+            lock.release();
+            try {
+                FileReplacement.writePrivately(file, octets.toByteArray());
+            } finally {
+                lock.hold(file);
+            }
             known = Map.copyOf(texts);
         } catch (IOException e) {
             unwritten = Map.copyOf(texts);

@@ -62,6 +62,7 @@ public final class SuiteLauncher implements CenterLauncher {
             return LessonCheck.list(given);
         }
         requireTogether(given, "class", "demo");
+        requireTogether(given, "web", "demo");
         requireTogether(given, "check", "lesson");
         requireTogether(given, "result", "check");
         if (given.has("check")) {

@@ -31,6 +31,9 @@ final class GatewayPages extends WebPages {
             "phone.js", SCRIPT,
             "sound.js", SCRIPT);
 
+    /** The answer to a wrong key is delayed, so that guesses are slow. */
+    private static final int GUESS_MILLIS = 1_000;
+
     private static final int UNAUTHORIZED = 401;
 
     private final Gateway gateway;
@@ -44,7 +47,7 @@ final class GatewayPages extends WebPages {
 
     @Override
     protected Optional<WebResponse> answer(HttpExchange exchange, List<String> parts, String path)
-            throws IOException, RequestException {
+            throws IOException, RequestException, InterruptedException {
         String first = parts.isEmpty() ? "index.html" : parts.get(0);
         if (parts.size() <= 1 && TYPES.containsKey(first)) {
             try (InputStream in = GatewayPages.class.getResourceAsStream("page-files/" + first)) {
@@ -86,9 +89,10 @@ final class GatewayPages extends WebPages {
                 + "\"/></svg>";
     }
 
-    private void requireKey(HttpExchange exchange) throws RequestException {
+    private void requireKey(HttpExchange exchange) throws RequestException, InterruptedException {
         String given = Objects.requireNonNullElse(exchange.getRequestHeaders().getFirst("Authorization"), "");
         if (!given.startsWith("Bearer ") || !gateway.users().isKey(given.substring("Bearer ".length()))) {
+            Thread.sleep(GUESS_MILLIS);
             exchange.getResponseHeaders().set("WWW-Authenticate", "Bearer");
             throw new RequestException(UNAUTHORIZED, "expected the link's key as Authorization: Bearer KEY");
         }

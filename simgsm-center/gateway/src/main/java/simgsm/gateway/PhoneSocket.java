@@ -20,13 +20,19 @@ final class PhoneSocket implements WebSocketListener {
     /** Null until the key has come. */
     private WebUser user;
 
+    private boolean isRefused;
+
     PhoneSocket(WebSocket socket, WebUsers users) {
         this.socket = socket;
         this.users = users;
+        users.expectKey(socket, () -> user != null);
     }
 
     @Override
     public void text(String text) {
+        if (isRefused) {
+            return;
+        }
         Map<String, Object> message;
         try {
             message = JsonReader.object(text);
@@ -41,6 +47,7 @@ final class PhoneSocket implements WebSocketListener {
         if (user == null) {
             user = users.join(socket, string(message, "key"), string(message, "token"), string(message, "name"))
                     .orElse(null);
+            isRefused = user == null;
         } else {
             try {
                 perform(message);
@@ -55,7 +62,7 @@ final class PhoneSocket implements WebSocketListener {
             case "dial" -> check(user.station().dial(number(message)), "there is a call already");
             case "answer" -> check(user.station().answer(), "no call rings");
             case "hangup" -> check(user.station().hangUp(), "there is no call");
-            case "sms" -> user.station().sendMessage(number(message), text(message));
+            case "sms" -> user.send(number(message), text(message));
             case "inbox" -> user.tellInbox();
             default -> throw new IllegalArgumentException("expected dial, answer, hangup, sms or inbox");
         }

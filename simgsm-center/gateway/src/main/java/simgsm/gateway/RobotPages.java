@@ -48,10 +48,10 @@ final class RobotPages {
         for (URI server : servers) {
             try {
                 String list = new String(fetch(server, "robots").body(), StandardCharsets.UTF_8).strip();
-                String items = list.substring(1, list.length() - 1);
-                joined.append(joined.length() > 1 && !items.isEmpty() ? "," : "")
-                        .append(items);
-            } catch (RequestException e) {
+                if (JsonReader.parse(list) instanceof List<?> robots && !robots.isEmpty()) {
+                    joined.append(joined.length() > 1 ? "," : "").append(list, 1, list.length() - 1);
+                }
+            } catch (RequestException | IllegalArgumentException e) {
                 // A SimRobot that does not answer has no robots for now.
             }
         }
@@ -74,6 +74,9 @@ final class RobotPages {
             connection.setConnectTimeout(TIMEOUT_MILLIS);
             connection.setReadTimeout(TIMEOUT_MILLIS);
             connection.setInstanceFollowRedirects(false);
+            if (connection.getResponseCode() == WebResponse.NOT_FOUND) {
+                throw RequestException.notFound(path, "what the robot's program serves");
+            }
             try (InputStream in = connection.getInputStream()) {
                 return new WebResponse(WebResponse.OK, connection.getContentType(), in.readNBytes(MOST_OCTETS));
             }

@@ -26,6 +26,8 @@ final class WebUser {
     /** Messages that {@code inbox} lists; the oldest beyond them is forgotten, as the network has delivered it. */
     private static final int MOST_MESSAGES = 100;
 
+    private static final int MOST_UNACKNOWLEDGED = 20;
+
     private record Received(String from, String text) {}
 
     private final String token;
@@ -40,6 +42,9 @@ final class WebUser {
     private String from = "";
     private String name = "";
     private boolean isConnected;
+    private int absences;
+    private int unacknowledged;
+    private boolean isLeaving;
 
     WebUser(StationIdentity identity, String token, PageWords texts) {
         this.token = token;
@@ -74,6 +79,29 @@ final class WebUser {
         return page.isPresent();
     }
 
+    /** How often a page has gone. */
+    int absences() {
+        return absences;
+    }
+
+    /** Whether the station detaches for good. */
+    boolean isLeaving() {
+        return isLeaving;
+    }
+
+    void leave() {
+        isLeaving = true;
+    }
+
+    /** Queues a text. @throws IllegalArgumentException if as many wait for the network as may, or the text is too long */
+    void send(Msisdn to, String text) {
+        if (unacknowledged >= MOST_UNACKNOWLEDGED) {
+            throw new IllegalArgumentException(MOST_UNACKNOWLEDGED + " messages wait for the network already");
+        }
+        station.sendMessage(to, text);
+        unacknowledged++;
+    }
+
     boolean isCalling() {
         return station.snapshot().callState() != MobileCallState.NULL;
     }
@@ -81,8 +109,13 @@ final class WebUser {
     /** A page has come; an older one ends. @param newName of its user */
     void attach(WebSocket socket, String newName) {
         name = newName;
-        page.ifPresent(older -> older.close(CloseCode.OPENED_ELSEWHERE, "opened elsewhere"));
+        Optional<WebSocket> older = page;
         page = Optional.of(socket);
+        if (older.isPresent()) {
+            // The page that has lost its connection has lost its call.
+            station.hangUp();
+            older.get().close(CloseCode.OPENED_ELSEWHERE, "opened elsewhere");
+        }
         from = socket.peer().getHostAddress();
         tell(Event.of("welcome").with("number", number()).with("token", token));
         if (station.snapshot().registered()) {
@@ -96,6 +129,7 @@ final class WebUser {
         boolean isLast = page.filter(current -> current == socket).isPresent();
         if (isLast) {
             page = Optional.empty();
+            absences++;
             station.hangUp();
             station.setMemoryAvailable(false);
         }
@@ -127,6 +161,8 @@ final class WebUser {
             speech.clear();
         } else if (event instanceof StationEvent.Released) {
             isConnected = false;
+        } else if (event instanceof StationEvent.MessageSent || event instanceof StationEvent.MessageFailed) {
+            unacknowledged--;
         } else if (event instanceof StationEvent.ShortMessageReceived message) {
             keep(new Received(message.from(), message.text()));
         }

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
@@ -24,6 +25,7 @@ final class WebUsers {
     static final int MOST = 200;
 
     private static final long RETURN_NANOS = TimeUnit.SECONDS.toNanos(60);
+    private static final long KEY_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final long GUESS_NANOS = TimeUnit.SECONDS.toNanos(1);
     private static final int MOST_NAME = 30;
     private static final int TOKEN_OCTETS = 16;
@@ -59,7 +61,7 @@ final class WebUsers {
             return refused(socket, CloseCode.WRONG_KEY, "wrong key");
         }
         Optional<WebUser> known = byNumber.values().stream()
-                .filter(user -> user.token().equals(token))
+                .filter(user -> user.token().equals(token) && !user.isLeaving())
                 .findFirst();
         if (known.isEmpty() && isLocked) {
             socket.close(CloseCode.LOCKED, "locked");
@@ -104,12 +106,22 @@ final class WebUsers {
         return Optional.empty();
     }
 
+    /** Closes a socket whose page has not shown its key after this time. */
+    void expectKey(WebSocket socket, BooleanSupplier isShown) {
+        thread.after(KEY_NANOS, () -> {
+            if (!isShown.getAsBoolean()) {
+                socket.close(CloseCode.POLICY_VIOLATION, "expected the key within 10 s");
+            }
+        });
+    }
+
     /** A page's socket has ended; within 60 s its token brings the number back. */
     void pageGone(WebUser user, WebSocket socket) {
         if (user.detach(socket)) {
             listener.accept(event("left", user));
+            int absence = user.absences();
             thread.after(RETURN_NANOS, () -> {
-                if (!user.hasPage()) {
+                if (!user.hasPage() && user.absences() == absence) {
                     remove(user);
                 }
             });
@@ -117,6 +129,7 @@ final class WebUsers {
     }
 
     private void remove(WebUser user) {
+        user.leave();
         long number = Long.parseLong(user.number().digits());
         thread.remove(user.station(), () -> byNumber.remove(number, user));
     }

@@ -60,8 +60,12 @@ public final class CenterWindow implements CenterActions {
             Consumer<Locale> spoken,
             boolean mayBeginLesson,
             Set<String> takenNumbers) {
-        public static final Watch NONE =
-                new Watch(event -> {}, snapshot -> {}, () -> {}, language -> {}, true, Set.of());
+        public static final Watch NONE = whenOpened(() -> {});
+
+        /** Nothing but this action when the window is made. */
+        public static Watch whenOpened(Runnable action) {
+            return new Watch(event -> {}, snapshot -> {}, action, language -> {}, true, Set.of());
+        }
     }
 
     private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {

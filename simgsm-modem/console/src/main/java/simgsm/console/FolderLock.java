@@ -49,10 +49,16 @@ public final class FolderLock implements AutoCloseable {
      * @throws IOException naming the directory if another process holds the file
      */
     public void hold(Path file) throws IOException {
+        release();
+        dataFile = lock(folder, file, holder);
+    }
+
+    /** Lets go of the data file, which Windows replaces only while nothing has it open; {@link #hold} follows. */
+    public void release() throws IOException {
         if (dataFile != null) {
             dataFile.close();
+            dataFile = null;
         }
-        dataFile = lock(folder, file, holder);
     }
 
     private static FileChannel lock(Path folder, Path file, String holder) throws IOException {

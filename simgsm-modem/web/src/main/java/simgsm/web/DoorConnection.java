@@ -20,12 +20,16 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
     /** A client that has ended its side of the connection has this time for the answer. */
     private static final long ANSWER_NANOS = TimeUnit.SECONDS.toNanos(10);
 
+    private static final long TAKE_NANOS = TimeUnit.SECONDS.toNanos(10);
+    private static final String NOT_READING = "the client does not read";
+
     private static final int MOST_MESSAGES = 1_000;
     private static final int MOST_DROPPABLE = 10;
 
     private final WebDoor door;
     private final Endpoint endpoint;
-    private final OutputQueue output = new OutputQueue(MOST_MESSAGES, MOST_DROPPABLE, written -> {});
+    private final OutputQueue output = new OutputQueue(MOST_MESSAGES, MOST_DROPPABLE, written -> countTaken());
+    private long messagesTaken;
     private final StringBuilder head = new StringBuilder();
     /** Null until the head has come, and of a passed connection. */
     private WebSocketSession socket;
@@ -62,8 +66,9 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
     }
 
     private void receiveHead(ByteBuffer octets) {
+        int before = head.length();
         head.append(StandardCharsets.ISO_8859_1.decode(octets));
-        int end = head.indexOf("\r\n\r\n");
+        int end = head.indexOf("\r\n\r\n", Math.max(0, before - 3));
         try {
             if (end >= 0) {
                 begin(HttpHead.parse(head.substring(0, end)), end + 4);
@@ -94,10 +99,32 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
 
     @Override
     public void send(byte[] octets, boolean isDroppable) {
+        if (!isOpen()) {
+            return;
+        }
+        if (output.isEmpty()) {
+            expectProgress();
+        }
         flushLater();
         if (!output.add(octets, isDroppable)) {
-            fail("the client does not read");
+            fail(NOT_READING);
         }
+    }
+
+    /** Ends the connection if its client takes no whole message in this time. */
+    private void expectProgress() {
+        long before = messagesTaken;
+        after(TAKE_NANOS, () -> {
+            if (hasOutput() && messagesTaken == before) {
+                fail(NOT_READING);
+            } else if (hasOutput()) {
+                expectProgress();
+            }
+        });
+    }
+
+    private void countTaken() {
+        messagesTaken++;
     }
 
     @Override

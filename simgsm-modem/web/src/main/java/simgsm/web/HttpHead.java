@@ -15,7 +15,7 @@ import java.util.TreeMap;
 record HttpHead(String method, String target, String version, Map<String, String> fields) {
     /** @param text the lines of the head, without the empty one */
     static HttpHead parse(String text) throws RequestException {
-        String[] lines = text.split("\r?\n");
+        String[] lines = text.split("\r?\n", -1);
         String[] request = lines[0].split(" ");
         if (request.length != 3 || !request[2].startsWith("HTTP/1.")) {
             throw malformed("the request line");

@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
 /** One open WebSocket: passes messages on, answers pings, and ends a socket whose client is silent. */
 final class WebSocketSession implements WebSocket, WebSocketFrames.Receiver {
     /** A client answers a ping, so that one which is silent for two of these periods has gone. */
-    static final long PING_NANOS = TimeUnit.SECONDS.toNanos(10);
+    static final long PING_NANOS = TimeUnit.SECONDS.toNanos(3);
 
     private static final byte[] NOTHING = {};
 
@@ -66,8 +66,17 @@ final class WebSocketSession implements WebSocket, WebSocketFrames.Receiver {
 
     /** The connection has ended. */
     void ended() {
-        isEnded = true;
-        listener.closed();
+        if (!isEnded) {
+            isEnded = true;
+            listener.closed();
+        }
+    }
+
+    private void end(byte[] last) {
+        if (!isEnded) {
+            carrier.end(last);
+            ended();
+        }
     }
 
     @Override
@@ -91,13 +100,10 @@ final class WebSocketSession implements WebSocket, WebSocketFrames.Receiver {
 
     @Override
     public void close(int code) {
-        if (!isEnded) {
-            isEnded = true;
-            carrier.end(
-                    code == WebSocketFrames.NO_CODE
-                            ? WebSocketFrames.encode(WebSocketFrames.CLOSE, NOTHING)
-                            : WebSocketFrames.close(code, ""));
-        }
+        end(
+                code == WebSocketFrames.NO_CODE
+                        ? WebSocketFrames.encode(WebSocketFrames.CLOSE, NOTHING)
+                        : WebSocketFrames.close(code, ""));
     }
 
     @Override
@@ -116,10 +122,7 @@ final class WebSocketSession implements WebSocket, WebSocketFrames.Receiver {
 
     @Override
     public void close(int code, String reason) {
-        if (!isEnded) {
-            isEnded = true;
-            carrier.end(WebSocketFrames.close(code, reason));
-        }
+        end(WebSocketFrames.close(code, reason));
     }
 
     @Override

@@ -1,4 +1,4 @@
 /**
- * A read-only web server on the JDK's HTTP server, which all programs share. Read first {@link simgsm.web.WebPort}.
+ * Pages on the JDK's HTTP server and WebSockets, on one port, which all programs share. Read first {@link simgsm.web.WebPort}.
  */
 package simgsm.web;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.net.SocketException;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import simgsm.center.app.CenterSettings;
@@ -69,8 +70,12 @@ public final class ClassDemo {
         ClassDemo demo = new ClassDemo(arguments, settings);
         demo.roll.requireCards();
         try (Session session = Session.open(arguments, folder -> settings)) {
+            boolean isHeadless = arguments.has("headless") || !Display.isAvailable();
+            if (isHeadless && WebLink.isWanted(arguments)) {
+                return demo.serve(session);
+            }
             demo.printStudents(session.center().port());
-            if (arguments.has("headless") || !Display.isAvailable()) {
+            if (isHeadless) {
                 return demo.runHeadless(session);
             }
             new ClassWindow(demo, session).run(isZoomGiven);
@@ -110,9 +115,22 @@ public final class ClassDemo {
                 .boxed()
                 .flatMap(i -> Stream.of("--robot", roll.name(i) + "=" + roll.robot(i)));
         Stream<String> world = Stream.of("--no-sound", "--world", WORLD);
-        List<String> options =
-                Stream.of(world, robots, more).flatMap(each -> each).toList();
+        List<String> options = Stream.of(world, robots, more, WebLink.robotOptions(arguments))
+                .flatMap(each -> each)
+                .toList();
         session.start(ROBOTS, "simrobot", roll.robot(0), options);
+    }
+
+    /** The students' phones are browsers. */
+    private int serve(Session session) throws Exception {
+        session.center().start(session.centerEvents());
+        startRobots(session, Stream.of("--headless"));
+        return WebLink.serve(arguments, session, ROBOTS, phoneNumbers());
+    }
+
+    /** The numbers of the students' phones, which browsers take. */
+    Optional<String> phoneNumbers() {
+        return Optional.of(roll.phone(0) + "-" + roll.phone(roll.students() - 1));
     }
 
     private int runHeadless(Session session) throws IOException, InterruptedException {

@@ -27,6 +27,7 @@ import simgsm.classroom.ui.ClassActs;
 import simgsm.classroom.ui.ClassFrame;
 import simgsm.classroom.ui.ClassView;
 import simgsm.classroom.ui.ClassroomTexts;
+import simgsm.classroom.ui.LinkFrame;
 import simgsm.console.Event;
 import simgsm.console.TextBundle;
 import simgsm.file.PrivateFiles;
@@ -83,18 +84,21 @@ final class ClassWindow implements ClassActs, Consoles.Listener {
                         new WindowPlace(screen.x(), screen.y(), screen.width() - column, screen.height()), wanted)
                 .saying(isZoomGiven, wanted);
         session.consoles().listen(this);
-        start(layout);
+        Optional<String> link = start(layout);
         CenterWindow.Watch watch = new CenterWindow.Watch(
                 event -> {},
                 snapshot -> {},
-                () -> frame = ClassFrame.open(
-                        demo.settings.language(),
-                        screen.x() + screen.width() - column,
-                        screen.y(),
-                        column,
-                        screen.height(),
-                        this,
-                        this::view),
+                () -> {
+                    frame = ClassFrame.open(
+                            demo.settings.language(),
+                            screen.x() + screen.width() - column,
+                            screen.y(),
+                            column,
+                            screen.height(),
+                            this,
+                            this::view);
+                    link.ifPresent(url -> LinkFrame.open(language, url));
+                },
                 chosen -> {
                     language = chosen;
                     frame.speak(chosen);
@@ -110,7 +114,7 @@ final class ClassWindow implements ClassActs, Consoles.Listener {
                 watch);
     }
 
-    private void start(DemoLayout layout) throws IOException, SessionFailure, InterruptedException {
+    private Optional<String> start(DemoLayout layout) throws IOException, SessionFailure, InterruptedException {
         if (!demo.settings.home().isClosed() || demo.settings.home().numbers().contains(new Msisdn(roll.teacher()))) {
             List<String> options = layout.options(layout.phone(), "--end-with-input");
             session.start("teacher", "simgsm-phone", roll.teacher(), options);
@@ -120,9 +124,12 @@ final class ClassWindow implements ClassActs, Consoles.Listener {
                 .with("file", recording)
                 .with("command", "java -jar simrobot.jar --replay " + word));
         demo.startRobots(session, layout.options(layout.robot(), "--console", "--record", recording).stream());
+        Optional<String> link = WebLink.start(demo.arguments, session, ClassDemo.ROBOTS, demo.phoneNumbers());
+        link.ifPresent(url -> demo.print(Event.of("link").with("url", url)));
         for (int i = 0; i < roll.students(); i++) {
             session.consoles().perform(ClassDemo.ROBOTS + " @" + roll.name(i) + " pose");
         }
+        return link;
     }
 
     @Override

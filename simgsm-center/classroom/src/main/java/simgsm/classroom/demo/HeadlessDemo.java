@@ -3,7 +3,9 @@ package simgsm.classroom.demo;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import simgsm.center.app.CenterSettings;
 import simgsm.classroom.session.Consoles;
 import simgsm.classroom.session.Session;
@@ -25,6 +27,9 @@ public final class HeadlessDemo {
 
     public static int run(Arguments arguments, CenterSettings settings)
             throws IOException, InterruptedException, UsageException {
+        if (WebLink.isWanted(arguments)) {
+            return serve(arguments, settings);
+        }
         DemoTranscript transcript = new DemoTranscript(Program.standardOutput());
         TextBundle texts = ClassroomTexts.in(settings.language());
         try (Session session = Session.open(arguments, folder -> settings)) {
@@ -42,6 +47,19 @@ public final class HeadlessDemo {
         }
         transcript.heading(texts.of("demo.passed"));
         return ExitStatus.OK;
+    }
+
+    private static int serve(Arguments arguments, CenterSettings settings)
+            throws IOException, InterruptedException, UsageException {
+        try (Session session = Session.open(arguments, folder -> settings)) {
+            session.center().start(session.centerEvents());
+            List<String> options = new ArrayList<>(List.of("--headless", "--no-sound", "--world", WORLD));
+            WebLink.robotOptions(arguments).forEach(options::add);
+            session.start("robot", "simrobot", Session.ROBOT_NUMBER, options);
+            return WebLink.serve(arguments, session, "robot", Optional.empty());
+        } catch (SessionFailure failure) {
+            throw new IOException(failure.getMessage(), failure);
+        }
     }
 
     private static void play(Consoles consoles, DemoTranscript transcript, TextBundle texts)

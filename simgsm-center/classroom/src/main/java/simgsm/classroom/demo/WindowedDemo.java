@@ -1,6 +1,7 @@
 package simgsm.classroom.demo;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -12,6 +13,7 @@ import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterWindow;
 import simgsm.classroom.session.Consoles;
 import simgsm.classroom.session.Session;
+import simgsm.classroom.ui.LinkFrame;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.ui.window.Display;
@@ -54,21 +56,23 @@ public final class WindowedDemo {
                     opened.thenAccept(ProgramWindow::close);
                 }
             });
-            start(session, layout);
+            start(session, layout, arguments);
+            Optional<String> link = WebLink.start(arguments, session, "robot", Optional.empty());
             // The phone has the keyboard: the user dials first.
             ProgramWindow window = layout.centerWindow(arguments.with("unfocused", ""));
             opened.complete(window);
-            return CenterWindow.run(
-                            session.center(), arguments, settings, session.children(), window, CenterWindow.Watch.NONE)
+            CenterWindow.Watch watch = CenterWindow.Watch.whenOpened(
+                    () -> link.ifPresent(url -> LinkFrame.open(settings.language(), url)));
+            return CenterWindow.run(session.center(), arguments, settings, session.children(), window, watch)
                     .or(() -> Optional.ofNullable(lesson.get()));
         }
     }
 
     /** Starts phone and robot; on one machine each tone is heard once, from the phone. */
-    private static void start(Session session, DemoLayout layout) throws IOException {
+    private static void start(Session session, DemoLayout layout, Arguments arguments) throws IOException {
         List<String> phone = layout.options(layout.phone(), "--console", "--remember-as", PHONE);
         session.start("phone", "simgsm-phone", Session.PHONE_NUMBER, phone);
-        List<String> robot = layout.options(
+        List<String> robot = new ArrayList<>(layout.options(
                 layout.robot(),
                 "--no-sound",
                 "--unfocused",
@@ -76,7 +80,8 @@ public final class WindowedDemo {
                 "--world",
                 HeadlessDemo.WORLD,
                 "--remember-as",
-                ROBOT);
+                ROBOT));
+        WebLink.robotOptions(arguments).forEach(robot::add);
         session.start("robot", "simrobot", Session.ROBOT_NUMBER, robot);
     }
 

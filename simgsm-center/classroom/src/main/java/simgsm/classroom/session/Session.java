@@ -2,6 +2,7 @@ package simgsm.classroom.session;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -165,7 +166,7 @@ public final class Session implements AutoCloseable {
     private static void remove(Path folder) {
         try (Stream<Path> files = Files.walk(folder)) {
             files.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
-        } catch (IOException e) {
+        } catch (IOException | UncheckedIOException e) {
             // The system removes temporary directories.
         }
     }

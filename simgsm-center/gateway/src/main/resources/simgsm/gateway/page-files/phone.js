@@ -20,7 +20,7 @@
   let chosen = '';
   let showsCamera = false;
 
-  const word = (name, ...values) => values.reduce((text, value, i) => text.replace(`{${i}}`, value), words[name] || name);
+  const word = (name, ...values) => values.reduce((text, value, i) => text.replace(`{${i}}`, () => value), words[name] || name);
 
   function row(list, text, kind) {
     const item = document.createElement('li');
@@ -83,6 +83,8 @@
       sessionStorage.setItem('token', event.token);
       $('own').textContent = event.number;
       retry = 0;
+      $('box').replaceChildren();
+      send({ do: 'inbox' });
       notice('');
       setPhase('idle');
       show(word('searching'));

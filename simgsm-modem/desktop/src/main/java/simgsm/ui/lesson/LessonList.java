@@ -63,19 +63,26 @@ public final class LessonList extends JPanel {
             Lesson lesson = library.lesson(name);
             LessonTexts texts = library.texts(lesson, language);
             String title = texts.of("title");
-            String about = texts.find("about").map(line -> ": " + line).orElse("");
-            text.show(title + " (" + words.of("lesson.minutes", Integer.toString(lesson.minutes())) + ")" + about);
+            text.show(title + " (" + words.of("lesson.minutes", Integer.toString(lesson.minutes())) + ")");
             List<Component> parts = new ArrayList<>(List.of(Arrange.growing(Arrange.column(0, text))));
             library.sheet(name, language)
                     .ifPresent(sheet ->
                             parts.add(button("lessons.sheet", name, title, () -> acts.showSheet(title, sheet))));
             parts.add(button("lessons.open", name, title, () -> acts.open(name)));
-            return Arrange.row(Theme.GRID, parts.toArray(Component[]::new));
+            Component row = Arrange.row(Theme.GRID, parts.toArray(Component[]::new));
+            return texts.find("about").map(about -> withLine(row, name, about)).orElse(row);
         } catch (LessonException e) {
             // A teacher's own lesson that is not right yet.
             text.show(e.getMessage());
             return text;
         }
+    }
+
+    /** What the lesson is about, below its title and as wide as the list. */
+    private static Component withLine(Component row, String name, String about) {
+        GlossaryText line = GlossaryText.ofExplanations("lessons.about." + name);
+        line.show(about);
+        return Arrange.column(0, row, line);
     }
 
     private JButton button(String key, String lesson, String title, Runnable act) {

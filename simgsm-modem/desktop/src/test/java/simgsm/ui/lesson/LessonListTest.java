@@ -89,12 +89,12 @@ class LessonListTest {
         }
         for (String name : library.names()) {
             GlossaryText row = (GlossaryText)
-                    ComponentNames.find(list, "lessons.title." + name).orElseThrow();
-            assertTrue(row.getText().matches(".* min\\): .+\\."), row.getText());
+                    ComponentNames.find(list, "lessons.about." + name).orElseThrow();
+            assertTrue(row.getText().endsWith("."), row.getText());
             assertTrue(row.getHeight() >= row.getPreferredSize().height, name);
         }
         GlossaryText row = (GlossaryText)
-                ComponentNames.find(list, "lessons.title.break-it").orElseThrow();
+                ComponentNames.find(list, "lessons.about.break-it").orElseThrow();
         assertTrue(row.getText().contains(word), row.getText());
     }
 

@@ -1,0 +1,70 @@
+package simgsm.classroom.demo;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import simgsm.center.app.CenterCommands;
+import simgsm.classroom.session.Session;
+import simgsm.classroom.session.SessionFailure;
+import simgsm.console.Arguments;
+import simgsm.console.Console;
+import simgsm.console.Program;
+import simgsm.console.UsageException;
+
+/** {@code --web PORT}: a gateway beside the demo, so that browsers are phones of its network. */
+final class WebLink {
+    private static final String OPTION = "web";
+    private static final String GATEWAY = "gateway";
+    private static final double START_SECONDS = 120;
+
+    private WebLink() {}
+
+    static boolean isWanted(Arguments arguments) {
+        return arguments.has(OPTION);
+    }
+
+    /** What SimRobot needs, so that the pages can show its map; nothing without {@code --web}. */
+    static Stream<String> robotOptions(Arguments arguments) {
+        return isWanted(arguments) ? Stream.of("--http", "0") : Stream.of();
+    }
+
+    /**
+     * Starts the gateway once SimRobot is ready.
+     *
+     * @param robots the name of SimRobot's console
+     * @param numbers those given to browsers, as FROM-TO; empty for the gateway's own choice
+     * @return the link; empty without {@code --web}
+     */
+    static Optional<String> start(Arguments arguments, Session session, String robots, Optional<String> numbers)
+            throws IOException, SessionFailure, InterruptedException {
+        if (!isWanted(arguments)) {
+            return Optional.empty();
+        }
+        String http = session.consoles()
+                .await(robots, "ready", START_SECONDS)
+                .fields()
+                .get("http");
+        List<String> options = new ArrayList<>(List.of(
+                "--headless", "--web", arguments.text(OPTION).orElseThrow(), "--robots", "http://127.0.0.1:" + http));
+        arguments.text("bind").ifPresent(address -> options.addAll(List.of("--bind", address)));
+        numbers.ifPresent(range -> options.addAll(List.of("--numbers", range)));
+        session.start(GATEWAY, "simgsm-gateway", "", options);
+        return Optional.of(session.consoles()
+                .await(GATEWAY, "ready", START_SECONDS)
+                .fields()
+                .get("link"));
+    }
+
+    /** Without a display: prints the link and performs the centre's commands until the input ends. */
+    static int serve(Arguments arguments, Session session, String robots, Optional<String> numbers)
+            throws IOException, SessionFailure, InterruptedException, UsageException {
+        try (Console console = Console.onStandardOutput()) {
+            String link = start(arguments, session, robots, numbers).orElseThrow();
+            console.ready(session.center().ready().with("link", link));
+            Program.runConsole(console, arguments, new CenterCommands(session.center(), console));
+            return console.exitStatus();
+        }
+    }
+}

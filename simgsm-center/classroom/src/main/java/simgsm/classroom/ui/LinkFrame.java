@@ -1,0 +1,83 @@
+package simgsm.classroom.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.util.Locale;
+import javax.swing.BorderFactory;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import simgsm.console.TextBundle;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Symbol;
+import simgsm.ui.Theme;
+import simgsm.ui.window.WindowIcon;
+import simgsm.web.QrCode;
+
+/** A window with the link that browsers open, as a QR code as large as the window and in letters that can be copied. */
+public final class LinkFrame {
+    private static final int SIDE_UNITS = 420;
+    private static final float LETTERS = 1.6f;
+
+    private LinkFrame() {}
+
+    /** Opens the window, which lasts as long as the program's other windows; on the event thread. */
+    public static void open(Locale language, String link) {
+        TextBundle texts = ClassroomTexts.in(language);
+        JFrame frame = new JFrame(texts.of("link.title"));
+        frame.setIconImages(WindowIcon.images(Symbol.PHONE));
+        frame.setContentPane(content(texts, link));
+        frame.setAutoRequestFocus(false);
+        frame.pack();
+        frame.setLocationByPlatform(true);
+        frame.setVisible(true);
+    }
+
+    static JPanel content(TextBundle texts, String link) {
+        JTextField letters = new JTextField(link);
+        letters.setEditable(false);
+        letters.setHorizontalAlignment(JTextField.CENTER);
+        letters.setFont(letters.getFont().deriveFont(letters.getFont().getSize2D() * LETTERS));
+        JPanel panel = new JPanel(new BorderLayout(Theme.px(Theme.GRID), Theme.px(Theme.GRID)));
+        int gap = Theme.px(Theme.GRID);
+        panel.setBorder(BorderFactory.createEmptyBorder(gap, gap, gap, gap));
+        panel.add(ComponentNames.name(new CodeView(new QrCode(link)), "link.code", texts.of("link.code")));
+        panel.add(ComponentNames.name(letters, "link.letters", texts.of("link.letters")), BorderLayout.SOUTH);
+        return panel;
+    }
+
+    /** The code, black on white in all themes, since readers expect that. */
+    private static final class CodeView extends JPanel {
+        private final QrCode code;
+
+        CodeView(QrCode code) {
+            this.code = code;
+            setOpaque(false);
+            setPreferredSize(new Dimension(Theme.px(SIDE_UNITS), Theme.px(SIDE_UNITS)));
+        }
+
+        @Override
+        protected void paintComponent(Graphics g) {
+            int modules = code.size() + 2 * QrCode.QUIET_ZONE;
+            int module = Math.max(1, Math.min(getWidth(), getHeight()) / modules);
+            int left = (getWidth() - module * modules) / 2;
+            int top = (getHeight() - module * modules) / 2;
+            g.setColor(Color.WHITE);
+            g.fillRect(left, top, module * modules, module * modules);
+            g.setColor(Color.BLACK);
+            for (int row = 0; row < code.size(); row++) {
+                for (int column = 0; column < code.size(); column++) {
+                    if (code.isDark(column, row)) {
+                        g.fillRect(
+                                left + (column + QrCode.QUIET_ZONE) * module,
+                                top + (row + QrCode.QUIET_ZONE) * module,
+                                module,
+                                module);
+                    }
+                }
+            }
+        }
+    }
+}
