@@ -97,7 +97,7 @@ final class ClassWindow implements ClassActs, Consoles.Listener {
                             screen.height(),
                             this,
                             this::view);
-                    link.ifPresent(url -> LinkFrame.open(language, url));
+                    link.ifPresent(url -> LinkFrame.open(language, url, Optional.empty()));
                 },
                 chosen -> {
                     language = chosen;

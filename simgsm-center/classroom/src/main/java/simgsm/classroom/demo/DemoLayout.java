@@ -34,6 +34,8 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
     private static final int TOOLS_HEIGHT = 114;
     private static final int COLUMN_WIDTH = 320;
     private static final int ROW_HEIGHT = 166;
+    /** What a window's frame may take beyond the phone's least height. */
+    private static final int FRAME_UNITS = 24;
 
     /**
      * Places the windows.
@@ -67,6 +69,13 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
         return Stream.concat(
                         Stream.of("--zoom", String.valueOf(zoomPercent), "--window", place.toString()), Stream.of(more))
                 .toList();
+    }
+
+    /** What is left of the screen below the phone. */
+    WindowPlace belowPhone(WindowPlace screen) {
+        int bottom = phone.y() + (SuiteWindow.PHONE.heightUnits() + FRAME_UNITS) * zoomPercent / 100;
+        int height = Math.max(0, screen.y() + screen.height() - bottom);
+        return new WindowPlace(phone.x(), bottom, robot.x() - phone.x(), height);
     }
 
     /** The window of the centre. */

@@ -61,8 +61,8 @@ public final class WindowedDemo {
             // The phone has the keyboard: the user dials first.
             ProgramWindow window = layout.centerWindow(arguments.with("unfocused", ""));
             opened.complete(window);
-            CenterWindow.Watch watch = CenterWindow.Watch.whenOpened(
-                    () -> link.ifPresent(url -> LinkFrame.open(settings.language(), url)));
+            CenterWindow.Watch watch = CenterWindow.Watch.whenOpened(() -> link.ifPresent(
+                    url -> LinkFrame.open(settings.language(), url, Optional.of(layout.belowPhone(screen)))));
             return CenterWindow.run(session.center(), arguments, settings, session.children(), window, watch)
                     .or(() -> Optional.ofNullable(lesson.get()));
         }

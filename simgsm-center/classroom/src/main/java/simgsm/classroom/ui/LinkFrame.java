@@ -3,8 +3,10 @@ package simgsm.classroom.ui;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.util.Locale;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
@@ -14,25 +16,38 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.window.WindowIcon;
+import simgsm.ui.window.WindowPlace;
 import simgsm.web.QrCode;
 
 /** A window with the link that browsers open, as a QR code as large as the window and in letters that can be copied. */
 public final class LinkFrame {
     private static final int SIDE_UNITS = 420;
+    private static final int LEAST_UNITS = 180;
     private static final float LETTERS = 1.6f;
 
     private LinkFrame() {}
 
-    /** Opens the window, which lasts as long as the program's other windows; on the event thread. */
-    public static void open(Locale language, String link) {
+    /**
+     * Opens the window, which lasts as long as the program's other windows; on the event thread.
+     *
+     * @param room of the screen that no other window covers; without it, or where it is too small, the window opens in front
+     */
+    public static void open(Locale language, String link, Optional<WindowPlace> room) {
         TextBundle texts = ClassroomTexts.in(language);
         JFrame frame = new JFrame(texts.of("link.title"));
         frame.setIconImages(WindowIcon.images(Symbol.PHONE));
         frame.setContentPane(content(texts, link));
         frame.setAutoRequestFocus(false);
-        frame.pack();
-        frame.setLocationByPlatform(true);
-        frame.setVisible(true);
+        Optional<WindowPlace> place = room.filter(free -> free.height() >= Theme.px(LEAST_UNITS));
+        if (place.isPresent()) {
+            place.get().applyTo(frame);
+            frame.setVisible(true);
+        } else {
+            frame.pack();
+            frame.setLocationByPlatform(true);
+            frame.setVisible(true);
+            EventQueue.invokeLater(frame::toFront);
+        }
     }
 
     static JPanel content(TextBundle texts, String link) {
