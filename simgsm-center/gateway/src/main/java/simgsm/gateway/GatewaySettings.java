@@ -80,7 +80,9 @@ record GatewaySettings(
 
     private static URI robot(String text) {
         URI uri = URI.create(text.endsWith("/") ? text : text + "/");
-        if (!"http".equals(uri.getScheme()) || uri.getHost() == null) {
+        if (!"http".equals(uri.getScheme())
+                || uri.getHost() == null
+                || !uri.getPath().equals("/")) {
             throw new IllegalArgumentException("expected http://HOST:PORT of a SimRobot, found " + text);
         }
         return uri;

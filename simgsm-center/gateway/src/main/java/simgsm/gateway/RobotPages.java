@@ -2,11 +2,14 @@ package simgsm.gateway;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.lang.System.Logger.Level;
 import java.net.HttpURLConnection;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import simgsm.web.JsonReader;
 import simgsm.web.RequestException;
 import simgsm.web.UrlPaths;
@@ -17,7 +20,11 @@ final class RobotPages {
     private static final int TIMEOUT_MILLIS = 3_000;
     private static final int MOST_OCTETS = 8 * 1024 * 1024;
 
+    private static final System.Logger LOG = System.getLogger(RobotPages.class.getName());
+
     private final List<URI> servers;
+    /** Those of which it is logged that they do not answer. */
+    private final Set<URI> absent = ConcurrentHashMap.newKeySet();
 
     RobotPages(List<URI> servers) {
         this.servers = servers;
@@ -51,8 +58,11 @@ final class RobotPages {
                 if (JsonReader.parse(list) instanceof List<?> robots && !robots.isEmpty()) {
                     joined.append(joined.length() > 1 ? "," : "").append(list, 1, list.length() - 1);
                 }
+                absent.remove(server);
             } catch (RequestException | IllegalArgumentException e) {
-                // A SimRobot that does not answer has no robots for now.
+                if (absent.add(server)) {
+                    LOG.log(Level.WARNING, "--robots {0}: no SimRobot answers; trying again", server);
+                }
             }
         }
         return joined.append(']').toString();

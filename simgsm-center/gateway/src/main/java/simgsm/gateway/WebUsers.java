@@ -38,6 +38,9 @@ final class WebUsers {
     private final SecureRandom random = new SecureRandom();
     private final PageWords texts;
     private final Map<Long, WebUser> byNumber = new TreeMap<>();
+    /** Place of the number after the one given last, counted from the first. */
+    private int given;
+
     private boolean isLocked;
 
     WebUsers(StationThread thread, GatewaySettings settings, Consumer<Event> listener) {
@@ -82,8 +85,11 @@ final class WebUsers {
     }
 
     private Optional<WebUser> newUser() {
-        for (long number = settings.firstNumber(); number < settings.firstNumber() + most(); number++) {
+        // The number that was given back first is given out last, for messages to its last user may still come.
+        for (int i = 0; i < most(); i++) {
+            long number = settings.firstNumber() + (given + i) % most();
             if (!byNumber.containsKey(number)) {
+                given = (int) (number - settings.firstNumber()) + 1;
                 byte[] token = new byte[TOKEN_OCTETS];
                 random.nextBytes(token);
                 StationIdentity identity =

@@ -53,7 +53,7 @@ public final class LinkFrame {
     static JPanel content(TextBundle texts, String link) {
         JTextField letters = new JTextField(link);
         letters.setEditable(false);
-        letters.setHorizontalAlignment(JTextField.CENTER);
+        letters.setCaretPosition(0);
         letters.setFont(letters.getFont().deriveFont(letters.getFont().getSize2D() * LETTERS));
         JPanel panel = new JPanel(new BorderLayout(Theme.px(Theme.GRID), Theme.px(Theme.GRID)));
         int gap = Theme.px(Theme.GRID);

@@ -33,5 +33,11 @@
     $('code').alt = words['link.code'];
     $('address').textContent = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement.getAttribute('aria-label');
   }
+  const host = location.hostname;
+  if (host === 'localhost' || host.startsWith('127.')) {
+    $('hint').textContent = words['link.local'];
+  } else {
+    $('hint').textContent = words['link.scan'];
+  }
   refresh();
 })();

@@ -19,6 +19,7 @@
   let robots = [];
   let chosen = '';
   let showsCamera = false;
+  let isFinished = false;
 
   const word = (name, ...values) => values.reduce((text, value, i) => text.replace(`{${i}}`, () => value), words[name] || name);
 
@@ -91,9 +92,9 @@
     },
     registered: () => { $('lamp').className = 'on'; if (phase === 'idle') { show(word('ready')); } },
     unregistered: () => { $('lamp').className = ''; show(word('searching')); },
-    calling: event => { setPhase('calling'); show(word('calling', event.number)); },
+    calling: event => { $('tones').replaceChildren(); setPhase('calling'); show(word('calling', event.number)); },
     alerting: () => { setPhase('alerting'); show(word('alerting', peer)); },
-    ringing: event => { peer = event.from; setPhase('ringing'); show(word('ringing', event.from)); },
+    ringing: event => { $('tones').replaceChildren(); peer = event.from; setPhase('ringing'); show(word('ringing', event.from)); },
     connected: event => {
       peer = event.number || peer;
       connectedAt = Date.now();
@@ -104,6 +105,8 @@
     },
     released: event => {
       setPhase('idle');
+      entry = '';
+      showEntry();
       show(word('released', words['cause.' + event.cause] || event.text));
     },
     tone: event => {
@@ -118,7 +121,13 @@
     'sms-failed': event => row($('box'), word('sms.failed', event.to, event.text)),
     'sms-undelivered': event => row($('box'), word('sms.failed', event.to, event.text)),
     message: event => row($('box'), word('sms.from', event.from, event.text)),
-    error: event => show(event.text),
+    error: event => {
+      const text = words['error.' + event.text.split(':')[0]] || event.text;
+      show(text);
+      if (event.text.startsWith('sms:')) {
+        row($('box'), text);
+      }
+    },
   };
 
   function call() {
@@ -233,7 +242,7 @@
       $('lamp').className = '';
       if (FINAL[event.code]) {
         sessionStorage.removeItem('token');
-        notice(word(FINAL[event.code]));
+        finish(word(FINAL[event.code]));
         return;
       }
       retry = Math.min(retry + 1, 5);
@@ -248,6 +257,18 @@
       };
       count();
     };
+  }
+
+  // Nothing goes on until the page is loaded again.
+  function finish(text) {
+    isFinished = true;
+    notice(text);
+    const again = document.createElement('button');
+    again.textContent = word('again');
+    again.addEventListener('click', () => location.reload());
+    $('notice').append(' ', again);
+    document.querySelectorAll('main button, main input, main textarea, main select').forEach(each => { each.disabled = true; });
+    show('');
   }
 
   // The robot.
@@ -279,7 +300,7 @@
     $('robot').hidden = names.length === 0;
     const robot = robots.find(each => each.name === chosen);
     if (robot) {
-      $('state').textContent = word('robot.state', robot.status, robot.x.toFixed(2), robot.y.toFixed(2), Math.round(robot.heading));
+      $('state').textContent = word('robot.state', words['status.' + robot.status] || robot.status, robot.x.toFixed(2), robot.y.toFixed(2), Math.round(robot.heading));
     }
   }
 
@@ -299,9 +320,11 @@
     }
   }
 
-  const again = async (action, millis) => {
+  const repeat = async (action, millis) => {
     await action();
-    setTimeout(() => again(action, millis), millis);
+    if (!isFinished) {
+      setTimeout(() => repeat(action, millis), millis);
+    }
   };
 
   // Start.
@@ -320,12 +343,12 @@
       $('start').hidden = true;
       $('phone').hidden = false;
       connect();
-      again(refreshRobots, 1000);
-      again(refreshPicture, 500);
+      repeat(refreshRobots, 1000);
+      repeat(refreshPicture, 500);
     });
     $('call').addEventListener('click', () => { Sound.wake(); call(); });
     $('end').addEventListener('click', end);
-    $('sms').addEventListener('click', () => { $('to').value ||= entry; $('messages').scrollIntoView(); $('to').focus(); });
+    $('sms').addEventListener('click', () => { $('to').value ||= /^\d+$/.test(entry) ? entry : ''; $('messages').scrollIntoView(); $('to').focus(); });
     $('robots').addEventListener('change', () => { chosen = $('robots').value; });
     $('view').addEventListener('click', () => {
       showsCamera = !showsCamera;
@@ -333,6 +356,10 @@
     });
     $('write').addEventListener('submit', event => {
       event.preventDefault();
+      if (!socket || socket.readyState !== WebSocket.OPEN) {
+        row($('box'), word('sms.unsent'));
+        return;
+      }
       send({ do: 'sms', number: $('to').value.trim(), text: $('text').value });
       row($('box'), word('sms.mine', $('to').value.trim(), $('text').value));
       $('text').value = '';
