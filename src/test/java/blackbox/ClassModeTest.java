@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** {@code --demo --class N}: several phones and robots in one world. */
+@ResourceLock("port 3003")
 class ClassModeTest {
     @Test
     void twoStudentsDriveTheirRobotsAndTheTableHasThem() throws Exception {

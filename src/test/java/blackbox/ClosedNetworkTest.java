@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** A network for listed SIMs alone: who comes in, who does not and why, and whom one reaches. */
 class ClosedNetworkTest {
@@ -174,6 +175,7 @@ class ClosedNetworkTest {
     }
 
     @Test
+    @ResourceLock("port 3003")
     void theDemoNeedsTheCardsOfItsTwoParts() throws Exception {
         FinishedProgram made =
                 FinishedProgram.run("simgsm-center", "--hlr", list().toString(), "--new-sim", Scenario.PHONE);

@@ -13,8 +13,10 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** The main job: {@code simgsm-center.jar --demo}. */
+@ResourceLock("port 3003")
 class DemoTest {
     @Test
     void withoutADisplayTheDemoPlaysASessionAndPrintsItsTranscript() throws Exception {

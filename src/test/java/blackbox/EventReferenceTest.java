@@ -45,6 +45,7 @@ class EventReferenceTest {
         SECTIONS.put("SimRobot", "(simrobot|simgsm\\.modem)\\..*");
         SECTIONS.put("Centre", "simgsm\\.center\\..*");
         SECTIONS.put("Cells", "simgsm\\.cells\\..*");
+        SECTIONS.put("Gateway", "simgsm\\.gateway\\..*");
     }
 
     /** Fields of classes that only a running network has; {@link CellsConsoleTest} reads their lines. */

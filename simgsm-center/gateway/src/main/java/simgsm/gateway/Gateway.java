@@ -5,7 +5,6 @@ import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
-import simgsm.console.Event;
 import simgsm.console.FatalError;
 import simgsm.station.StationThread;
 import simgsm.web.WebPort;
@@ -19,7 +18,7 @@ final class Gateway implements AutoCloseable {
     private final String key;
 
     /** @throws IOException if the port cannot be opened */
-    Gateway(GatewaySettings settings, Consumer<Event> listener) throws IOException {
+    Gateway(GatewaySettings settings, Consumer<GatewayEvent> listener) throws IOException {
         users = new WebUsers(thread, settings, listener);
         key = settings.key();
         WebSocketPath phone = new WebSocketPath(

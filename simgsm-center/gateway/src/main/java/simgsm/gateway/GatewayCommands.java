@@ -30,8 +30,9 @@ final class GatewayCommands implements Console.Commands {
     }
 
     private void users() {
-        List<Event> rows = gateway.ask(
-                () -> gateway.users().all().stream().map(WebUsers::row).toList());
+        List<Event> rows = gateway.ask(() -> gateway.users().all().stream()
+                .map(user -> Event.from(new GatewayEvent.UserRow(user)))
+                .toList());
         console.emitList("users", rows);
     }
 

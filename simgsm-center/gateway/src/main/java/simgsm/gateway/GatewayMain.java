@@ -26,7 +26,7 @@ public final class GatewayMain {
     static int run(Arguments arguments) throws UsageException, IOException, InterruptedException {
         GatewaySettings settings = GatewaySettings.of(arguments);
         try (Console console = Console.onStandardOutput();
-                Gateway gateway = new Gateway(settings, console::emit)) {
+                Gateway gateway = new Gateway(settings, console::tell)) {
             Runtime.getRuntime().addShutdownHook(new Thread(gateway::close, "detach"));
             gateway.start();
             console.ready(Event.of("ready").with("web", gateway.webPort()).with("link", gateway.link()));

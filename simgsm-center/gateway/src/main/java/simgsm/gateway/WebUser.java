@@ -42,6 +42,7 @@ final class WebUser {
     private String from = "";
     private String name = "";
     private boolean isConnected;
+    private int messagesRead;
     private int absences;
     private int unacknowledged;
     private boolean isLeaving;
@@ -174,6 +175,7 @@ final class WebUser {
     private void keep(Received message) {
         if (inbox.size() == MOST_MESSAGES) {
             inbox.remove(0);
+            messagesRead = Math.max(0, messagesRead - 1);
         }
         inbox.add(message);
     }
@@ -182,10 +184,16 @@ final class WebUser {
         tell(Event.of("tone").with("key", key).with("meaning", texts.toneMeaning(key)));
     }
 
-    /** Lists what has been received. */
+    /** Lists what has been received, and marks it as read. */
     void tellInbox() {
-        inbox.forEach(
-                message -> tell(Event.of("message").with("from", message.from()).with("text", message.text())));
+        for (int i = 0; i < inbox.size(); i++) {
+            Received message = inbox.get(i);
+            tell(Event.of("message")
+                    .with("from", message.from())
+                    .with("text", message.text())
+                    .with("read", i < messagesRead));
+        }
+        messagesRead = inbox.size();
         tell(Event.of("end").with("of", "inbox").with("count", inbox.size()));
     }
 

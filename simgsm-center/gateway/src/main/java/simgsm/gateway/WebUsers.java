@@ -14,7 +14,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
-import simgsm.console.Event;
 import simgsm.station.StationThread;
 import simgsm.station.context.StationIdentity;
 import simgsm.web.WebSocket;
@@ -34,7 +33,7 @@ final class WebUsers {
     private final StationThread thread;
     private final InetSocketAddress center;
     private final GatewaySettings settings;
-    private final Consumer<Event> listener;
+    private final Consumer<GatewayEvent> listener;
     private final SecureRandom random = new SecureRandom();
     private final PageWords texts;
     private final Map<Long, WebUser> byNumber = new TreeMap<>();
@@ -43,7 +42,7 @@ final class WebUsers {
 
     private boolean isLocked;
 
-    WebUsers(StationThread thread, GatewaySettings settings, Consumer<Event> listener) {
+    WebUsers(StationThread thread, GatewaySettings settings, Consumer<GatewayEvent> listener) {
         this.thread = thread;
         this.center = settings.center();
         this.settings = settings;
@@ -76,7 +75,7 @@ final class WebUsers {
             return refused(socket, CloseCode.NO_NUMBER, "no number free, at most " + most());
         }
         user.get().attach(socket, name.length() > MOST_NAME ? name.substring(0, MOST_NAME) : name);
-        listener.accept(event("joined", user.get()));
+        listener.accept(new GatewayEvent.Joined(user.get()));
         return user;
     }
 
@@ -104,11 +103,7 @@ final class WebUsers {
     }
 
     private Optional<WebUser> refused(WebSocket socket, int cause, String text) {
-        listener.accept(Event.of("refused")
-                .with("kind", "web")
-                .with("from", socket.peer().getHostAddress())
-                .with("cause", cause)
-                .with("text", text));
+        listener.accept(new GatewayEvent.Refused(GatewayEvent.WEB, socket.peer().getHostAddress(), cause, text));
         return Optional.empty();
     }
 
@@ -124,7 +119,7 @@ final class WebUsers {
     /** A page's socket has ended; within 60 s its token brings the number back. */
     void pageGone(WebUser user, WebSocket socket) {
         if (user.detach(socket)) {
-            listener.accept(event("left", user));
+            listener.accept(new GatewayEvent.Left(user));
             int absence = user.absences();
             thread.after(RETURN_NANOS, () -> {
                 if (!user.hasPage() && user.absences() == absence) {
@@ -159,29 +154,5 @@ final class WebUsers {
 
     Collection<WebUser> all() {
         return byNumber.values();
-    }
-
-    private static Event event(String event, WebUser user) {
-        return named(
-                Event.of(event)
-                        .with("kind", "web")
-                        .with("number", user.number())
-                        .with("from", user.from()),
-                user);
-    }
-
-    /** The row of a user. */
-    static Event row(WebUser user) {
-        return named(
-                Event.of("user")
-                        .with("kind", "web")
-                        .with("number", user.number())
-                        .with("from", user.from())
-                        .with("state", user.isCalling() ? "call" : "idle"),
-                user);
-    }
-
-    private static Event named(Event event, WebUser user) {
-        return user.name().isEmpty() ? event : event.with("name", user.name());
     }
 }
