@@ -46,9 +46,21 @@ public class Scenario implements AutoCloseable {
 
     /** Starts any program with something more in its environment. */
     public RunningProgram start(String name, Map<String, String> environment, String program, String... arguments) {
+        return run(name, environment, Dist.command(program, List.of(arguments)));
+    }
+
+    /** Starts a program as users do, by {@code java -jar} alone. */
+    public RunningProgram startJar(String name, Map<String, String> environment, String program, String... arguments) {
+        List<String> command = new ArrayList<>(
+                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-jar"));
+        command.add(Dist.jar(program).toString());
+        command.addAll(List.of(arguments));
+        return run(name, environment, command);
+    }
+
+    private RunningProgram run(String name, Map<String, String> environment, List<String> command) {
         try {
-            RunningProgram started =
-                    new RunningProgram(name, Dist.command(program, List.of(arguments)), folder, environment);
+            RunningProgram started = new RunningProgram(name, command, folder, environment);
             programs.add(started);
             return started;
         } catch (IOException e) {

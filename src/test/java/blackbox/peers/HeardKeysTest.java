@@ -169,7 +169,7 @@ class HeardKeysTest {
     }
 
     private RunningProgram phoneWithWindow(Scenario scenario) throws Exception {
-        RunningProgram phone = scenario.start(
+        RunningProgram phone = scenario.startJar(
                 "phone",
                 environment,
                 "simgsm-phone",
