@@ -156,7 +156,8 @@ class GatewayTest {
     void aLockedGatewayAdmitsNobodyNewAndADroppedPageIsClosed() throws Exception {
         try (WebPhone phone = new WebPhone(port, JOIN)) {
             String number = phone.expect("welcome").get("number").toString();
-            gateway.say("lock on");
+            // Commands are performed in order: after the list the lock holds.
+            gateway.say("lock on").say("users").expect("end", "of", "users");
             try (WebPhone late = new WebPhone(port, JOIN)) {
                 assertEquals(4003, late.closeCode());
                 gateway.expect("refused", "kind", "web", "cause", "4003");
