@@ -1,4 +1,4 @@
-/** What starts the programs and reads their consoles: demo, class and lessons. */
+/** Demo, class and lessons: they start the programs and read their consoles. */
 module simgsm.classroom {
     requires simgsm.center;
     requires simgsm.lesson;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.event.EventLine;
 
-/** What the gateway's console prints. */
+/** An event of the gateway's console. */
 sealed interface GatewayEvent {
     /** Users of pages. */
     String WEB = "web";

@@ -8,21 +8,31 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import simgsm.web.JsonReader;
 import simgsm.web.RequestException;
 import simgsm.web.UrlPaths;
 import simgsm.web.WebResponse;
 
-/** What the pages show of the robots, fetched from the web servers of SimRobots: browsers need no second port. */
+/** The robots' states and pictures for the pages, fetched from the web servers of SimRobots: browsers need no second port. */
 final class RobotPages {
     private static final int TIMEOUT_MILLIS = 3_000;
     private static final int MOST_OCTETS = 8 * 1024 * 1024;
 
     private static final System.Logger LOG = System.getLogger(RobotPages.class.getName());
 
+    /** Each page asks for the robots once a second, and each picture needs its robot's server. */
+    private static final long KEPT_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+
+    /** @param items the elements of a server's JSON array */
+    private record Listing(String items, Set<Object> names, long fetchedNanos) {}
+
     private final List<URI> servers;
+    private final Map<URI, Listing> listings = new ConcurrentHashMap<>();
     /** Those of which it is logged that they do not answer. */
     private final Set<URI> absent = ConcurrentHashMap.newKeySet();
 
@@ -36,7 +46,7 @@ final class RobotPages {
             return WebResponse.json(all());
         }
         URI server = servers.stream()
-                .filter(each -> hasRobot(each, parts.get(0)))
+                .filter(each -> listing(each).names().contains(parts.get(0)))
                 .findFirst()
                 .orElseThrow(() -> RequestException.notFound(path, "the name of a robot"));
         String robot = "robots/" + UrlPaths.encoded(parts.get(0));
@@ -51,30 +61,41 @@ final class RobotPages {
     }
 
     private String all() {
-        StringBuilder joined = new StringBuilder("[");
-        for (URI server : servers) {
-            try {
-                String list = new String(fetch(server, "robots").body(), StandardCharsets.UTF_8).strip();
-                if (JsonReader.parse(list) instanceof List<?> robots && !robots.isEmpty()) {
-                    joined.append(joined.length() > 1 ? "," : "").append(list, 1, list.length() - 1);
-                }
-                absent.remove(server);
-            } catch (RequestException | IllegalArgumentException e) {
-                if (absent.add(server)) {
-                    LOG.log(Level.WARNING, "--robots {0}: no SimRobot answers; trying again", server);
-                }
-            }
-        }
-        return joined.append(']').toString();
+        return servers.stream()
+                .map(server -> listing(server).items())
+                .filter(items -> !items.isBlank())
+                .collect(Collectors.joining(",", "[", "]"));
     }
 
-    private static boolean hasRobot(URI server, String name) {
-        try {
-            Object list = JsonReader.parse(new String(fetch(server, "robots").body(), StandardCharsets.UTF_8));
-            return ((List<?>) list).stream().anyMatch(robot -> name.equals(((Map<?, ?>) robot).get("name")));
-        } catch (RequestException | ClassCastException | IllegalArgumentException e) {
-            return false; // As above.
+    /** The robots of a server; none while it does not answer. */
+    private Listing listing(URI server) {
+        Listing kept = listings.get(server);
+        if (kept != null && System.nanoTime() - kept.fetchedNanos() < KEPT_NANOS) {
+            return kept;
         }
+        Listing fetched = fetchListing(server);
+        listings.put(server, fetched);
+        return fetched;
+    }
+
+    private Listing fetchListing(URI server) {
+        try {
+            String list = new String(fetch(server, "robots").body(), StandardCharsets.UTF_8).strip();
+            if (JsonReader.parse(list) instanceof List<?> robots) {
+                absent.remove(server);
+                Set<Object> names = robots.stream()
+                        .map(robot -> robot instanceof Map<?, ?> fields ? fields.get("name") : null)
+                        .filter(Objects::nonNull)
+                        .collect(Collectors.toSet());
+                return new Listing(list.substring(1, list.length() - 1), names, System.nanoTime());
+            }
+        } catch (RequestException | IllegalArgumentException e) {
+            // A SimRobot that does not answer has no robots for now.
+        }
+        if (absent.add(server)) {
+            LOG.log(Level.WARNING, "--robots {0}: no SimRobot answers; trying again", server);
+        }
+        return new Listing("", Set.of(), System.nanoTime());
     }
 
     private static WebResponse fetch(URI server, String path) throws RequestException {

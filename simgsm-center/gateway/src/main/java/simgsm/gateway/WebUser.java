@@ -11,7 +11,6 @@ import simgsm.speech.SpeechCodec;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
 import simgsm.station.call.MobileCallTable.MobileCallState;
-import simgsm.station.call.SpeechSource;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
@@ -50,8 +49,7 @@ final class WebUser {
     WebUser(StationIdentity identity, String token, PageWords texts) {
         this.token = token;
         this.texts = texts;
-        SpeechSource source = speech;
-        station = new MobileStation(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, source, this::accept);
+        station = new MobileStation(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, speech, this::accept);
     }
 
     MobileStation station() {

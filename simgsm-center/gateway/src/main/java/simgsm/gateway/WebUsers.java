@@ -1,6 +1,5 @@
 package simgsm.gateway;
 
-import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
@@ -31,7 +30,6 @@ final class WebUsers {
     private static final String UNIT_NAME = "SimGSM web phone";
 
     private final StationThread thread;
-    private final InetSocketAddress center;
     private final GatewaySettings settings;
     private final Consumer<GatewayEvent> listener;
     private final SecureRandom random = new SecureRandom();
@@ -44,7 +42,6 @@ final class WebUsers {
 
     WebUsers(StationThread thread, GatewaySettings settings, Consumer<GatewayEvent> listener) {
         this.thread = thread;
-        this.center = settings.center();
         this.settings = settings;
         this.listener = listener;
         texts = new PageWords(settings.language());
@@ -95,7 +92,7 @@ final class WebUsers {
                         StationIdentity.ofOpenNumber(new Msisdn(Long.toString(number)), Imei.random(random), UNIT_NAME);
                 WebUser user = new WebUser(identity, HexFormat.of().formatHex(token), texts);
                 byNumber.put(number, user);
-                thread.add(user.station(), center);
+                thread.add(user.station(), settings.center());
                 return Optional.of(user);
             }
         }

@@ -18,8 +18,8 @@ import simgsm.net.Acceptor;
 import simgsm.net.ConnectionLimits;
 
 /**
- * A port for HTTP and, where paths for them are given, WebSockets. HTTP is served with at most 512 threads that end after 10 s without work. A client that reads nothing of its answer loses
- * the connection within 10 s.
+ * A port for HTTP and, where paths for them are given, WebSockets. HTTP is served with at most 512 threads that end after
+ * 10 s without work. A client that reads nothing of its answer loses the connection within 10 s.
  */
 public final class WebPort implements AutoCloseable {
     private static final int BACKLOG = 64;

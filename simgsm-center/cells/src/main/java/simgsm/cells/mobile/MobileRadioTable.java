@@ -10,7 +10,7 @@ import simgsm.state.StateTable;
 
 /** How a mobile comes onto a channel, changes it and leaves it (TS 44.018, 3.3, 3.4 and 3.5). */
 public final class MobileRadioTable {
-    /** What the radio part of a mobile does (TS 44.018, 3). */
+    /** An action of a mobile's radio part (TS 44.018, 3). */
     public enum MobileRadioState {
         /** On no channel. */
         IDLE,

@@ -31,12 +31,12 @@ public final class ClassDemo {
 
     private static final int MOST_STUDENTS = 30;
     private static final String WORLD = "worlds/office.map";
-    /** Of the goal "Exit" in that world, in metres. */
+    /** Place of the goal "Exit" in that world, in metres. */
     private static final double GOAL_X = 17.6;
 
     private static final double GOAL_Y = 6.0;
 
-    /** What each phone does without a display. */
+    /** Console lines that each phone performs without a display. */
     private static final List<String> MOVES = List.of(
             "wait registered 120",
             "dial {robot}",

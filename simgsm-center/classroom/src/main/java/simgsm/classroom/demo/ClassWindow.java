@@ -50,7 +50,7 @@ final class ClassWindow implements ClassActs, Consoles.Listener {
     private boolean isChanged = true;
     private Optional<String> notice = Optional.empty();
     private long readyNanos;
-    /** Of the class's window. */
+    /** Language of the class's window. */
     private volatile Locale language;
     /** On the event thread, once it is open. */
     private ClassFrame frame;

@@ -34,7 +34,7 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
     private static final int TOOLS_HEIGHT = 114;
     private static final int COLUMN_WIDTH = 320;
     private static final int ROW_HEIGHT = 166;
-    /** What a window's frame may take beyond the phone's least height. */
+    /** Height of a window's frame beyond the phone's least height. */
     private static final int FRAME_UNITS = 24;
 
     /**
@@ -71,7 +71,7 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
                 .toList();
     }
 
-    /** What is left of the screen below the phone. */
+    /** The part of the screen below the phone. */
     WindowPlace belowPhone(WindowPlace screen) {
         int bottom = phone.y() + (SuiteWindow.PHONE.heightUnits() + FRAME_UNITS) * zoomPercent / 100;
         int height = Math.max(0, screen.y() + screen.height() - bottom);

@@ -25,7 +25,7 @@ final class WebLink {
         return arguments.has(OPTION);
     }
 
-    /** What SimRobot needs, so that the pages can show its map; nothing without {@code --web}. */
+    /** SimRobot's options that let the pages show its map; none without {@code --web}. */
     static Stream<String> robotOptions(Arguments arguments) {
         return isWanted(arguments) ? Stream.of("--http", "0") : Stream.of();
     }

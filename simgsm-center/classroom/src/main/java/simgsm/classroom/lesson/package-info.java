@@ -1,5 +1,5 @@
 /**
  * Plays lessons: starts the programs of one, feeds their events to its run, performs solutions and prints the score. Read
- * {@link simgsm.classroom.lesson.LessonSession} first. Arrows: lesson -&gt; demo -&gt; app.
+ * {@link simgsm.classroom.lesson.LessonSession} first. Arrows: lesson -&gt; demo, session, ui.
  */
 package simgsm.classroom.lesson;
