@@ -49,7 +49,7 @@ class LayeringTest {
             simgsm.scope             : simgsm.tone simgsm.dtmf
             simgsm.console           : simgsm.event simgsm.file
             simgsm.lesson            : simgsm.file simgsm.console
-            simgsm.web               : simgsm.net simgsm.event simgsm.console
+            simgsm.web               : simgsm.file simgsm.timer simgsm.net simgsm.event simgsm.console
             simgsm.audio             : simgsm.speech
             simgsm.draw              :
             simgsm.ui                : simgsm.console simgsm.draw

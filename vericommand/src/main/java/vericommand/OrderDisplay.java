@@ -14,7 +14,7 @@ final class OrderDisplay {
     private final Deque<String> replies = new ArrayDeque<>();
     private String from = "";
     private String keys = "";
-    private boolean message;
+    private OrderSource source = OrderSource.CALL;
     private LocalizedText words = LocalizedText.EMPTY;
     private String verdictWord = "";
     private LocalizedText verdictText = LocalizedText.EMPTY;
@@ -27,9 +27,9 @@ final class OrderDisplay {
         this.texts = texts;
     }
 
-    void begin(String from, boolean message) {
+    void begin(String from, OrderSource source) {
         this.from = from;
-        this.message = message;
+        this.source = source;
         replies.clear();
         keys("");
     }
@@ -59,8 +59,8 @@ final class OrderDisplay {
         }
     }
 
-    boolean showsMessage() {
-        return message;
+    OrderSource source() {
+        return source;
     }
 
     void verdict(Verdict verdict) {
@@ -129,7 +129,7 @@ final class OrderDisplay {
     VeriCommandSnapshot snapshot(boolean inCall, boolean underWay) {
         return new VeriCommandSnapshot(
                 from,
-                message,
+                source,
                 inCall,
                 underWay,
                 keys,

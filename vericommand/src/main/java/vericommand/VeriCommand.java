@@ -3,9 +3,10 @@ package vericommand;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
+import java.util.function.Consumer;
 
 /**
- * The command verifier of one robot: reads orders from a call's keys and from short messages, verifies each against the
+ * The command verifier of one robot: reads orders from a call's keys, short messages and programs, verifies each against the
  * robot's status, executes it instruction by instruction, and replies. A deterministic core on the robot's owner thread.
  *
  * <p>One order that moves is executed at a time. Its first motion is announced by tone 6, its end by one outcome; every
@@ -46,7 +47,7 @@ public final class VeriCommand {
     public void callBegan(String caller) {
         callEnded();
         call = OrderOrigin.call(caller);
-        display.begin(caller, false);
+        display.begin(caller, OrderSource.CALL);
         listener.changed();
     }
 
@@ -90,8 +91,8 @@ public final class VeriCommand {
             return;
         }
         Recognition recognition = recognizer.key(key);
-        if (display.showsMessage()) {
-            display.begin(call.number(), false);
+        if (display.source() != OrderSource.CALL) {
+            display.begin(call.from(), OrderSource.CALL);
         }
         display.key(key, recognizer.keys());
         handle(recognition, call);
@@ -128,12 +129,23 @@ public final class VeriCommand {
                 && !(verdict(complete.order()) instanceof Verdict.NoProcess);
         AnswerLimit.Ruling ruling = isValid ? AnswerLimit.Ruling.ANSWER : answerLimit.decide(from, nowNanos);
         if (ruling == AnswerLimit.Ruling.ANSWER) {
-            display.begin(from, true);
+            display.begin(from, OrderSource.MESSAGE);
             handle(recognition, OrderOrigin.message(from));
             listener.changed();
         } else if (ruling == AnswerLimit.Ruling.BE_SILENT) {
             listener.senderSilenced(from);
         }
+    }
+
+    /**
+     * An order of a program, read as a short message is; whether its operator may command is known already.
+     *
+     * @param follower told of the order's course on the owner thread, for the first time before this returns
+     */
+    public void order(String operator, String text, Consumer<OrderReport> follower) {
+        display.begin(operator, OrderSource.PROGRAM);
+        handle(OrderText.read(text), OrderOrigin.program(operator, OrderText.keysOf(text), robot::pose, follower));
+        listener.changed();
     }
 
     /**
@@ -197,9 +209,10 @@ public final class VeriCommand {
         return isThere ? Verdict.of(order, robot.status()) : new Verdict.NoProcess(order, processes);
     }
 
-    private void report(Verdict verdict) {
+    private void report(Verdict verdict, OrderOrigin origin) {
         display.verdict(verdict);
         listener.order(verdict.keys(), verdict);
+        origin.verified(verdict.word());
     }
 
     /** An order that only asks for the status leaves the autonomous behaviour running. */
@@ -220,7 +233,7 @@ public final class VeriCommand {
         deferred = null;
         Verdict verdict = verdict(execution.order());
         if (execution.isStopOrdered() && execution.order().moves()) {
-            report(verdict);
+            report(verdict, execution.origin());
             display.course(execution.order(), OrderCourse.STOPPED);
             answer(execution.origin(), texts.stopped(execution.initialProgress()), false);
         } else if (!execution.origin().isEnded()) {
@@ -231,7 +244,7 @@ public final class VeriCommand {
     }
 
     private void settle(Verdict verdict, OrderOrigin origin) {
-        report(verdict);
+        report(verdict, origin);
         if (verdict instanceof Verdict.Invalid invalid) {
             answer(origin, texts.invalid(invalid.fault()));
         } else if (verdict instanceof Verdict.NoProcess none) {
@@ -298,8 +311,11 @@ public final class VeriCommand {
     }
 
     private void start(Instruction.Motion motion) {
-        if (running.announce() && !running.origin().isMessage()) {
-            listener.tone(ReplyTone.EXECUTING);
+        if (running.announce()) {
+            running.origin().moves();
+            if (running.origin().source() == OrderSource.CALL) {
+                listener.tone(ReplyTone.EXECUTING);
+            }
         }
         robot.start(motion, this::motionEnded);
     }
@@ -337,6 +353,8 @@ public final class VeriCommand {
                 display.reply(reply);
                 listener.outcome(reply);
             }
+        } else if (ended != null) {
+            ended.origin().replaced();
         }
         reportUnderWay();
         listener.changed();
@@ -413,9 +431,11 @@ public final class VeriCommand {
         Reply reply = robot.hasLowBattery() ? texts.withLowBattery(outcome) : outcome;
         display.reply(reply);
         listener.outcome(reply);
-        if (origin.isMessage()) {
+        if (origin.source() == OrderSource.PROGRAM) {
+            origin.answered(reply, process == null || process.origin() != origin);
+        } else if (origin.source() == OrderSource.MESSAGE) {
             if (settings.answered() != VeriCommandSettings.Answered.NONE) {
-                listener.message(origin.number(), reply.message());
+                listener.message(origin.from(), reply.message());
             }
         } else if (byTone) {
             listener.tone(reply.tone());

@@ -5,8 +5,7 @@ import java.util.List;
 /**
  * What a window shows of a {@link VeriCommand}; the replies as they were sent, in the language of its settings.
  *
- * @param from the number of the current or last call or message, empty if unknown
- * @param message whether {@code from} sent a short message
+ * @param from the number of the current or last call or message, empty if unknown; of a program's order its operator
  * @param inCall whether a call is up
  * @param underWay whether an order is being executed
  * @param keys of the current or last order as received, without blanks; in a call also those skipped after a fault
@@ -17,11 +16,11 @@ import java.util.List;
  * @param course what has become of an accepted order
  * @param failingPosition the offending key, counted from 1 in {@code keys}; 0 if none. One more than the number of keys: a
  *     key is missing
- * @param replies to this call or message so far, the newest last, as {@code 3 Done: ...}; at most the last eight
+ * @param replies to this call, message or program so far, the newest last, as {@code 3 Done: ...}; at most the last eight
  */
 public record VeriCommandSnapshot(
         String from,
-        boolean message,
+        OrderSource source,
         boolean inCall,
         boolean underWay,
         String keys,

@@ -23,7 +23,7 @@ class VeriCommandSnapshotTest {
         assertEquals("", shown().verdictWord());
         assertEquals(Bench.CALLER, shown().from());
         assertTrue(shown().inCall());
-        assertFalse(shown().message());
+        assertEquals(OrderSource.CALL, shown().source());
     }
 
     @Test
@@ -140,7 +140,7 @@ class VeriCommandSnapshotTest {
         assertEquals(
                 new VeriCommandSnapshot(
                         "5550102",
-                        false,
+                        OrderSource.CALL,
                         true,
                         false,
                         "",
@@ -262,11 +262,11 @@ class VeriCommandSnapshotTest {
     void aMessageTakesTheLineAndTheCallTakesItBackWithItsNextKey() {
         bench.press("** #*");
         bench.sms("** #*#90 **");
-        assertTrue(shown().message());
+        assertEquals(OrderSource.MESSAGE, shown().source());
         assertEquals("5550101", shown().from());
         assertEquals("turn right 90 degrees", shown().words().in(Locale.ENGLISH));
         bench.press("*");
-        assertFalse(shown().message());
+        assertEquals(OrderSource.CALL, shown().source());
         assertEquals("**#**", shown().keys());
         assertEquals(Bench.CALLER, shown().from());
     }

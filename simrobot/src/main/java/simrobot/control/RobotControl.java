@@ -10,6 +10,7 @@ import simrobot.process.BehaviourKind;
 import simrobot.process.Decision;
 import simrobot.robot.Pioneer;
 import vericommand.Instruction;
+import vericommand.OrderReport;
 import vericommand.ProcessEnding;
 import vericommand.Reply;
 import vericommand.ReplyTone;
@@ -112,6 +113,12 @@ final class RobotControl {
     void message(String from, String text) {
         tell(new RobotEvent.MessageReceived(from, text));
         veriCommand.message(from, text, clockNanos.getAsLong());
+    }
+
+    /** An order of a program; see {@link VeriCommand#order}. */
+    void order(String operator, String text, Consumer<OrderReport> follower) {
+        tell(new RobotEvent.OrderSubmitted(operator, text));
+        veriCommand.order(operator, text, follower);
     }
 
     /** A question of the network by USSD. @return the verifier's reply */

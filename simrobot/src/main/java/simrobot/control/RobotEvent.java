@@ -75,6 +75,10 @@ public sealed interface RobotEvent {
     @EventLine("sms robot= from= text=")
     record MessageReceived(String from, String text) implements RobotEvent {}
 
+    /** An order of a program was received. @param from whose key the program has */
+    @EventLine("submitted robot= from= text=")
+    record OrderSubmitted(String from, String text) implements RobotEvent {}
+
     /** No key came for 60 s; {@link CallReleased} follows. */
     @EventLine("call-idle robot= seconds=")
     record CallIdle(int seconds) implements RobotEvent {}

@@ -14,6 +14,7 @@ import simgsm.station.mobility.Sim;
 import simgsm.tone.ToneExperiment;
 import simrobot.robot.Pioneer;
 import simrobot.robot.SimulatedRobot;
+import vericommand.OrderReport;
 import vericommand.VeriCommandSettings;
 import vericommand.VeriCommandSnapshot;
 
@@ -68,6 +69,17 @@ public final class TelephoneRobot {
     /** A Pioneer program sent a text for the operator. For the simulation's thread only. */
     public void clientMessage(String text) {
         control.tell(new RobotEvent.ClientMessage(text));
+    }
+
+    /**
+     * Submits an order of a program, such as {@code ** #**20 **}. For the simulation's thread only.
+     *
+     * @param operator whose key the program has
+     * @param follower told of the order's course on the simulation's thread, for the first time before this returns; never
+     *     again once it has ended
+     */
+    public void order(String operator, String keys, Consumer<OrderReport> follower) {
+        control.order(operator, keys, follower);
     }
 
     /** For the simulation's thread only. */

@@ -12,6 +12,7 @@ import simgsm.air.Msisdn;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
+import simgsm.file.SecretFile;
 import simgsm.sim.SimFile;
 
 /**

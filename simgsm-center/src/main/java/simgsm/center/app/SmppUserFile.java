@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Properties;
 import simgsm.center.smpp.SmppUsers;
+import simgsm.file.SecretFile;
 import simgsm.file.Utf8Text;
 
 /** The applications that may bind by SMPP: {@code system-id=password}, a line each, and {@code system-id.SETTING=value}. */

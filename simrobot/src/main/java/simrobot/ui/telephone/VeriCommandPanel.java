@@ -18,6 +18,7 @@ import simgsm.ui.Theme;
 import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.TextLine;
 import vericommand.OrderCourse;
+import vericommand.OrderSource;
 import vericommand.VeriCommandSnapshot;
 
 /** VeriCommand's state: the keys received, the order in words, the verdict, the replies. */
@@ -86,7 +87,7 @@ public final class VeriCommandPanel extends JPanel {
             showVerdict(order);
             showCourse(order.course());
         }
-        replies.show(order.message() ? order.replies() : tones(line.tones()));
+        replies.show(order.source() == OrderSource.CALL ? tones(line.tones()) : order.replies());
         reply.show(newest(order.replies()));
     }
 
@@ -100,7 +101,11 @@ public final class VeriCommandPanel extends JPanel {
             return texts.of("order.from.nobody");
         }
         String number = order.from().isEmpty() ? texts.of("order.from.unknown") : order.from();
-        String kind = order.message() ? "order.from.sms" : order.inCall() ? "order.from.call" : "order.from.ended";
+        String kind = switch (order.source()) {
+            case CALL -> order.inCall() ? "order.from.call" : "order.from.ended";
+            case MESSAGE -> "order.from.sms";
+            case PROGRAM -> "order.from.program";
+        };
         return texts.of(kind, number);
     }
 

@@ -373,6 +373,7 @@ class RobotsInTheWindowTest {
                 new RobotEvent.BatteryChanged(true),
                 new RobotEvent.UssdAnswered("16", "refused"),
                 new RobotEvent.MessageReceived("16", "refused"),
+                new RobotEvent.OrderSubmitted("ana", "** #**20 **"),
                 new RobotEvent.TypeUnknown("16"),
                 new RobotEvent.ClientMessage("16"),
                 new RobotEvent.CallIdle(60),

@@ -32,6 +32,7 @@ import simrobot.ui.TextLine;
 import simrobot.ui.floor.WorldView;
 import vericommand.LocalizedText;
 import vericommand.OrderCourse;
+import vericommand.OrderSource;
 import vericommand.VeriCommandSnapshot;
 
 /** SimRobot's page in the sizes that the demo gives its window; the frame takes 4 by 28 pixels of them. */
@@ -93,7 +94,7 @@ class RunningPageTest {
                 WindowBench bench = new WindowBench("demo.map", language, "robot");
                 VeriCommandSnapshot order = new VeriCommandSnapshot(
                         "5550100",
-                        false,
+                        OrderSource.CALL,
                         true,
                         true,
                         "**#**100#*#90#**100**",
@@ -188,7 +189,7 @@ class RunningPageTest {
         WindowBench bench = bench(Locale.ENGLISH, 1100, 800);
         VeriCommandSnapshot order = new VeriCommandSnapshot(
                 "5550100",
-                false,
+                OrderSource.CALL,
                 true,
                 true,
                 "**#**20**",

@@ -31,6 +31,7 @@ import simgsm.ui.Theme;
 import simrobot.ui.TelephoneSnapshot;
 import vericommand.Instruction;
 import vericommand.OrderCourse;
+import vericommand.OrderSource;
 import vericommand.RobotStatus;
 import vericommand.VeriCommandSnapshot;
 
@@ -360,7 +361,7 @@ class SimRobotPanelTest {
         assertEquals("Verdict: reading", bench.spoken("order.verdict"));
         VeriCommandSnapshot ended = new VeriCommandSnapshot(
                 "5550100",
-                false,
+                OrderSource.CALL,
                 false,
                 false,
                 "*",
@@ -387,7 +388,7 @@ class SimRobotPanelTest {
     void theRepliesToAMessageAreShownAsChipsAndInFull() throws Exception {
         VeriCommandSnapshot order = new VeriCommandSnapshot(
                 "5550100",
-                true,
+                OrderSource.MESSAGE,
                 false,
                 false,
                 "**#**20**",

@@ -41,6 +41,7 @@ import simrobot.world.World;
 import simrobot.world.WorldReader;
 import vericommand.LocalizedText;
 import vericommand.OrderCourse;
+import vericommand.OrderSource;
 import vericommand.Pose;
 import vericommand.VeriCommandSnapshot;
 
@@ -199,7 +200,7 @@ public final class WindowBench implements OperatorActions {
     static VeriCommandSnapshot orders(String keys, String words, String verdict, String text, int fault) {
         return new VeriCommandSnapshot(
                 "5550100",
-                false,
+                OrderSource.CALL,
                 true,
                 false,
                 keys,
@@ -218,7 +219,7 @@ public final class WindowBench implements OperatorActions {
 
     static VeriCommandSnapshot noOrders() {
         return new VeriCommandSnapshot(
-                "", false, false, false, "", said(""), "", said(""), OrderCourse.NONE, 0, List.of());
+                "", OrderSource.CALL, false, false, "", said(""), "", said(""), OrderCourse.NONE, 0, List.of());
     }
 
     // ---- what the operator did

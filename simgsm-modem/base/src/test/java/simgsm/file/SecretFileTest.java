@@ -1,4 +1,4 @@
-package simgsm.center.app;
+package simgsm.file;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;

@@ -1,4 +1,4 @@
-package simgsm.center.app;
+package simgsm.file;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
@@ -7,13 +7,13 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermission;
 
 /** Files that hold passwords or keys. */
-final class SecretFile {
+public final class SecretFile {
     private static final System.Logger LOG = System.getLogger(SecretFile.class.getName());
 
     private SecretFile() {}
 
     /** Logs a warning if every user of this machine may read the file. */
-    static void check(Path file) {
+    public static void check(Path file) {
         if (isReadableByAll(file)) {
             LOG.log(
                     Level.WARNING,

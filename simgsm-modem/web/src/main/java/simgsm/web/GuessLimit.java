@@ -1,0 +1,46 @@
+package simgsm.web;
+
+import java.net.InetAddress;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import simgsm.timer.RateLimit;
+
+/**
+ * Slows the guessing of keys: each address has 10 wrong ones at once, then one a second. Until then its further keys, right
+ * or wrong, are refused unread, so that a guess cannot be told from a right key in between. Any thread may call it.
+ */
+public final class GuessLimit {
+    /** At once, after 10 s without a wrong key. */
+    static final int MOST_AT_ONCE = 10;
+
+    /** The status of a request beyond a limit (RFC 6585, 4). */
+    public static final int TOO_MANY_REQUESTS = 429;
+
+    private static final int MOST_ADDRESSES = 10_000;
+
+    private final Map<InetAddress, RateLimit> addresses = new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<InetAddress, RateLimit> eldest) {
+            return size() > MOST_ADDRESSES;
+        }
+    };
+
+    /** @throws RequestException with status 429 if an address has sent too many wrong keys */
+    public synchronized void require(InetAddress from, long nowNanos) throws RequestException {
+        RateLimit wrong = addresses.get(from);
+        if (wrong != null && !wrong.isLeft(nowNanos)) {
+            throw new RequestException(
+                    TOO_MANY_REQUESTS,
+                    "too many wrong keys from this address, expected at most one a second; try again in a second");
+        }
+    }
+
+    /** Counts a wrong key. */
+    public synchronized void countWrong(InetAddress from, long nowNanos) {
+        addresses
+                .computeIfAbsent(from, unknown -> new RateLimit(1, MOST_AT_ONCE))
+                .take(nowNanos);
+    }
+}

@@ -1,0 +1,11 @@
+package vericommand;
+
+/** How an order comes and how its reply goes. */
+public enum OrderSource {
+    /** Keys of a call, answered by tones. */
+    CALL,
+    /** A short message, answered by another one. */
+    MESSAGE,
+    /** A program, as over HTTP or ROS, which follows an {@link OrderReport}. */
+    PROGRAM
+}
