@@ -36,7 +36,7 @@ class ReferenceTest {
             """;
 
     private static final List<String> WINDOWED = List.of("simgsm-center", "simgsm-cells", "simgsm-phone", "simrobot");
-    private static final List<String> TOOLS = List.of("tones", "decode", "gsm", "pdu", "load", "fuzz");
+    private static final List<String> TOOLS = List.of("tones", "decode", "gsm", "pdu", "load");
     /** A new entry begins at a line that is indented by two or six blanks; its other lines are indented further. */
     private static final Pattern ENTRIES = Pattern.compile("\n(?! {10})");
 

@@ -53,7 +53,7 @@ final class LoadTool {
     }
 
     /** Fails at once without a centre; the stations would try to connect without end. */
-    static void requireCenter(HostPort center) throws UnavailableException {
+    private static void requireCenter(HostPort center) throws UnavailableException {
         try (Socket socket = new Socket()) {
             socket.connect(new InetSocketAddress(center.host(), center.port()), CONNECT_MILLIS);
         } catch (IOException e) {

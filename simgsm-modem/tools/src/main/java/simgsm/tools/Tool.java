@@ -18,8 +18,7 @@ record Tool(String word, String logLevel, int arguments, Body body) {
             new Tool("decode", "warning", Integer.MAX_VALUE, DecodeTool::run),
             new Tool("gsm", "warning", 3, GsmTool::run),
             new Tool("pdu", "warning", 2, PduTool::run),
-            new Tool("load", "warning", 0, LoadTool::run),
-            new Tool("fuzz", "error", 0, FuzzTool::run));
+            new Tool("load", "warning", 0, LoadTool::run));
 
     /** Does the work. Returns the exit status. */
     interface Body {

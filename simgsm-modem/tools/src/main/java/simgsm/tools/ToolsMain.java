@@ -47,7 +47,7 @@ public final class ToolsMain {
         }
         return new Options(
                         usage.toString(),
-                        "Tools for DTMF, speech, short messages, load and fuzzing; TOOL --help describes each.")
+                        "Tools for DTMF, speech, short messages and load; TOOL --help describes each.")
                 .arguments(Integer.MAX_VALUE);
     }
 }

@@ -1,6 +1,6 @@
 /**
- * The command-line tools of {@code simgsm-modem.jar}: DTMF tones to and from files, speech and short-message codecs, load
- * and fuzzing of a centre.
+ * The command-line tools of {@code simgsm-modem.jar}: DTMF tones to and from files, speech and short-message codecs, and
+ * load for a centre.
  *
  * <p>Read first: {@link simgsm.tools.Tool}.
  */

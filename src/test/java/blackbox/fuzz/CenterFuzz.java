@@ -1,4 +1,4 @@
-package simgsm.tools.fuzz;
+package blackbox.fuzz;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -14,7 +14,7 @@ import simgsm.air.Msisdn;
  * Mutated dialogues with a running centre over TCP. The stations' time runs 100 times as fast as the centre's, so that
  * their timers of lost messages expire soon. Every 5000 frames an intact connection must be answered.
  */
-public final class CenterFuzz {
+final class CenterFuzz {
     private static final int PEERS = 16;
     private static final long FIRST_NUMBER = 7_900_000;
     private static final int TIME_FACTOR = 100;
@@ -28,7 +28,7 @@ public final class CenterFuzz {
     private final long startNanos = System.nanoTime();
     private long checkAtFrames = FRAMES_BETWEEN_CHECKS;
 
-    public CenterFuzz(InetSocketAddress center, long seed) {
+    CenterFuzz(InetSocketAddress center, long seed) {
         this.center = center;
         SplittableRandom random = new SplittableRandom(seed);
         List<Msisdn> numbers = new ArrayList<>();
@@ -39,21 +39,21 @@ public final class CenterFuzz {
     }
 
     /** Frames sent to the centre, mutated or not. */
-    public long frames() {
+    long frames() {
         return sockets.stream().mapToLong(FuzzConnection::frames).sum();
     }
 
     /** Connections made; either side closes mutated ones. */
-    public long connections() {
+    long connections() {
         return sockets.stream().mapToLong(FuzzConnection::connections).sum();
     }
 
     /**
      * Runs until this number of frames is sent.
      *
-     * @throws FuzzFailure if the centre stops answering
+     * @throws AssertionError if the centre stops answering
      */
-    public void run(long mostFrames) {
+    void run(long mostFrames) {
         try {
             while (frames() < mostFrames) {
                 for (FuzzConnection socket : sockets) {
@@ -81,7 +81,7 @@ public final class CenterFuzz {
             }
         } catch (IOException e) {
             long waited = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began);
-            throw new FuzzFailure(
+            throw new AssertionError(
                     "after " + frames() + " frames the centre does not answer within " + waited + " ms: "
                             + e.getMessage(),
                     e);

@@ -1,4 +1,4 @@
-package simgsm.tools.fuzz;
+package blackbox.fuzz;
 
 import java.util.List;
 import java.util.SplittableRandom;
@@ -18,10 +18,10 @@ import simgsm.station.context.Uplink;
 import simgsm.station.mobility.Sim;
 
 /**
- * A station core with random actions, of whose frames some are mutated, lost, repeated or replaced. The caller supplies
+ * A station core with random actions. Some of its frames are mutated, lost, repeated or replaced. The caller supplies
  * connection and time.
  */
-public final class FuzzStation {
+final class FuzzStation {
     private static final int LONGEST_TEXT = 320;
     private static final int LONGEST_TONE_MILLIS = 300;
 
@@ -38,7 +38,7 @@ public final class FuzzStation {
     private long frames;
 
     /** @param others numbers that it calls and sends messages to */
-    public FuzzStation(Msisdn number, List<Msisdn> others, SplittableRandom random) {
+    FuzzStation(Msisdn number, List<Msisdn> others, SplittableRandom random) {
         this.random = random;
         this.others = List.copyOf(others);
         mutator = new Mutator(random);
@@ -55,7 +55,7 @@ public final class FuzzStation {
     }
 
     /** Begins a connection. @param newWire receives octets for the centre, mostly whole frames */
-    public void connected(Consumer<byte[]> newWire, long nowNanos) {
+    void connected(Consumer<byte[]> newWire, long nowNanos) {
         wire = newWire;
         isDropped = false;
         isFramingBroken = false;
@@ -74,27 +74,27 @@ public final class FuzzStation {
                 nowNanos);
     }
 
-    public void disconnected(long nowNanos) {
+    void disconnected(long nowNanos) {
         wire = null;
         station.linkDown(nowNanos);
     }
 
-    public void arrived(IpaFrame frame, long nowNanos) {
+    void arrived(IpaFrame frame, long nowNanos) {
         station.frameArrived(frame, nowNanos);
     }
 
-    /** Whether the connection should be replaced. */
-    public boolean wantsNewConnection() {
+    /** True if the connection should be replaced. */
+    boolean wantsNewConnection() {
         return isDropped || isFramingBroken && random.nextInt(4) == 0 || random.nextInt(5_000) == 0;
     }
 
     /** Frames sent, mutated or not. */
-    public long frames() {
+    long frames() {
         return frames;
     }
 
     /** Advances the time and performs a random action. */
-    public void turn(long nowNanos) {
+    void turn(long nowNanos) {
         station.timePassed(nowNanos);
         switch (random.nextInt(60)) {
             case 0, 1 -> station.dial(anyNumber());

@@ -1,4 +1,4 @@
-package simgsm.tools.fuzz;
+package blackbox.fuzz;
 
 import java.util.Locale;
 import simgsm.abis.RslCodec;

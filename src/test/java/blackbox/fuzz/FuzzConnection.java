@@ -1,4 +1,4 @@
-package simgsm.tools.fuzz;
+package blackbox.fuzz;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -35,7 +35,7 @@ final class FuzzConnection {
         return connections;
     }
 
-    /** @throws FuzzFailure if the centre cannot be reached or breaks the protocol */
+    /** @throws AssertionError if the centre cannot be reached or breaks the protocol */
     void turn(InetSocketAddress center, ByteBuffer buffer, long nowNanos) {
         if (channel == null) {
             connect(center, nowNanos);
@@ -54,7 +54,7 @@ final class FuzzConnection {
             channel.configureBlocking(false);
             channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
         } catch (IOException e) {
-            throw new FuzzFailure(
+            throw new AssertionError(
                     "after " + connections + " connections of this station the centre cannot be reached: "
                             + e.getMessage(),
                     e);
@@ -76,7 +76,7 @@ final class FuzzConnection {
         } catch (IOException e) {
             isBroken = true;
         } catch (ProtocolViolation violation) {
-            throw new FuzzFailure("the centre breaks the protocol: " + violation.getMessage(), violation);
+            throw new AssertionError("the centre breaks the protocol: " + violation.getMessage(), violation);
         }
     }
 

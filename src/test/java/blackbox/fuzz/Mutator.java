@@ -1,11 +1,11 @@
-package simgsm.tools.fuzz;
+package blackbox.fuzz;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import simgsm.octets.Octets;
 
 /** Mutates octets by 1 to 4 changes of the kinds that faulty programs and links cause. */
-public final class Mutator {
+final class Mutator {
     private static final int MOST_CHANGES = 4;
     private static final int MOST_INSERTED = 12;
     /** Values at the limits of lengths and signs. */
@@ -13,12 +13,12 @@ public final class Mutator {
 
     private final SplittableRandom random;
 
-    public Mutator(SplittableRandom random) {
+    Mutator(SplittableRandom random) {
         this.random = random;
     }
 
     /** A changed copy. @param mostOctets greatest length of the result */
-    public byte[] mutate(byte[] octets, int mostOctets) {
+    byte[] mutate(byte[] octets, int mostOctets) {
         byte[] mutated = octets.clone();
         int changes = 0;
         do {

@@ -1,4 +1,4 @@
-package simgsm.tools.fuzz;
+package blackbox.fuzz;
 
 import java.nio.ByteBuffer;
 import java.util.HexFormat;
@@ -24,7 +24,7 @@ import simgsm.speech.SpeechCodec;
  * Mutated frames, recorded ones and messages of random elements, through the framer and all decoders. Each must give a message or a {@link ProtocolViolation}; a message
  * must have a text, and must be the same after encoding and decoding. The same seed gives the same mutations.
  */
-public final class CodecFuzz {
+final class CodecFuzz {
     /** One frame in 64 is mutated with its header; the framer may then skip frames until it is replaced. */
     private static final int FRAMES_PER_HEADER_MUTATION = 64;
 
@@ -42,28 +42,28 @@ public final class CodecFuzz {
     private long read;
     private long refused;
 
-    public CodecFuzz(long seed) {
+    CodecFuzz(long seed) {
         random = new SplittableRandom(seed);
         mutator = new Mutator(random);
     }
 
     /** Mutated frames so far. */
-    public long frames() {
+    long frames() {
         return frames;
     }
 
     /** Frames that were decoded. */
-    public long read() {
+    long read() {
         return read;
     }
 
     /** Frames that were refused with a violation. */
-    public long refused() {
+    long refused() {
         return refused;
     }
 
-    /** Mutates and decodes one frame. @throws FuzzFailure for any other exception than a violation */
-    public void step() {
+    /** Mutates and decodes one frame. @throws AssertionError for any other exception than a violation */
+    void step() {
         RecordedFrames.Sample sample = any();
         byte[] payload = random.nextInt(8) == 0
                 ? mutator.splice(sample.frame().payload(), any().frame().payload())
@@ -77,7 +77,7 @@ public final class CodecFuzz {
         try {
             cut(wire, sample.direction());
         } catch (RuntimeException e) {
-            throw new FuzzFailure(
+            throw new AssertionError(
                     "frame " + frames + ": " + e + " from " + HexFormat.of().formatHex(wire), e);
         }
     }

@@ -1,4 +1,4 @@
-package simgsm.tools.fuzz;
+package blackbox.fuzz;
 
 import java.io.BufferedReader;
 import java.io.IOException;

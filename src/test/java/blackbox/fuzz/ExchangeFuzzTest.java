@@ -1,4 +1,4 @@
-package simgsm.center.msc;
+package blackbox.fuzz;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -12,25 +12,24 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
-import java.util.stream.LongStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
+import simgsm.center.msc.Exchange;
+import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.msc.link.LinkPort;
 import simgsm.center.msc.link.Peer;
-import simgsm.tools.fuzz.FuzzStation;
 
 /**
- * Real stations whose dialogues with a living exchange are spoilt on the way, under a clock moved by hand: nothing is
- * thrown, no number is held twice, and when all have gone nothing of them is left. The long run:
- * {@code -Dfuzz.frames=10000000 -Dfuzz.first=1 -Dfuzz.seeds=1}.
+ * Stations in dialogues with an exchange, mutated on the way, under a clock moved by hand: nothing is thrown, no number is
+ * held twice, and when all stations have gone the exchange holds no state of them.
  */
 class ExchangeFuzzTest {
     private static final int PEERS = 6;
-    private static final long FRAMES = Long.getLong("fuzz.frames", 6_000);
+    private static final long FRAMES = LongRun.frames(6_000);
 
     private static final class FuzzPeer {
         final FuzzStation fuzz;
@@ -54,13 +53,8 @@ class ExchangeFuzzTest {
     private SplittableRandom random;
     private long nowNanos;
 
-    static LongStream seeds() {
-        long first = Long.getLong("fuzz.first", 1);
-        return LongStream.range(first, first + Long.getLong("fuzz.seeds", 3));
-    }
-
     @ParameterizedTest
-    @MethodSource("seeds")
+    @MethodSource("blackbox.fuzz.LongRun#seeds")
     void spoiltDialoguesDoTheExchangeNoHarm(long seed) {
         random = new SplittableRandom(seed);
         List<Msisdn> numbers = new ArrayList<>();
