@@ -27,6 +27,9 @@ public final class GuessLimit {
         }
     };
 
+    /** No address has sent a wrong key. */
+    public GuessLimit() {}
+
     /** @throws RequestException with status 429 if an address has sent too many wrong keys */
     public synchronized void require(InetAddress from, long nowNanos) throws RequestException {
         RateLimit wrong = addresses.get(from);
