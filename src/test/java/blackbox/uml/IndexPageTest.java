@@ -50,8 +50,8 @@ class IndexPageTest {
             String start = section.get(0).isEmpty() ? "" : section.get(0) + "/";
             for (String file : List.copyOf(titles.keySet())) {
                 if (file.startsWith(start + section.get(1)) && file.indexOf('/') == start.length() - 1) {
-                    page.append("[%s](%s)<br><a href=\"%s\"><img src=\"%s\" width=\"360\" alt=\"%s\"></a>\n\n"
-                            .formatted(titles.get(file), file, file, file, titles.remove(file)));
+                    page.append("<a href=\"%s\"><img src=\"%s\" width=\"360\" alt=\"%s\"></a>\n\n"
+                            .formatted(file, file, titles.remove(file)));
                 }
             }
             page.setLength(page.length() - 1);

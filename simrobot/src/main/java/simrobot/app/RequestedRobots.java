@@ -89,7 +89,7 @@ public final class RequestedRobots {
                 throw new UsageException("--behaviour: a real robot (--pioneer) does not start to drive by itself,"
                         + " expected the command behaviour NAME");
             }
-            for (String option : List.of("p2os", "noise")) {
+            for (String option : List.of("p2os", "ros", "noise")) {
                 if (arguments.has(option)) {
                     throw new UsageException("--" + option + ": a real robot (--pioneer) has none of that");
                 }

@@ -11,6 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simgsm.web.RequestException;
 import simgsm.web.WebResponse;
+import simrobot.camera.CameraPictureCache;
 
 /** The camera streams of all clients, at most 16, each on its own thread, so that a slow client does not delay others. */
 final class CameraStreams implements AutoCloseable {

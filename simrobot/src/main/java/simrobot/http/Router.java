@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import simgsm.web.RequestException;
 import simgsm.web.WebPages;
 import simgsm.web.WebResponse;
+import simrobot.camera.CameraPictureCache;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 

@@ -6,6 +6,7 @@ import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.util.Locale;
 import simgsm.web.WebPort;
+import simrobot.camera.CameraPictureCache;
 
 /** SimRobot's read-only web server. */
 public final class WebServer implements AutoCloseable {

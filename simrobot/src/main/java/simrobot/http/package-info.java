@@ -4,7 +4,7 @@
  * for all clients together.
  *
  * <pre>
- *   WebServer - Router - Page, StatusJson, CameraPictureCache
+ *   WebServer - Router - Page, StatusJson
  *                      - CameraStreams - CameraStream
  * </pre>
  *

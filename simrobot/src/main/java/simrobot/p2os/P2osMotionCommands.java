@@ -1,5 +1,6 @@
 package simrobot.p2os;
 
+import simrobot.robot.DirectControl;
 import simrobot.robot.Drive;
 import simrobot.robot.Pioneer2Dx;
 import simrobot.robot.SimulatedRobot;
@@ -12,26 +13,16 @@ import simrobot.robot.Trapezoid;
 final class P2osMotionCommands {
     private final SimulatedRobot robot;
     private final Drive drive;
+    private final DirectControl control;
 
     P2osMotionCommands(SimulatedRobot robot) {
         this.robot = robot;
         drive = robot.drive();
+        control = new DirectControl(robot);
     }
 
-    /** Sets the initial limits of a session, those of the configuration packet. */
-    void begin() {
-        drive.setLimits(Drive.AHEAD_LIMITS, Drive.TURN_LIMITS);
-    }
-
-    /** Ends the client's control: stops the motion it commanded. */
-    void end() {
-        if (!robot.isUnderOrder() && !robot.isAutonomous()) {
-            drive.stop();
-        }
-    }
-
-    void setSuspended(boolean suspend) {
-        drive.setSuspended(suspend && !robot.isAutonomous());
+    DirectControl control() {
+        return control;
     }
 
     /** Performs the command if it is a motion command. */
@@ -40,8 +31,7 @@ final class P2osMotionCommands {
             robot.brake();
         } else if (command instanceof P2osCommand.EmergencyStop) {
             robot.brakeAtOnce();
-        } else if (!limit(command) && robot.hasMotors() && !robot.isUnderOrder()) {
-            robot.autonomy().end();
+        } else if (!limit(command) && control.take()) {
             steer(command);
         }
     }

@@ -117,7 +117,7 @@ public final class P2osSession {
         } else if (machine.state() == State.OPEN) {
             if (!silent && nanos - receivedNanos > WATCHDOG_NANOS) {
                 silent = true;
-                motion.setSuspended(true);
+                motion.control().setSuspended(true);
             }
             sendWhenDue();
         }
@@ -156,7 +156,7 @@ public final class P2osSession {
         receivedNanos = nanos;
         if (silent) {
             silent = false;
-            motion.setSuspended(false);
+            motion.control().setSuspended(false);
         }
         P2osCommand command = P2osCommandCodec.decode(data);
         boolean isRepeated = pulsed;
@@ -187,12 +187,12 @@ public final class P2osSession {
             case SEND_NAMES -> output.send(reports.introduction());
             case BEGIN_CONTROL -> {
                 LOG.log(Level.INFO, robot.name() + ": a P2OS client takes control");
-                motion.begin();
+                motion.control().begin();
             }
             case SEND_INFORMATION -> sendInformation();
             case END_CONTROL -> {
                 LOG.log(Level.INFO, robot.name() + ": the P2OS client has left");
-                motion.end();
+                motion.control().end();
                 laser.end();
             }
             case CLOSE_CONNECTION -> output.close();

@@ -51,6 +51,11 @@ public final class Battery {
 
     /** 1 when full, 0 when empty. */
     public double chargeShare() {
+        return chargeShare(volts);
+    }
+
+    /** The same at any voltage. */
+    public static double chargeShare(double volts) {
         return Math.max(0, Math.min(1, (volts - EMPTY_VOLTS) / (FULL_VOLTS - EMPTY_VOLTS)));
     }
 

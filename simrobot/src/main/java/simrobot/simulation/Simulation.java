@@ -308,20 +308,28 @@ public final class Simulation {
         return snapshot(robot -> true);
     }
 
+    /** The same with sonar and laser ranges of these robots, whatever the number of robots. */
+    public SimulationSnapshot snapshotWithRanges(Set<String> names) {
+        return snapshot(robot -> names.contains(robot.name()), robot -> names.contains(robot.name()));
+    }
+
     private SimulationSnapshot snapshot(Predicate<SimulatedRobot> lasers) {
+        return snapshot(robot -> robots.size() <= MAX_ROBOTS_WITH_SONARS || robot == watched, lasers);
+    }
+
+    private SimulationSnapshot snapshot(Predicate<SimulatedRobot> sonars, Predicate<SimulatedRobot> lasers) {
         return new SimulationSnapshot(
                 timeNanos,
                 world,
                 Stream.concat(
-                                robots.stream().map(robot -> snapshot(robot, lasers)),
+                                robots.stream().map(robot -> snapshot(robot, sonars.test(robot), lasers)),
                                 guests.stream().map(Supplier::get))
                         .toList(),
                 behaviours.withNone(),
                 behaviours.faults());
     }
 
-    private RobotSnapshot snapshot(SimulatedRobot robot, Predicate<SimulatedRobot> lasers) {
-        boolean sonars = robots.size() <= MAX_ROBOTS_WITH_SONARS || robot == watched;
+    private RobotSnapshot snapshot(SimulatedRobot robot, boolean sonars, Predicate<SimulatedRobot> lasers) {
         return new RobotSnapshot(
                 robot.name(),
                 robot.status(),

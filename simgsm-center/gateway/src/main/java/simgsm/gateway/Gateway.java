@@ -22,7 +22,11 @@ final class Gateway implements AutoCloseable {
         users = new WebUsers(thread, settings, listener);
         key = settings.key();
         WebSocketPath phone = new WebSocketPath(
-                "/phone", PhoneSocket.PROTOCOL, PhoneSocket.MOST_OCTETS, socket -> new PhoneSocket(socket, users));
+                "/phone",
+                PhoneSocket.PROTOCOL,
+                false,
+                PhoneSocket.MOST_OCTETS,
+                socket -> new PhoneSocket(socket, users));
         port = new WebPort(
                 thread::listen,
                 new InetSocketAddress(settings.bind(), settings.web()),

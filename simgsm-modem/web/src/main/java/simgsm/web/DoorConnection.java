@@ -89,7 +89,7 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
         }
         WebSocketPath path = door.path(asked);
         send(WebSocketHandshake.answer(asked, path), false);
-        socket = new WebSocketSession(path, this);
+        socket = new WebSocketSession(path, this, Origins.isLocal(asked.field("Origin")));
         socket.received(rest(end));
     }
 
@@ -161,7 +161,7 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
     }
 
     @Override
-    protected boolean hasOutput() {
+    public boolean hasOutput() {
         return !output.isEmpty();
     }
 

@@ -2,6 +2,7 @@ package simgsm.web;
 
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import simgsm.console.JsonString;
@@ -61,6 +62,29 @@ public final class JsonText {
         separate();
         String number = String.format(Locale.ROOT, "%." + decimals + "f", value);
         text.append(number.matches("-0\\.?0*") ? number.substring(1) : number);
+        return this;
+    }
+
+    /**
+     * Any value that {@link JsonReader} returns, with numbers of every kind; numbers that are not finite become null, since JSON
+     * has none.
+     */
+    public JsonText any(Object value) {
+        if (value instanceof Map<?, ?> object) {
+            open('{');
+            object.forEach((name, each) -> name(name.toString()).any(each));
+            return close('}');
+        }
+        if (value instanceof List<?> array) {
+            open('[');
+            array.forEach(this::any);
+            return close(']');
+        }
+        if (value instanceof String string) {
+            return value(string);
+        }
+        separate();
+        text.append(value instanceof Number number && !Double.isFinite(number.doubleValue()) ? null : value);
         return this;
     }
 

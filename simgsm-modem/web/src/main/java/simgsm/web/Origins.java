@@ -3,6 +3,7 @@ package simgsm.web;
 import com.sun.net.httpserver.HttpExchange;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
@@ -57,11 +58,16 @@ final class Origins {
         }
     }
 
+    /** Whether a request is of no page, or of one of this machine. */
+    static boolean isLocal(Optional<String> origin) {
+        return origin.map(each -> LOCAL_PAGE.matcher(each).matches()).orElse(true);
+    }
+
     /** Lets a page of this machine read the answer. */
     static void admit(HttpExchange exchange) {
         String origin = exchange.getRequestHeaders().getFirst("Origin");
         exchange.getResponseHeaders().add("Vary", "Origin");
-        if (origin != null && LOCAL_PAGE.matcher(origin).matches()) {
+        if (origin != null && isLocal(Optional.of(origin))) {
             exchange.getResponseHeaders().set("Access-Control-Allow-Origin", origin);
         }
     }

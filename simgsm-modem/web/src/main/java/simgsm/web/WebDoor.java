@@ -38,8 +38,11 @@ final class WebDoor implements Acceptor.Factory {
 
     /** @throws RequestException if the handshake is refused */
     WebSocketPath path(HttpHead head) throws RequestException {
-        Origins.requireSameOrigin(head, admitsEveryHost);
-        return WebSocketHandshake.path(head, paths);
+        WebSocketPath path = WebSocketHandshake.path(head, paths);
+        if (!path.admitsEveryOrigin()) {
+            Origins.requireSameOrigin(head, admitsEveryHost);
+        }
+        return path;
     }
 
     /** The client whose connection the HTTP server sees at this address of the loopback. */

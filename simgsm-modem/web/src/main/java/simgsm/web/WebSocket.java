@@ -15,6 +15,12 @@ public interface WebSocket {
     /** Ends the socket. What arrives from now on is dropped. @param reason at most 123 octets in UTF-8 */
     void close(int code, String reason);
 
+    /** Whether the client has not yet taken all that was sent. */
+    boolean hasOutput();
+
     /** The client's address. */
     InetAddress peer();
+
+    /** Whether no page of another host opened it: the request had no origin, or that of a page of this machine. */
+    boolean isLocalPage();
 }

@@ -52,7 +52,7 @@ final class WebSocketHandshake {
 
     /** The answer with status 101. No extension is accepted, so frames are not compressed. */
     static byte[] answer(HttpHead head, WebSocketPath path) {
-        String protocol = head.contains("Sec-WebSocket-Protocol", path.protocol())
+        String protocol = !path.protocol().isEmpty() && head.contains("Sec-WebSocket-Protocol", path.protocol())
                 ? "Sec-WebSocket-Protocol: " + path.protocol() + "\r\n"
                 : "";
         return ("HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Accept: "

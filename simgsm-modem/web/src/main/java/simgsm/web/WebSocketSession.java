@@ -21,18 +21,22 @@ final class WebSocketSession implements WebSocket, WebSocketFrames.Receiver {
 
         void later(long nanos, Runnable action);
 
+        boolean hasOutput();
+
         InetAddress peer();
     }
 
     private final Carrier carrier;
     private final WebSocketFrames frames;
     private final WebSocketListener listener;
+    private final boolean isLocalPage;
     private boolean isHeard = true;
     private boolean isAsked;
     private boolean isEnded;
 
-    WebSocketSession(WebSocketPath path, Carrier carrier) {
+    WebSocketSession(WebSocketPath path, Carrier carrier, boolean isLocalPage) {
         this.carrier = carrier;
+        this.isLocalPage = isLocalPage;
         frames = new WebSocketFrames(path.mostOctets(), this);
         listener = path.listeners().apply(this);
         carrier.later(PING_NANOS, this::check);
@@ -126,7 +130,17 @@ final class WebSocketSession implements WebSocket, WebSocketFrames.Receiver {
     }
 
     @Override
+    public boolean hasOutput() {
+        return carrier.hasOutput();
+    }
+
+    @Override
     public InetAddress peer() {
         return carrier.peer();
+    }
+
+    @Override
+    public boolean isLocalPage() {
+        return isLocalPage;
     }
 }

@@ -62,7 +62,7 @@ class WebSocketPortTest {
                 throw RequestException.notFound(path, "/");
             }
         };
-        WebSocketPath echo = new WebSocketPath("/echo", "echo.v1", MOST_OCTETS, Echo::new);
+        WebSocketPath echo = new WebSocketPath("/echo", "echo.v1", false, MOST_OCTETS, Echo::new);
         InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
         port = new WebPort(loop::listen, address, pages, List.of(echo), false);
         loop.start(SelectorLoop.Core.NONE, fault -> {});

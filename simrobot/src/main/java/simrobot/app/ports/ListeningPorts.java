@@ -23,9 +23,10 @@ import simrobot.http.WebSource;
 import simrobot.p2os.DiscoveryPort;
 import simrobot.p2os.P2osServer;
 import simrobot.robot.SimulatedRobot;
+import simrobot.ros.RosServer;
 import simrobot.simulation.SimulationSnapshot;
 
-/** The ports on which the program listens, as the command line names them: AT commands, P2OS and HTTP. */
+/** The ports on which the program listens, as the command line names them: AT commands, P2OS, HTTP and rosbridge. */
 public final class ListeningPorts implements AutoCloseable {
     static final int MAX_PORT = 0xffff;
 
@@ -39,6 +40,7 @@ public final class ListeningPorts implements AutoCloseable {
     private Optional<P2osServer> server = Optional.empty();
     private Optional<DiscoveryPort> discovery = Optional.empty();
     private Optional<WebServer> web = Optional.empty();
+    private Optional<RosServer> ros = Optional.empty();
 
     private ListeningPorts(Arguments arguments, SimRobot simRobot) throws UsageException {
         address = arguments.bindAddress();
@@ -79,6 +81,11 @@ public final class ListeningPorts implements AutoCloseable {
                 int port = (int) arguments.integer("http", 0, 0, MAX_PORT);
                 opened.web =
                         Optional.of(new WebServer(opened.address, port, arguments.language(), new Source(simRobot)));
+            }
+            if (arguments.has("ros")) {
+                int port = (int) arguments.integer("ros", 0, 0, MAX_PORT);
+                opened.ros = Optional.of(new RosServer(
+                        new InetSocketAddress(opened.address, port), new RosRobots(simRobot, Optional.empty())));
             }
             return opened;
         } catch (UsageException | IOException e) {
@@ -137,7 +144,8 @@ public final class ListeningPorts implements AutoCloseable {
     /** Adds the ports to the program's first event. */
     public Event with(Event ready) {
         Event both = p2os.with(at.with(ready));
-        return http().map(port -> both.with("http", port)).orElse(both);
+        Event web = http().map(port -> both.with("http", port)).orElse(both);
+        return ros.map(serving -> web.with("ros", serving.port())).orElse(web);
     }
 
     /** Serves the ports; the simulation runs already. */
@@ -145,6 +153,7 @@ public final class ListeningPorts implements AutoCloseable {
         server.ifPresent(serving -> serving.start(cause -> FatalError.end("simrobot", cause)));
         discovery.ifPresent(DiscoveryPort::start);
         web.ifPresent(WebServer::start);
+        ros.ifPresent(serving -> serving.start(cause -> FatalError.end("simrobot", cause)));
         p2os.exchangeFirst();
         at.exchangeFirst();
         http().ifPresent(port -> FirstExchange.with(address, port, STATUS));
@@ -153,6 +162,7 @@ public final class ListeningPorts implements AutoCloseable {
     @Override
     public void close() {
         web.ifPresent(WebServer::close);
+        ros.ifPresent(RosServer::close);
         server.ifPresent(P2osServer::close);
         discovery.ifPresent(DiscoveryPort::close);
         at.close();

@@ -1,24 +1,22 @@
-package simrobot.http;
+package simrobot.camera;
 
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
-import simrobot.camera.Camera;
-import simrobot.camera.PictureFile;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 
 /** The camera pictures for all clients: each robot's picture is drawn once per scene. */
-final class CameraPictureCache {
+public final class CameraPictureCache {
     private static final int MOST_KEPT = 64;
 
     /** A robot's picture as JPEG, reused until a newer scene is requested. */
-    record Shot(SimulationSnapshot scene, byte[] jpeg) {}
+    public record Shot(SimulationSnapshot scene, byte[] jpeg) {}
 
     private final Camera camera = new Camera();
     private final Map<String, Shot> shots = new HashMap<>();
 
-    synchronized Shot shot(SimulationSnapshot scene, RobotSnapshot robot) throws IOException {
+    public synchronized Shot shot(SimulationSnapshot scene, RobotSnapshot robot) throws IOException {
         Shot last = shots.get(robot.name());
         if (last != null && last.scene() == scene) {
             return last;

@@ -1,0 +1,198 @@
+package simrobot.ros;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import simrobot.camera.CameraPictureCache;
+import simrobot.robot.Battery;
+import simrobot.robot.Laser;
+import simrobot.robot.LaserField;
+import simrobot.robot.SonarRing;
+import simrobot.simulation.RobotSnapshot;
+import simrobot.simulation.SimulationSnapshot;
+import vericommand.Pose;
+
+/**
+ * The messages of one moment, as maps in the order of their fields: metres, radians anticlockwise, seconds of simulated time.
+ * Odometry is in the frame in which the robot started (REP 105). The frames of a single robot have no robot's name.
+ */
+final class RosMessages {
+    private static final List<Integer> NO_COVARIANCE = Collections.nCopies(36, 0);
+    private static final int DISCHARGING = 2;
+
+    private final RosGeneration generation;
+    private final SimulationSnapshot scene;
+    private final CameraPictureCache cameras;
+
+    RosMessages(RosGeneration generation, SimulationSnapshot scene, CameraPictureCache cameras) {
+        this.generation = generation;
+        this.scene = scene;
+        this.cameras = cameras;
+    }
+
+    /** Fields by name, values and names in turn. */
+    private static Map<String, Object> fields(Object... namesAndValues) {
+        Map<String, Object> fields = new LinkedHashMap<>();
+        for (int i = 0; i < namesAndValues.length; i += 2) {
+            fields.put((String) namesAndValues[i], namesAndValues[i + 1]);
+        }
+        return fields;
+    }
+
+    private RobotSnapshot robot(String name) {
+        return scene.robot(name).orElseThrow();
+    }
+
+    private String frame(String robot, String frame) {
+        return scene.robots().size() == 1 ? frame : robot + "/" + frame;
+    }
+
+    private Map<String, Object> header(String robot, String frame) {
+        return generation.header(scene.timeNanos(), frame(robot, frame));
+    }
+
+    private static Map<String, Object> vector(double x, double y, double z) {
+        return fields("x", x, "y", y, "z", z);
+    }
+
+    private static Map<String, Object> turned(double radians) {
+        return fields("x", 0, "y", 0, "z", Math.sin(radians / 2), "w", Math.cos(radians / 2));
+    }
+
+    Object odometry(String name) {
+        RobotSnapshot robot = robot(name);
+        Pose pose = robot.condition().odometry();
+        Map<String, Object> place = fields(
+                "position", vector(pose.xMeters(), pose.yMeters(), 0),
+                "orientation", turned(Math.toRadians(pose.headingDegrees())));
+        Map<String, Object> speeds = fields(
+                "linear", vector(robot.speedMetersPerSecond(), 0, 0),
+                "angular", vector(0, 0, robot.turnRadiansPerSecond()));
+        return fields(
+                "header", header(name, "odom"),
+                "child_frame_id", frame(name, "base_link"),
+                "pose", fields("pose", place, "covariance", NO_COVARIANCE),
+                "twist", fields("twist", speeds, "covariance", NO_COVARIANCE));
+    }
+
+    /** Without an echo the range is infinite. */
+    Object scan(String name) {
+        LaserField field = LaserField.USUAL;
+        List<Float> ranges = new ArrayList<>();
+        for (double range : robot(name).laserRangesMeters()) {
+            ranges.add(range < Laser.RANGE_METERS ? (float) range : Float.POSITIVE_INFINITY);
+        }
+        return fields(
+                "header",
+                header(name, "laser"),
+                "angle_min",
+                field.radians(0),
+                "angle_max",
+                field.radians(field.count() - 1),
+                "angle_increment",
+                Math.toRadians(field.stepDegrees()),
+                "time_increment",
+                0,
+                "scan_time",
+                RosTopic.SCAN.periodMillis() / 1e3,
+                "range_min",
+                0,
+                "range_max",
+                Laser.RANGE_METERS,
+                "ranges",
+                ranges,
+                "intensities",
+                List.of());
+    }
+
+    /** The sixteen points where an echo came from, sonar 0 first; without an echo a point 5 m from its sonar. */
+    Object sonar(String name) {
+        double[] ranges = robot(name).sonarRangesMeters();
+        List<Object> points = IntStream.range(0, ranges.length)
+                .<Object>mapToObj(sonar -> vector(
+                        SonarRing.mountX(sonar) + ranges[sonar] * Math.cos(SonarRing.directionRadians(sonar)),
+                        SonarRing.mountY(sonar) + ranges[sonar] * Math.sin(SonarRing.directionRadians(sonar)),
+                        0))
+                .toList();
+        return fields("header", header(name, "base_link"), "points", points, "channels", List.of());
+    }
+
+    /** What the robot does not measure is not a number. */
+    Object battery(String name) {
+        double volts = robot(name).condition().batteryVolts();
+        return fields(
+                "header",
+                header(name, "base_link"),
+                "voltage",
+                volts,
+                "temperature",
+                Double.NaN,
+                "current",
+                Double.NaN,
+                "charge",
+                Double.NaN,
+                "capacity",
+                Double.NaN,
+                "design_capacity",
+                Double.NaN,
+                "percentage",
+                Battery.chargeShare(volts),
+                "power_supply_status",
+                DISCHARGING,
+                "power_supply_health",
+                0,
+                "power_supply_technology",
+                0,
+                "present",
+                true,
+                "cell_voltage",
+                List.of(),
+                "location",
+                "",
+                "serial_number",
+                "");
+    }
+
+    Object camera(String name) throws IOException {
+        byte[] jpeg = cameras.shot(scene, robot(name)).jpeg();
+        return fields(
+                "header",
+                header(name, "camera"),
+                "format",
+                "jpeg",
+                "data",
+                Base64.getEncoder().encodeToString(jpeg));
+    }
+
+    /** Of all robots, with the place of their lasers. */
+    Object transforms(String any) {
+        List<Object> transforms = new ArrayList<>();
+        for (RobotSnapshot robot : scene.robots()) {
+            Pose pose = robot.condition().odometry();
+            transforms.add(transform(robot.name(), "odom", "base_link", pose));
+            transforms.add(transform(robot.name(), "base_link", "laser", new Pose(Laser.MOUNT_METERS, 0, 0)));
+        }
+        return fields("transforms", transforms);
+    }
+
+    private Object transform(String robot, String parent, String child, Pose pose) {
+        return fields(
+                "header",
+                header(robot, parent),
+                "child_frame_id",
+                frame(robot, child),
+                "transform",
+                fields(
+                        "translation", vector(pose.xMeters(), pose.yMeters(), 0),
+                        "rotation", turned(Math.toRadians(pose.headingDegrees()))));
+    }
+
+    Object clock(String any) {
+        return fields("clock", generation.time(scene.timeNanos()));
+    }
+}

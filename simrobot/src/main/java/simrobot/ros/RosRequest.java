@@ -1,0 +1,75 @@
+package simrobot.ros;
+
+import java.math.BigDecimal;
+import java.util.Map;
+import java.util.Optional;
+import simgsm.web.JsonText;
+
+/** A client's message, and what answers it. Fields of a wrong type are refused by {@link IllegalArgumentException}. */
+record RosRequest(Map<String, Object> fields) {
+    private static final String ID = "id";
+
+    /** @throws IllegalArgumentException if it is absent */
+    String string(String name) {
+        return optional(name).orElseThrow(() -> new IllegalArgumentException("expected " + name));
+    }
+
+    Optional<String> optional(String name) {
+        Object value = fields.get(name);
+        if (value != null && !(value instanceof String)) {
+            throw new IllegalArgumentException(name + ": expected a string");
+        }
+        return Optional.ofNullable((String) value);
+    }
+
+    /** A number of milliseconds, 0 if absent. */
+    long millis(String name) {
+        Object value = fields.getOrDefault(name, BigDecimal.ZERO);
+        if (value instanceof BigDecimal number && number.signum() >= 0 && number.doubleValue() <= Integer.MAX_VALUE) {
+            return number.longValue();
+        }
+        throw new IllegalArgumentException(name + ": expected a number of milliseconds");
+    }
+
+    /** The name of a topic or service, with a slash before it. */
+    String name(String field) {
+        String name = string(field);
+        return name.startsWith("/") ? name : "/" + name;
+    }
+
+    /** As the client gave it; null if it gave none. */
+    Object id() {
+        return fields.get(ID);
+    }
+
+    /** The status message that answers this. */
+    String status(String level, String text) {
+        return withId(new JsonText()
+                        .open('{')
+                        .name("op")
+                        .value("status")
+                        .name("level")
+                        .value(level))
+                .name("msg")
+                .value(text)
+                .close('}')
+                .toString();
+    }
+
+    /** The answer to the call of a service. @param values a text says why there is no result */
+    String response(Object values, boolean hasResult) {
+        return withId(new JsonText().open('{').name("op").value("service_response"))
+                .name("service")
+                .any(fields.get("service"))
+                .name("values")
+                .any(values)
+                .name("result")
+                .value(hasResult)
+                .close('}')
+                .toString();
+    }
+
+    private JsonText withId(JsonText json) {
+        return fields.containsKey(ID) ? json.name(ID).any(id()) : json;
+    }
+}

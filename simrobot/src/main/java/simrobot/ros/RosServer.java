@@ -1,0 +1,233 @@
+package simrobot.ros;
+
+import com.sun.net.httpserver.HttpExchange;
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.net.InetSocketAddress;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.LongConsumer;
+import java.util.stream.Collectors;
+import simgsm.net.SelectorLoop;
+import simgsm.web.JsonText;
+import simgsm.web.RequestException;
+import simgsm.web.WebPages;
+import simgsm.web.WebPort;
+import simgsm.web.WebResponse;
+import simgsm.web.WebSocket;
+import simgsm.web.WebSocketPath;
+import simrobot.camera.CameraPictureCache;
+import simrobot.simulation.SimulationSnapshot;
+
+/** Serves ROS programs on a WebSocket at {@code /}, pages of every origin included. */
+public final class RosServer implements AutoCloseable {
+    static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(50);
+    static final int MOST_SOCKETS = 64;
+
+    private static final Logger LOG = System.getLogger(RosServer.class.getName());
+    private static final String PATH = "/";
+    /** Try again later (IANA's registry of close codes). */
+    private static final int TRY_AGAIN_LATER = 1013;
+
+    /** A message that a client is due. */
+    record Wanted(String name, RosTopic.Source source, RosGeneration generation) {}
+
+    /** Nothing but the WebSocket is here. */
+    private static final class NoPages extends WebPages {
+        NoPages() {
+            super("default-src 'none'");
+        }
+
+        @Override
+        protected Optional<WebResponse> answer(HttpExchange exchange, List<String> parts, String path)
+                throws RequestException {
+            throw RequestException.notFound(path, "a WebSocket at " + PATH);
+        }
+    }
+
+    private final RosSource source;
+    private final SelectorLoop loop = new SelectorLoop("rosbridge");
+    private final WebPort port;
+    private final Set<RosSession> sessions = new LinkedHashSet<>();
+    private final VelocityCommands velocities = new VelocityCommands();
+    private final CameraPictureCache cameras = new CameraPictureCache();
+    private final ExecutorService worker = Executors.newSingleThreadExecutor(work -> {
+        Thread thread = new Thread(work, "rosbridge messages");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private boolean isTicking;
+    private boolean isSampling;
+
+    /**
+     * Opens the port; clients are served after {@link #start}.
+     *
+     * @throws IOException naming address and port
+     */
+    public RosServer(InetSocketAddress address, RosSource source) throws IOException {
+        this.source = source;
+        WebSocketPath path = new WebSocketPath(PATH, "", true, RosSession.MOST_OCTETS, this::opened);
+        port = new WebPort(loop::listen, address, new NoPages(), List.of(path), true);
+    }
+
+    public int port() {
+        return port.port();
+    }
+
+    /** @param onFailure called if the sockets' thread has ended with an error */
+    public void start(Consumer<Throwable> onFailure) {
+        source.simulation()
+                .withSimulation(owned -> owned.addStepListener(simulated -> velocities.tick(System.nanoTime())));
+        loop.start(SelectorLoop.Core.NONE, onFailure);
+        port.start();
+        LOG.log(Level.INFO, "rosbridge on port {0}", Integer.toString(port()));
+    }
+
+    @Override
+    public void close() {
+        port.close();
+        loop.close();
+        worker.shutdownNow();
+    }
+
+    // ---- the sockets' thread -------------------------------------------------------------------------------------
+
+    private RosSession opened(WebSocket socket) {
+        RosSession session = new RosSession(socket, this);
+        if (sessions.size() < MOST_SOCKETS) {
+            sessions.add(session);
+        } else {
+            loop.post(() -> socket.close(TRY_AGAIN_LATER, MOST_SOCKETS + " programs are connected, expected fewer"));
+        }
+        return session;
+    }
+
+    void ended(RosSession session) {
+        sessions.remove(session);
+        release(session);
+    }
+
+    RosSource source() {
+        return source;
+    }
+
+    Map<String, RosTopic.Source> topics() {
+        return RosTopic.all(source.robots());
+    }
+
+    /** @param refused receives the reason if the robot does not take the velocity */
+    void drive(RosSession client, String name, Twist velocity, Consumer<String> refused) {
+        long nanos = System.nanoTime();
+        source.simulation()
+                .withSimulation(owned -> owned.robot(name)
+                        .flatMap(robot -> velocities.drive(robot, client, velocity, nanos))
+                        .ifPresent(reason -> loop.post(() -> refused.accept(reason))));
+    }
+
+    /** Brakes what the client drives. */
+    void release(RosSession client) {
+        source.simulation().withSimulation(owned -> velocities.release(client));
+    }
+
+    void order(String robot, String operator, String keys, BiConsumer<Integer, String> ended) {
+        source.order(robot, operator, keys, (tone, text) -> loop.post(() -> ended.accept(tone, text)));
+    }
+
+    void atSimulatedTime(LongConsumer told) {
+        source.simulation().withSimulation(owned -> {
+            long nanos = owned.timeNanos();
+            loop.post(() -> told.accept(nanos));
+        });
+    }
+
+    // ---- messages ------------------------------------------------------------------------------------------------
+
+    /** A client has subscribed: messages are made from now on. */
+    void subscribed() {
+        if (!isTicking) {
+            isTicking = true;
+            loop.after(1, this::tick);
+        }
+    }
+
+    private void tick() {
+        isTicking = sessions.stream().anyMatch(RosSession::hasSubscriptions);
+        if (isTicking) {
+            loop.after(TICK_NANOS, this::tick);
+        }
+        if (isTicking && !isSampling) {
+            sample(System.nanoTime());
+        }
+    }
+
+    private void sample(long nanos) {
+        Map<RosSession, List<Wanted>> due = new LinkedHashMap<>();
+        sessions.forEach(session -> due.put(session, session.due(nanos)));
+        due.values().removeIf(List::isEmpty);
+        if (!due.isEmpty()) {
+            isSampling = true;
+            Set<String> ranged = due.values().stream()
+                    .flatMap(List::stream)
+                    .map(Wanted::source)
+                    .filter(each -> each.topic().needsRanges())
+                    .map(RosTopic.Source::robot)
+                    .collect(Collectors.toSet());
+            source.simulation().withSimulation(owned -> {
+                SimulationSnapshot scene = owned.snapshotWithRanges(ranged);
+                worker.execute(() -> send(texts(due, scene), due));
+            });
+        }
+    }
+
+    private void send(Map<Wanted, String> texts, Map<RosSession, List<Wanted>> due) {
+        loop.post(() -> {
+            isSampling = false;
+            due.forEach((session, all) ->
+                    all.stream().filter(texts::containsKey).forEach(wanted -> session.send(wanted, texts.get(wanted))));
+        });
+    }
+
+    /** Each message once for all clients, without those of robots that have gone. */
+    private Map<Wanted, String> texts(Map<RosSession, List<Wanted>> due, SimulationSnapshot scene) {
+        Map<Wanted, String> texts = new HashMap<>();
+        for (List<Wanted> all : due.values()) {
+            for (Wanted wanted : all) {
+                String robot = wanted.source().robot();
+                if (!texts.containsKey(wanted)
+                        && (robot.isEmpty() || scene.robot(robot).isPresent())) {
+                    try {
+                        texts.put(wanted, text(wanted, new RosMessages(wanted.generation(), scene, cameras)));
+                    } catch (IOException | RuntimeException fault) {
+                        LOG.log(Level.ERROR, "no message of " + wanted.name(), fault);
+                    }
+                }
+            }
+        }
+        return texts;
+    }
+
+    private static String text(Wanted wanted, RosMessages moment) throws IOException {
+        Object message = wanted.source().topic().message(moment, wanted.source().robot());
+        return new JsonText()
+                .open('{')
+                .name("op")
+                .value("publish")
+                .name("topic")
+                .value(wanted.name())
+                .name("msg")
+                .any(message)
+                .close('}')
+                .toString();
+    }
+}

@@ -1,0 +1,234 @@
+package simrobot.ros;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import simgsm.web.AccessKeys;
+import simgsm.web.JsonReader;
+import simgsm.web.RequestException;
+import simgsm.web.WebSocket;
+import simgsm.web.WebSocketListener;
+
+/** One client's socket: performs its messages and answers each one that is refused. Owned by the sockets' thread. */
+final class RosSession implements WebSocketListener {
+    static final int MOST_OCTETS = 64 * 1024;
+
+    private static final int MOST_WISHES = 100;
+    private static final String ERROR = "error";
+    private static final RosRequest UNREADABLE = new RosRequest(Map.of());
+
+    /** What one {@code subscribe} asks for. */
+    private record Wish(RosGeneration generation, long periodMillis) {}
+
+    /** A topic's subscription; a client may subscribe more than once, by other ids, and gets each message once. */
+    private static final class Subscription {
+        private final RosTopic.Source source;
+        private final Map<Object, Wish> wishes = new LinkedHashMap<>();
+        private RosGeneration generation;
+        private long sentNanos;
+        private boolean isSent;
+
+        Subscription(RosTopic.Source source) {
+            this.source = source;
+        }
+
+        boolean isDue(long nanos) {
+            long millis =
+                    wishes.values().stream().mapToLong(Wish::periodMillis).min().orElseThrow();
+            // a tick may be early
+            return !isSent || nanos - sentNanos >= millis * 1_000_000 - RosServer.TICK_NANOS / 2;
+        }
+    }
+
+    private final WebSocket socket;
+    private final RosServer server;
+    private final RosServices services;
+    private final Map<String, Subscription> subscriptions = new HashMap<>();
+    private final Set<String> advertised = new HashSet<>();
+    private Optional<String> operator = Optional.empty();
+
+    RosSession(WebSocket socket, RosServer server) {
+        this.socket = socket;
+        this.server = server;
+        services = new RosServices(this, server);
+    }
+
+    @Override
+    public void text(String text) {
+        RosRequest request = UNREADABLE;
+        try {
+            request = new RosRequest(JsonReader.object(text));
+            perform(request);
+        } catch (IllegalArgumentException refusal) {
+            refuse(request, refusal.getMessage());
+        }
+    }
+
+    @Override
+    public void binary(byte[] octets) {
+        refuse(UNREADABLE, "expected JSON in a text message");
+    }
+
+    @Override
+    public void closed() {
+        server.ended(this);
+    }
+
+    void send(String text) {
+        socket.send(text);
+    }
+
+    void refuse(RosRequest request, String reason) {
+        send(request.status(ERROR, RequestException.shortened(reason)));
+    }
+
+    private void perform(RosRequest request) {
+        switch (request.string("op")) {
+            case "subscribe" -> subscribe(request);
+            case "unsubscribe" -> unsubscribe(request);
+            case "advertise" -> advertise(request);
+            case "unadvertise" -> {
+                require(advertised.remove(request.name("topic")), request, "is not advertised");
+                server.release(this);
+            }
+            case "publish" -> publish(request);
+            case "call_service" -> services.call(request);
+            case "auth" -> authenticate(request);
+            default ->
+                throw new IllegalArgumentException("unknown op " + request.string("op")
+                        + ", expected subscribe, unsubscribe, advertise, unadvertise, publish, call_service or auth");
+        }
+    }
+
+    private static void require(boolean isSo, RosRequest request, String otherwise) {
+        if (!isSo) {
+            throw new IllegalArgumentException("topic " + request.name("topic") + " " + otherwise);
+        }
+    }
+
+    // ---- what the client receives --------------------------------------------------------------------------------
+
+    private void subscribe(RosRequest request) {
+        RosTopic.Source source = source(request);
+        require(!source.topic().isReceived(), request, "is published by clients, nothing is sent");
+        RosGeneration generation = request.optional("type")
+                .map(type -> generation(request, source, type))
+                .orElse(RosGeneration.ROS_1);
+        long millis = Math.max(source.topic().periodMillis(), request.millis("throttle_rate"));
+        Subscription subscription =
+                subscriptions.computeIfAbsent(request.name("topic"), name -> new Subscription(source));
+        if (subscription.wishes.size() == MOST_WISHES) {
+            throw new IllegalArgumentException("over " + MOST_WISHES + " subscriptions to one topic");
+        }
+        subscription.wishes.put(request.id(), new Wish(generation, millis));
+        subscription.generation = generation;
+        server.subscribed();
+    }
+
+    private void unsubscribe(RosRequest request) {
+        String name = request.name("topic");
+        Subscription subscription = subscriptions.get(name);
+        require(subscription != null, request, "is not subscribed");
+        if (request.id() == null) {
+            subscription.wishes.clear();
+        } else if (!subscription.wishes.containsKey(request.id())) {
+            throw new IllegalArgumentException("topic " + name + " is not subscribed by this id");
+        }
+        subscription.wishes.remove(request.id());
+        if (subscription.wishes.isEmpty()) {
+            subscriptions.remove(name);
+        }
+    }
+
+    private RosTopic.Source source(RosRequest request) {
+        RosTopic.Source source = server.topics().get(request.name("topic"));
+        require(source != null, request, "does not exist, expected one that the service /rosapi/topics names");
+        return source;
+    }
+
+    private static RosGeneration generation(RosRequest request, RosTopic.Source source, String type) {
+        String expected = source.topic().type(RosGeneration.ROS_1);
+        Optional<RosGeneration> generation = source.topic().generation(type);
+        require(generation.isPresent(), request, "has the type " + expected + ", not " + type);
+        return generation.get();
+    }
+
+    boolean hasSubscriptions() {
+        return !subscriptions.isEmpty();
+    }
+
+    /** The messages that are due now, which count as sent; none to a client that has not taken the last ones. */
+    List<RosServer.Wanted> due(long nanos) {
+        List<RosServer.Wanted> due = new ArrayList<>();
+        if (!socket.hasOutput()) {
+            subscriptions.forEach((name, subscription) -> {
+                if (subscription.isDue(nanos)) {
+                    subscription.isSent = true;
+                    subscription.sentNanos = nanos;
+                    due.add(new RosServer.Wanted(name, subscription.source, subscription.generation));
+                }
+            });
+        }
+        return due;
+    }
+
+    /** Sends the topic's message, unless its subscription has ended meanwhile. */
+    void send(RosServer.Wanted wanted, String text) {
+        if (subscriptions.containsKey(wanted.name())) {
+            send(text);
+        }
+    }
+
+    // ---- what the client commands --------------------------------------------------------------------------------
+
+    private void advertise(RosRequest request) {
+        RosTopic.Source source = source(request);
+        require(source.topic().isReceived(), request, "is published by the robot only");
+        generation(request, source, request.string("type"));
+        advertised.add(request.name("topic"));
+    }
+
+    private void publish(RosRequest request) {
+        RosTopic.Source source = source(request);
+        require(source.topic().isReceived(), request, "is published by the robot only");
+        require(advertised.contains(request.name("topic")), request, "is not advertised, expected op advertise first");
+        Twist velocity = Twist.of(request.fields().get("msg"));
+        requirePower();
+        server.drive(this, source.robot(), velocity, reason -> refuse(request, reason));
+    }
+
+    /** The power to move a robot: a key, or without keys a program or page of this machine. @return its operator's name */
+    String requirePower() {
+        if (operator.isPresent()) {
+            return operator.get();
+        }
+        if (server.source().keys().isPresent()) {
+            throw new IllegalArgumentException("only with a key, expected {\"op\":\"auth\",\"key\":...} first");
+        }
+        if (!socket.peer().isLoopbackAddress() || !socket.isLocalPage()) {
+            throw new IllegalArgumentException(
+                    "without --http-keys only programs of the simulator's machine, and pages from"
+                            + " http://localhost there, may move a robot");
+        }
+        return "ros";
+    }
+
+    private void authenticate(RosRequest request) {
+        AccessKeys keys = server.source()
+                .keys()
+                .orElseThrow(() ->
+                        new IllegalArgumentException("there are no keys, expected SimRobot with --http-keys FILE"));
+        try {
+            String name = keys.operator(request.string("key"), socket.peer(), System.nanoTime());
+            operator = Optional.of(name);
+            send(request.status("info", "authenticated as " + name));
+        } catch (RequestException wrong) {
+            refuse(request, wrong.getMessage());
+        }
+    }
+}
