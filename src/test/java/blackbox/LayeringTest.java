@@ -38,11 +38,10 @@ class LayeringTest {
             simgsm.air               : simgsm.event simgsm.octets
             simgsm.abis              : simgsm.octets simgsm.timer simgsm.net simgsm.air
             simgsm.rr                : simgsm.octets simgsm.air
-            simgsm.abis.rsl          : simgsm.octets simgsm.air
             simgsm.sim               : simgsm.file simgsm.octets simgsm.air
             simgsm.sms               : simgsm.octets simgsm.air
             simgsm.ss                : simgsm.octets simgsm.air simgsm.sms
-            simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.abis.rsl simgsm.sms simgsm.ss
+            simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.ss
             simgsm.speech            :
             simgsm.tone              : simgsm.speech
             simgsm.dtmf              : simgsm.speech simgsm.tone
@@ -91,13 +90,13 @@ class LayeringTest {
             simgsm.center.msc.sms    : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link
             simgsm.center.msc.ss     : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.ss simgsm.center.subscriber simgsm.center.msc.link
             simgsm.center.bsc.handover : simgsm.octets
-            simgsm.center.bsc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.abis.rsl simgsm.rr simgsm.center.subscriber simgsm.center.msc.link simgsm.center.bsc.handover
+            simgsm.center.bsc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.center.subscriber simgsm.center.msc.link simgsm.center.bsc.handover
             simgsm.center.msc        : simgsm.event simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.tone simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
             simgsm.center.records    : simgsm.file simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.web        : simgsm.event simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.capture    : simgsm.file simgsm.octets simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
-            simgsm.center.ui.ladder  : simgsm.abis simgsm.abis.rsl simgsm.air simgsm.center.msc simgsm.console simgsm.draw simgsm.file simgsm.octets simgsm.sms simgsm.trace simgsm.ui simgsm.ui.file simgsm.ui.glossary simgsm.ui.pane
+            simgsm.center.ui.ladder  : simgsm.abis simgsm.air simgsm.center.msc simgsm.console simgsm.draw simgsm.file simgsm.octets simgsm.sms simgsm.trace simgsm.ui simgsm.ui.file simgsm.ui.glossary simgsm.ui.pane
             simgsm.center.ui         : simgsm.air simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc simgsm.center.ui.ladder
             simgsm.center.app        : simgsm.event simgsm.file simgsm.net simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.tone simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
             simgsm.center            :
@@ -110,7 +109,7 @@ class LayeringTest {
             simgsm.cells.radio       : simgsm.cells.town
             simgsm.cells.snapshot    : simgsm.cells.town
             simgsm.cells.ui          : simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot
-            simgsm.cells.tower       : simgsm.event simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.abis.rsl simgsm.rr simgsm.cells.town
+            simgsm.cells.tower       : simgsm.event simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.cells.town
             simgsm.cells.mobile      : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower
             simgsm.cells.network     : simgsm.octets simgsm.timer simgsm.air simgsm.rr simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile
             simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.town simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network

@@ -18,7 +18,7 @@ import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.KeepAlive;
-import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
@@ -201,7 +201,7 @@ class LongAttachmentTest {
             keepAlive.heard();
             try {
                 if (frame.stream() == IpaFrame.RSL) {
-                    mobile.arrived(RslCodec.decode(frame.payload()));
+                    mobile.arrived(RslMessage.decode(frame.payload()));
                 } else if (frame.stream() == IpaFrame.CCM) {
                     keepAlive.receive(CcmCodec.decode(frame.payload()));
                 }

@@ -3,7 +3,6 @@ module simgsm.air {
     requires transitive simgsm.base;
 
     exports simgsm.abis;
-    exports simgsm.abis.rsl;
     exports simgsm.air;
     exports simgsm.rr;
     exports simgsm.sim;

@@ -10,7 +10,6 @@ import simgsm.abis.CcmCodec;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
 import simgsm.abis.MgcpMessage;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RtpPacket;
 import simgsm.air.Direction;
@@ -91,7 +90,7 @@ final class CodecFuzz {
             RslMessage message = isUp
                     ? new RslMessage.DataIndication(RslMessage.Sapi.SIGNALLING, layer3)
                     : new RslMessage.DataRequest(RslMessage.Sapi.SIGNALLING, layer3);
-            return new RecordedFrames.Sample(direction, new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+            return new RecordedFrames.Sample(direction, new IpaFrame(IpaFrame.RSL, message.encode()));
         }
         return traffic.get(random.nextInt(traffic.size()));
     }

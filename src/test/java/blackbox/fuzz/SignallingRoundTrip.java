@@ -1,7 +1,6 @@
 package blackbox.fuzz;
 
 import java.util.Locale;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Direction;
@@ -31,8 +30,8 @@ final class SignallingRoundTrip {
 
     /** @throws IllegalStateException if a message is not the same after encoding and decoding */
     void check(byte[] payload, Direction direction) throws ProtocolViolation {
-        RslMessage message = RslCodec.decode(payload);
-        requireSame(message, RslCodec.decode(RslCodec.encode(message)));
+        RslMessage message = RslMessage.decode(payload);
+        requireSame(message, RslMessage.decode(message.encode()));
         MessageText.ofRsl(OctetString.of(payload), Locale.ROOT).fields().forEach(Object::toString);
         if (message instanceof RslMessage.EstablishIndication establish) {
             layer3(establish.layer3(), direction);

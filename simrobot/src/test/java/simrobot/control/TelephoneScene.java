@@ -12,7 +12,6 @@ import java.util.Set;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RtpPacket;
 import simgsm.air.CallControl;
@@ -121,7 +120,7 @@ final class TelephoneScene implements Uplink {
 
     /** The operator dials; whatever the modem decides, it answers. */
     void dial() {
-        frame(IpaFrame.RSL, RslCodec.encode(new RslMessage.PagingCommand(TMSI)));
+        frame(IpaFrame.RSL, new RslMessage.PagingCommand(TMSI).encode());
         down(new CallControl.Setup(CALL, Optional.of(OPERATOR), Optional.empty()));
         down(new CallControl.ConnectAcknowledge(CALL));
         speaking = true;
@@ -176,7 +175,7 @@ final class TelephoneScene implements Uplink {
 
     private void down(Layer3Message message) {
         OctetString octets = OctetString.of(Layer3Codec.encode(message, Direction.DOWNLINK, 0));
-        frame(IpaFrame.RSL, RslCodec.encode(new RslMessage.DataRequest(RslMessage.Sapi.SIGNALLING, octets)));
+        frame(IpaFrame.RSL, new RslMessage.DataRequest(RslMessage.Sapi.SIGNALLING, octets).encode());
     }
 
     private void frame(int stream, byte[] payload) {
@@ -189,7 +188,7 @@ final class TelephoneScene implements Uplink {
             if (frame.stream() == IpaFrame.SPEECH) {
                 ear.accept(codec.decode(RtpPacket.decode(frame.payload()).payload()));
             } else if (frame.stream() == IpaFrame.RSL) {
-                note(RslCodec.decode(frame.payload()));
+                note(RslMessage.decode(frame.payload()));
             }
         } catch (ProtocolViolation e) {
             fail(e);

@@ -1,7 +1,7 @@
 package simgsm.center.bsc;
 
-import simgsm.abis.rsl.RslElement;
-import simgsm.abis.rsl.RslPdu;
+import simgsm.abis.RslElement;
+import simgsm.abis.RslPdu;
 import simgsm.air.ProtocolViolation;
 import simgsm.rr.RequestReference;
 

@@ -4,10 +4,10 @@ import java.lang.System.Logger.Level;
 import java.util.Optional;
 import simgsm.abis.MediaPort;
 import simgsm.abis.MgcpMessage.MediaAddress;
+import simgsm.abis.RslElement;
+import simgsm.abis.RslPdu;
+import simgsm.abis.RslType;
 import simgsm.abis.RtpPacket;
-import simgsm.abis.rsl.RslElement;
-import simgsm.abis.rsl.RslPdu;
-import simgsm.abis.rsl.RslType;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 

@@ -2,9 +2,9 @@ package simgsm.center.bsc;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import simgsm.abis.rsl.RslElement;
-import simgsm.abis.rsl.RslPdu;
-import simgsm.abis.rsl.RslType;
+import simgsm.abis.RslElement;
+import simgsm.abis.RslPdu;
+import simgsm.abis.RslType;
 import simgsm.air.ChannelDescription;
 import simgsm.air.ChannelNumber;
 import simgsm.air.ProtocolViolation;

@@ -9,8 +9,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.abis.rsl.RslElement;
-import simgsm.abis.rsl.RslType;
+import simgsm.abis.RslElement;
+import simgsm.abis.RslType;
 import simgsm.center.msc.call.CallProgress;
 
 /** Calls over towers: assignment, speech, handover, congestion, loss; octets as osmo-bsc 1.9 has them. */

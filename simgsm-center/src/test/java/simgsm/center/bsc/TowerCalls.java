@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import simgsm.abis.RslType;
 import simgsm.abis.RtpPacket;
-import simgsm.abis.rsl.RslType;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.msc.call.CallProgress;
 

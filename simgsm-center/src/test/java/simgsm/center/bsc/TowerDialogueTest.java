@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import simgsm.abis.rsl.RslType;
+import simgsm.abis.RslType;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeEvent;
 

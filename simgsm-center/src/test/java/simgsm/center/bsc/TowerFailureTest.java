@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import simgsm.abis.rsl.RslType;
+import simgsm.abis.RslType;
 import simgsm.center.msc.call.CallProgress;
 
 /** Calls over towers when a tower refuses, fails or dies: what ends, and what goes on. */

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import simgsm.abis.rsl.RslType;
+import simgsm.abis.RslType;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.ExchangeEvent;

@@ -14,7 +14,6 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Direction;
@@ -209,7 +208,7 @@ final class SimulatedCenter {
             return;
         }
         try {
-            if (RslCodec.decode(frame.payload()) instanceof RslMessage.DataRequest request) {
+            if (RslMessage.decode(frame.payload()) instanceof RslMessage.DataRequest request) {
                 watch(Layer3Codec.decode(request.layer3().toArray(), Direction.DOWNLINK), releases);
             }
         } catch (ProtocolViolation violation) {

@@ -12,7 +12,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
@@ -142,8 +141,7 @@ class RandomTrafficTest {
 
     private IpaFrame damaged(Layer3Message message) {
         byte[] layer3 = Layer3Codec.encode(message, Direction.UPLINK, random.nextInt(2));
-        byte[] octets =
-                RslCodec.encode(new RslMessage.DataIndication(RslMessage.Sapi.SIGNALLING, OctetString.of(layer3)));
+        byte[] octets = new RslMessage.DataIndication(RslMessage.Sapi.SIGNALLING, OctetString.of(layer3)).encode();
         octets[random.nextInt(octets.length)] ^= (byte) (1 << random.nextInt(8));
         return new IpaFrame(IpaFrame.RSL, octets);
     }

@@ -9,7 +9,6 @@ import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.MediaPort;
 import simgsm.abis.MgcpMessage.MediaAddress;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
@@ -80,7 +79,7 @@ final class TestMobile implements LinkPort {
                 case IpaFrame.CCM -> received.add(CcmCodec.decode(frame.payload()));
                 case IpaFrame.SPEECH -> heard.add(frame.payload());
                 case IpaFrame.MGCP -> mgcp.add(frame.payload());
-                default -> receive(RslCodec.decode(frame.payload()));
+                default -> receive(RslMessage.decode(frame.payload()));
             }
         } catch (ProtocolViolation violation) {
             throw new AssertionError("the network sent nonsense", violation);
@@ -138,7 +137,7 @@ final class TestMobile implements LinkPort {
     }
 
     void rsl(RslMessage message) {
-        frame(new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+        frame(new IpaFrame(IpaFrame.RSL, message.encode()));
     }
 
     void ccm(CcmMessage message) {

@@ -10,7 +10,6 @@ import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.Imei;
@@ -73,7 +72,7 @@ final class TestClient implements AutoCloseable {
         while (true) {
             IpaFrame frame = read();
             if (frame.stream() == IpaFrame.RSL
-                    && RslCodec.decode(frame.payload()) instanceof RslMessage.DataRequest data) {
+                    && RslMessage.decode(frame.payload()) instanceof RslMessage.DataRequest data) {
                 Layer3Message message = Layer3Codec.decode(data.layer3().toArray(), Direction.DOWNLINK);
                 if (kind.isInstance(message)) {
                     return kind.cast(message);
@@ -104,7 +103,7 @@ final class TestClient implements AutoCloseable {
     }
 
     static byte[] frame(RslMessage message) {
-        return IpaFramer.encode(new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+        return IpaFramer.encode(new IpaFrame(IpaFrame.RSL, message.encode()));
     }
 
     static byte[] frame(CcmMessage message) {
@@ -131,7 +130,7 @@ final class TestClient implements AutoCloseable {
                 Imsi.ofOpenNumber(new Msisdn("5550100")));
         return new IpaFrame(
                 IpaFrame.RSL,
-                RslCodec.encode(new RslMessage.EstablishIndication(RslMessage.Sapi.SIGNALLING, layer3(request, 0))));
+                new RslMessage.EstablishIndication(RslMessage.Sapi.SIGNALLING, layer3(request, 0)).encode());
     }
 
     static byte[] identity() {

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Direction;
@@ -84,7 +83,7 @@ public final class Scene {
         OctetString page = CellBroadcast.split(text, 50, new BroadcastSerial(1, 3, 2), Optional.of("en"))
                 .get(0)
                 .encode();
-        OctetString octets = OctetString.of(RslCodec.encode(new RslMessage.SmsBroadcastCommand(page)));
+        OctetString octets = OctetString.of(new RslMessage.SmsBroadcastCommand(page).encode());
         return new LadderEntry(NOON, LadderEntry.CENTER, PHONE.digits(), "SMS Broadcast Command", octets);
     }
 

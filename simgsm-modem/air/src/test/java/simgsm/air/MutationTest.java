@@ -11,8 +11,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmCodecTest;
-import simgsm.abis.RslCodec;
-import simgsm.abis.RslCodecTest;
+import simgsm.abis.RslMessage;
+import simgsm.abis.RslMessageTest;
 import simgsm.abis.RtpPacket;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
@@ -90,9 +90,9 @@ class MutationTest {
     @Test
     void noFrameEverBreaksTheOtherDecoders() {
         Random random = new Random(48058);
-        for (RslCodecTest.Example example : RslCodecTest.examples()) {
+        for (RslMessageTest.Example example : RslMessageTest.examples()) {
             for (int round = 0; round < ROUNDS; round++) {
-                decodes(spoil(OctetString.ofHex(example.hex()).toArray(), random), RslCodec::decode);
+                decodes(spoil(OctetString.ofHex(example.hex()).toArray(), random), RslMessage::decode);
             }
         }
         for (CcmCodecTest.Example example : CcmCodecTest.examples()) {

@@ -15,7 +15,6 @@ import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.Examples.Example;
 import simgsm.octets.OctetString;
@@ -141,7 +140,7 @@ class WiresharkTest {
     }
 
     private static byte[] rsl(RslMessage message) {
-        return IpaFramer.encode(new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+        return IpaFramer.encode(new IpaFrame(IpaFrame.RSL, message.encode()));
     }
 
     private static byte[] ccm(CcmMessage message) {

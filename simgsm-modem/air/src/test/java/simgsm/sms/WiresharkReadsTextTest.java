@@ -15,7 +15,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
@@ -99,6 +98,6 @@ class WiresharkReadsTextTest {
     }
 
     private static byte[] frame(RslMessage message) {
-        return IpaFramer.encode(new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+        return IpaFramer.encode(new IpaFrame(IpaFrame.RSL, message.encode()));
     }
 }

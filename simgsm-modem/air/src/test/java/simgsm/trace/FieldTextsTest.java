@@ -9,7 +9,7 @@ import java.util.ResourceBundle;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import simgsm.abis.rsl.RslElement;
+import simgsm.abis.RslElement;
 import simgsm.air.CauseLocation;
 import simgsm.air.Direction;
 import simgsm.air.Element;

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import simgsm.abis.RslCodecTest;
+import simgsm.abis.RslMessageTest;
 import simgsm.air.Direction;
 import simgsm.air.Examples;
 import simgsm.air.Examples.Example;
@@ -133,7 +133,7 @@ class MessageTextTest {
 
     @Test
     void radioLinkMessagesAreReportedByWhatTheyCarryOrByThemselves() {
-        for (RslCodecTest.Example example : RslCodecTest.examples()) {
+        for (RslMessageTest.Example example : RslMessageTest.examples()) {
             assertFalse(ofRsl(example.hex()).name().isEmpty());
         }
         MessageText paging = ofRsl("0c1501900e000c0829262400000000712800");

@@ -2,7 +2,6 @@ package simgsm.station;
 
 import java.lang.System.Logger.Level;
 import java.util.Optional;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
 import simgsm.air.Direction;
@@ -65,7 +64,7 @@ final class MessageDispatcher {
 
     void arrived(byte[] payload) {
         try {
-            arrived(RslCodec.decode(payload));
+            arrived(RslMessage.decode(payload));
         } catch (ProtocolViolation e) {
             context.log().trace(Level.WARNING, "radio link message dropped: {0}", e.getMessage());
         }

@@ -11,7 +11,6 @@ import java.util.Random;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
 import simgsm.abis.RtpPacket;
@@ -163,7 +162,7 @@ final class CalledModem implements Uplink {
     }
 
     private void rsl(RslMessage message) {
-        frame(IpaFrame.RSL, RslCodec.encode(message));
+        frame(IpaFrame.RSL, message.encode());
     }
 
     private void ccm(CcmMessage message) {
@@ -187,7 +186,7 @@ final class CalledModem implements Uplink {
             if (frame.stream() == IpaFrame.SPEECH) {
                 ear.accept(codec.decode(RtpPacket.decode(frame.payload()).payload()));
             } else if (frame.stream() == IpaFrame.RSL) {
-                arrived(RslCodec.decode(frame.payload()));
+                arrived(RslMessage.decode(frame.payload()));
             }
         } catch (ProtocolViolation e) {
             fail(e);

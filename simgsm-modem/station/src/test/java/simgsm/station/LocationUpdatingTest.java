@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.LocationArea;
@@ -48,8 +47,7 @@ class LocationUpdatingTest {
                 Optional.empty());
         scene.frame(
                 IpaFrame.RSL,
-                RslCodec.encode(
-                        new RslMessage.BroadcastInformation(RslMessage.BroadcastInformation.TYPE_3, cell.encode())));
+                new RslMessage.BroadcastInformation(RslMessage.BroadcastInformation.TYPE_3, cell.encode()).encode());
     }
 
     private LocationUpdatingRequest accept(LocationArea area) {

@@ -13,7 +13,6 @@ import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.MgcpMessage.MediaAddress;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
 import simgsm.abis.RtpPacket;
@@ -146,7 +145,7 @@ final class Scene implements Uplink {
     }
 
     void rsl(RslMessage message) {
-        frame(IpaFrame.RSL, RslCodec.encode(message));
+        frame(IpaFrame.RSL, message.encode());
     }
 
     void ccm(CcmMessage message) {
@@ -221,7 +220,7 @@ final class Scene implements Uplink {
     public void send(IpaFrame frame) {
         try {
             switch (frame.stream()) {
-                case IpaFrame.RSL -> up.add(RslCodec.decode(frame.payload()));
+                case IpaFrame.RSL -> up.add(RslMessage.decode(frame.payload()));
                 case IpaFrame.CCM -> ccm.add(CcmCodec.decode(frame.payload()));
                 case IpaFrame.MGCP -> mgcp.add(frame.payload());
                 case IpaFrame.SPEECH -> spoken.add(RtpPacket.decode(frame.payload()));

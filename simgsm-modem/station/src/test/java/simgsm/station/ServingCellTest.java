@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
@@ -32,8 +31,8 @@ class ServingCellTest {
         String block = "49061b%04x00f1100001c9033c3d6500af00002b2b2b2b".formatted(cellIdentity);
         scene.frame(
                 IpaFrame.RSL,
-                RslCodec.encode(new RslMessage.BroadcastInformation(
-                        RslMessage.BroadcastInformation.TYPE_3, OctetString.ofHex(block))));
+                new RslMessage.BroadcastInformation(RslMessage.BroadcastInformation.TYPE_3, OctetString.ofHex(block))
+                        .encode());
     }
 
     private void measure(int rxlev) {
@@ -41,8 +40,9 @@ class ServingCellTest {
                 new MeasurementReport(MeasurementResults.of(rxlev, 0, List.of())), Direction.UPLINK, 0);
         scene.frame(
                 IpaFrame.RSL,
-                RslCodec.encode(new RslMessage.MeasurementResult(
-                        0, new OctetWriter().bytes(report).toOctetString())));
+                new RslMessage.MeasurementResult(
+                                0, new OctetWriter().bytes(report).toOctetString())
+                        .encode());
     }
 
     @Test

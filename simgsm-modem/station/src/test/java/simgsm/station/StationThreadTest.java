@@ -24,7 +24,6 @@ import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.IpaFramer;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
 import simgsm.air.Direction;
@@ -101,7 +100,7 @@ class StationThreadTest {
 
         void send(Layer3Message message) throws IOException {
             OctetString octets = OctetString.of(Layer3Codec.encode(message, Direction.DOWNLINK, 0));
-            send(new IpaFrame(IpaFrame.RSL, RslCodec.encode(new RslMessage.DataRequest(Sapi.SIGNALLING, octets))));
+            send(new IpaFrame(IpaFrame.RSL, new RslMessage.DataRequest(Sapi.SIGNALLING, octets).encode()));
         }
 
         /** The next signalling message, frames of other streams passed over; empty for the release of the channel. */
@@ -111,7 +110,7 @@ class StationThreadTest {
                 int stream = in.readUnsignedByte();
                 in.readFully(payload);
                 if (stream == IpaFrame.RSL) {
-                    RslMessage message = RslCodec.decode(payload);
+                    RslMessage message = RslMessage.decode(payload);
                     return message instanceof RslMessage.EstablishIndication first
                             ? Optional.of(Layer3Codec.decode(first.layer3().toArray(), Direction.UPLINK))
                             : Optional.empty();

@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Queue;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
 import simgsm.air.MobileIdentity;
@@ -266,7 +265,7 @@ public final class Mobile {
     }
 
     private void send(RslMessage message) {
-        port.send(new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+        port.send(new IpaFrame(IpaFrame.RSL, message.encode()));
     }
 
     // What the machine does.

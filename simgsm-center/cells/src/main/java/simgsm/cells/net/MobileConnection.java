@@ -6,7 +6,7 @@ import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaConnection;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.KeepAlive;
-import simgsm.abis.RslCodec;
+import simgsm.abis.RslMessage;
 import simgsm.air.ProtocolViolation;
 import simgsm.cells.mobile.Mobile;
 import simgsm.cells.mobile.MobilePort;
@@ -51,7 +51,7 @@ final class MobileConnection extends IpaConnection implements MobilePort {
         keepAlive.heard();
         try {
             switch (frame.stream()) {
-                case IpaFrame.RSL -> mobile.arrived(RslCodec.decode(frame.payload()));
+                case IpaFrame.RSL -> mobile.arrived(RslMessage.decode(frame.payload()));
                 case IpaFrame.SPEECH -> mobile.speechArrived(frame.payload());
                 case IpaFrame.CCM -> arrived(CcmCodec.decode(frame.payload()));
                 default -> LOG.log(Level.DEBUG, "{0}: a frame of stream {1} dropped", mobile, frame.stream());

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.BroadcastInformation;
 import simgsm.abis.RslMessage.MeasurementResult;
@@ -34,7 +33,7 @@ class CellNoticeTest {
 
     private static String asRead(RslMessage message) {
         try {
-            RslMessage read = RslCodec.decode(RslCodec.encode(message));
+            RslMessage read = RslMessage.decode(message.encode());
             if (read instanceof BroadcastInformation information) {
                 return "cell "
                         + SystemInformation.decode(information.block())

@@ -13,11 +13,10 @@ import java.util.Queue;
 import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.MgcpMessage.MediaAddress;
-import simgsm.abis.RslCodec;
+import simgsm.abis.RslElement;
 import simgsm.abis.RslMessage;
-import simgsm.abis.rsl.RslElement;
-import simgsm.abis.rsl.RslPdu;
-import simgsm.abis.rsl.RslType;
+import simgsm.abis.RslPdu;
+import simgsm.abis.RslType;
 import simgsm.air.ChannelDescription;
 import simgsm.air.ChannelNumber;
 import simgsm.air.ChannelNumber.Kind;
@@ -221,7 +220,7 @@ final class TownScene {
                 return;
             }
             try {
-                RslMessage message = RslCodec.decode(frame.payload());
+                RslMessage message = RslMessage.decode(frame.payload());
                 boolean isNotice = message instanceof RslMessage.BroadcastInformation
                         || message instanceof RslMessage.MeasurementResult;
                 if (!isNotice) {

@@ -2,7 +2,6 @@ package simgsm.center.msc.link;
 
 import java.util.Locale;
 import simgsm.abis.IpaFrame;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.air.Direction;
 import simgsm.air.LocationArea;
@@ -38,7 +37,7 @@ public final class TerminalAccess implements RadioAccess, BroadcastChannel, Peer
     public void received(IpaFrame frame) throws ProtocolViolation {
         switch (frame.stream()) {
             case IpaFrame.SPEECH -> uplink.spoke(link, frame);
-            case IpaFrame.RSL -> receive(RslCodec.decode(frame.payload()));
+            case IpaFrame.RSL -> receive(RslMessage.decode(frame.payload()));
             case IpaFrame.MGCP -> media.receive(frame.payload());
             default -> link.violated("sent a frame of unknown stream " + frame.stream());
         }
@@ -90,7 +89,7 @@ public final class TerminalAccess implements RadioAccess, BroadcastChannel, Peer
     }
 
     private void send(RslMessage message) {
-        peer.port().send(new IpaFrame(IpaFrame.RSL, RslCodec.encode(message)));
+        peer.port().send(new IpaFrame(IpaFrame.RSL, message.encode()));
     }
 
     @Override
@@ -114,7 +113,7 @@ public final class TerminalAccess implements RadioAccess, BroadcastChannel, Peer
     }
 
     private void sendCommon(RslMessage message) {
-        OctetString octets = OctetString.of(RslCodec.encode(message));
+        OctetString octets = OctetString.of(message.encode());
         link.trace(Direction.DOWNLINK, MessageText.ofRsl(octets, Locale.ROOT).name(), octets);
         send(message);
     }

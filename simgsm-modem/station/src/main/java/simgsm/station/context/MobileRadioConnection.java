@@ -4,7 +4,6 @@ import java.lang.System.Logger.Level;
 import java.util.Optional;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.MgcpMessage.MediaAddress;
-import simgsm.abis.RslCodec;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
 import simgsm.air.CallControl;
@@ -104,6 +103,6 @@ public final class MobileRadioConnection {
     }
 
     private void send(RslMessage message) {
-        send(IpaFrame.RSL, RslCodec.encode(message));
+        send(IpaFrame.RSL, message.encode());
     }
 }

@@ -1,4 +1,4 @@
-package simgsm.abis.rsl;
+package simgsm.abis;
 
 /** Elements of RSL messages (TS 48.058, 9.3), and those of ip.access for speech: tag and form. */
 public enum RslElement {

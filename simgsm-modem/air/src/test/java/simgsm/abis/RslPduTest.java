@@ -1,4 +1,4 @@
-package simgsm.abis.rsl;
+package simgsm.abis;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

@@ -1,7 +1,7 @@
-package simgsm.abis.rsl;
+package simgsm.abis;
 
-import java.util.Arrays;
-import java.util.Optional;
+import simgsm.air.Cause;
+import simgsm.air.ProtocolViolation;
 
 /** RSL message types between a base station and its controller (TS 48.058, 9.2), and those of ip.access for speech. */
 public enum RslType {
@@ -63,7 +63,14 @@ public enum RslType {
     DELETE_CONNECTION_ACKNOWLEDGE(0x7e, 0x78, "ip.access DLCX Acknowledge"),
     DELETE_CONNECTION_NEGATIVE_ACKNOWLEDGE(0x7e, 0x79, "ip.access DLCX Negative Acknowledge");
 
-    private static final int RADIO_LINK_LAYER = 0x02;
+    private static final RslType[] BY_CODE = new RslType[256];
+
+    static {
+        for (RslType type : values()) {
+            BY_CODE[type.code] = type;
+        }
+    }
+
     /** The lowest bit of the discriminator says whether the message is transparent to the base station. */
     private static final int DISCRIMINATOR_MASK = 0xfe;
 
@@ -92,14 +99,14 @@ public enum RslType {
         return title;
     }
 
-    /** Whether the message is one of a radio link (RLL): it has a channel number and a link identifier. */
-    public boolean isOfRadioLink() {
-        return discriminator == RADIO_LINK_LAYER;
-    }
-
-    static Optional<RslType> of(int discriminator, int code) {
-        return Arrays.stream(values())
-                .filter(type -> type.code == code && type.discriminator == (discriminator & DISCRIMINATOR_MASK))
-                .findFirst();
+    /** The type of a message. @throws ProtocolViolation for an unknown one */
+    static RslType of(int discriminator, int code) throws ProtocolViolation {
+        RslType type = BY_CODE[code];
+        if (type == null || type.discriminator != (discriminator & DISCRIMINATOR_MASK)) {
+            throw new ProtocolViolation(
+                    Cause.MESSAGE_TYPE_NON_EXISTENT,
+                    String.format("RSL message type 0x%02x of discriminator 0x%02x", code, discriminator));
+        }
+        return type;
     }
 }

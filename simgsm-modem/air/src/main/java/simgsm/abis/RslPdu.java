@@ -1,4 +1,4 @@
-package simgsm.abis.rsl;
+package simgsm.abis;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -13,7 +13,7 @@ import simgsm.octets.OctetWriter;
 
 /**
  * One RSL message between a base station and its controller: the type, and the elements in the order in which they are sent.
- * A message of a terminal that carries its own cell is a {@link simgsm.abis.RslMessage}.
+ * A message of a terminal that carries its own cell is a {@link RslMessage}.
  *
  * <p>Unknown elements are read as TLV and dropped. Of two equal elements the first is kept.
  */
@@ -110,7 +110,7 @@ public final class RslPdu {
         return octet(RslElement.LINK_IDENTIFIER) & 0x07;
     }
 
-    /** The payload of an {@link simgsm.abis.IpaFrame#RSL} frame. */
+    /** The payload of an {@link IpaFrame#RSL} frame. */
     public byte[] encode() {
         OctetWriter out = new OctetWriter().octet(type.discriminator()).octet(type.code());
         elements.forEach((element, value) -> {
@@ -128,12 +128,7 @@ public final class RslPdu {
     /** The message of a payload. @throws ProtocolViolation for an unknown type or an element that is cut off */
     public static RslPdu decode(byte[] payload) throws ProtocolViolation {
         MessageReader in = new MessageReader(payload);
-        int discriminator = in.octet("RSL discriminator");
-        int code = in.octet("RSL message type");
-        RslType type = RslType.of(discriminator, code)
-                .orElseThrow(() -> new ProtocolViolation(
-                        Cause.MESSAGE_TYPE_NON_EXISTENT,
-                        String.format("RSL message type 0x%02x of discriminator 0x%02x", code, discriminator)));
+        RslType type = RslType.of(in.octet("RSL discriminator"), in.octet("RSL message type"));
         Map<RslElement, OctetString> elements = new LinkedHashMap<>();
         while (in.hasMore() && type != RslType.MEASUREMENT_PREPROCESSING_DEFAULTS) {
             RslElement element = RslElement.ofTag(in.octet("RSL element"));

@@ -27,8 +27,8 @@ import simgsm.air.ProtocolViolation;
 import simgsm.air.Tmsi;
 import simgsm.octets.OctetString;
 
-public class RslCodecTest {
-    RslCodecTest() {}
+public class RslMessageTest {
+    RslMessageTest() {}
 
     public record Example(RslMessage message, String hex) {}
 
@@ -42,16 +42,16 @@ public class RslCodecTest {
         return List.of(
                 new Example(
                         new DataIndication(Sapi.SIGNALLING, OctetString.ofHex("05087262f224000133082926240000000071")),
-                        "0202014102000b001205087262f224000133082926240000000071"),
+                        "0302014102000b001205087262f224000133082926240000000071"),
                 new Example(
                         new DataIndication(
                                 Sapi.SHORT_MESSAGES,
                                 OctetString.ofHex(
                                         "09011f00010007919471000000001331010c919471000000200000a705e8329bfd06")),
-                        "0202014102030b002209011f00010007919471000000001331010c919471000000200000a705e8329bfd06"),
+                        "0302014102030b002209011f00010007919471000000001331010c919471000000200000a705e8329bfd06"),
                 new Example(
                         new EstablishIndication(Sapi.SIGNALLING, OctetString.ofHex("0308")), "0206014102000b00020308"),
-                new Example(new DataRequest(Sapi.SIGNALLING, OctetString.ofHex("060d00")), "0201014102000b0003060d00"),
+                new Example(new DataRequest(Sapi.SIGNALLING, OctetString.ofHex("060d00")), "0301014102000b0003060d00"),
                 new Example(new ReleaseIndication(Sapi.SHORT_MESSAGES), "020901410203"),
                 new Example(new ErrorIndication(Sapi.SIGNALLING, 1), "020301410200160101"),
                 new Example(
@@ -68,9 +68,7 @@ public class RslCodecTest {
     @ParameterizedTest
     @MethodSource("examples")
     void everyFormIsWritten(Example example) {
-        assertEquals(
-                example.hex(),
-                OctetString.of(RslCodec.encode(example.message())).toString());
+        assertEquals(example.hex(), OctetString.of(example.message().encode()).toString());
     }
 
     @ParameterizedTest
@@ -131,6 +129,6 @@ public class RslCodecTest {
     }
 
     private static RslMessage decode(String hex) throws ProtocolViolation {
-        return RslCodec.decode(OctetString.ofHex(hex).toArray());
+        return RslMessage.decode(OctetString.ofHex(hex).toArray());
     }
 }
