@@ -50,12 +50,11 @@ enum RosTopic {
         for (RosTopic topic : values()) {
             for (String robot : robots) {
                 named.putIfAbsent(
-                        topic.pattern.replaceFirst(ROBOT, "/" + robot),
-                        new Source(topic, topic.isOfRobot() ? robot : ""));
+                        topic.pattern.replace(ROBOT, "/" + robot), new Source(topic, topic.isOfRobot() ? robot : ""));
             }
         }
         if (robots.size() == 1) {
-            named.put(VELOCITY.pattern.replaceFirst(ROBOT, ""), new Source(VELOCITY, robots.get(0)));
+            named.put(VELOCITY.pattern.replace(ROBOT, ""), new Source(VELOCITY, robots.get(0)));
         }
         return named;
     }

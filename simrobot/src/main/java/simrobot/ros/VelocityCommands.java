@@ -14,12 +14,12 @@ import simrobot.robot.SimulatedRobot;
 final class VelocityCommands {
     static final long WATCHDOG_NANOS = 500_000_000;
 
-    private record Driving(RosSession client, DirectControl control, long sinceNanos) {}
+    private record Driving(Object client, DirectControl control, long sinceNanos) {}
 
     private final Map<SimulatedRobot, Driving> driven = new HashMap<>();
 
     /** @return why the velocity is refused; empty if the robot takes it */
-    Optional<String> drive(SimulatedRobot robot, RosSession client, Twist velocity, long nanos) {
+    Optional<String> drive(SimulatedRobot robot, Object client, Twist velocity, long nanos) {
         Driving before = driven.get(robot);
         DirectControl control = before == null ? new DirectControl(robot) : before.control;
         if (!control.take()) {
@@ -36,7 +36,7 @@ final class VelocityCommands {
     }
 
     /** Brakes what the client drives. */
-    void release(RosSession client) {
+    void release(Object client) {
         end(driving -> driving.client == client);
     }
 

@@ -2,6 +2,7 @@ package simgsm.web;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,6 +33,14 @@ class JsonTextTest {
                 .value(false)
                 .close('}');
         assertEquals("{\"empty\":[],\"robots\":[{\"id\":1},{\"id\":2,\"moves\":true}],\"ok\":false}", json.toString());
+    }
+
+    @Test
+    void anyValueIsWrittenAsItWasReadAndWhatIsNotFiniteAsNull() {
+        String text = "{\"a\":[1,2.50,\"x\",true,null,{}],\"b\":-1E+3}";
+        assertEquals(text, new JsonText().any(JsonReader.parse(text)).toString());
+        List<Object> numbers = List.of(0.5, Double.NaN, Float.NEGATIVE_INFINITY, 7);
+        assertEquals("[0.5,null,null,7]", new JsonText().any(numbers).toString());
     }
 
     @Test

@@ -64,7 +64,11 @@ class WebSocketPortTest {
         };
         WebSocketPath echo = new WebSocketPath("/echo", "echo.v1", false, MOST_OCTETS, Echo::new);
         InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-        port = new WebPort(loop::listen, address, pages, List.of(echo), false);
+        WebSocketPath open = new WebSocketPath("/open", "", true, MOST_OCTETS, socket -> {
+            socket.send(socket.isLocalPage() + " " + socket.hasOutput());
+            return new Echo(socket);
+        });
+        port = new WebPort(loop::listen, address, pages, List.of(echo, open), false);
         loop.start(SelectorLoop.Core.NONE, fault -> {});
         port.start();
     }
@@ -205,6 +209,24 @@ class WebSocketPortTest {
     void aPageOfTheSameHostIsAdmitted() throws IOException {
         try (Client client = new Client(HANDSHAKE + "Origin: http://127.0.0.1:80\n\n")) {
             assertEquals("HTTP/1.1 101 Switching Protocols", client.head().get(0));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "http://elsewhere.example, false",
+        "null, false",
+        "http://localhost.elsewhere.example, false",
+        "http://localhost:8000, true",
+        "http://127.0.0.1, true"
+    })
+    void aPathForPagesOfEveryHostTellsItsListenerWhichAreLocal(String origin, boolean isLocal) throws IOException {
+        String request =
+                HANDSHAKE.replace("/echo", "/open") + "Sec-WebSocket-Protocol: any\nOrigin: " + origin + "\n\n";
+        try (Client client = new Client(request)) {
+            assertEquals("HTTP/1.1 101 Switching Protocols", client.head().get(0));
+            String told = isLocal + " true";
+            assertEquals("81" + HexFormat.of().formatHex(told.getBytes(StandardCharsets.US_ASCII)), client.frame());
         }
     }
 
