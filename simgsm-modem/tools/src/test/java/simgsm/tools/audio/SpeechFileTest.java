@@ -260,7 +260,7 @@ class SpeechFileTest {
     private static final byte[] SOUND = new byte[4000];
 
     static {
-        for (short i = 0; i < 2000; i++) {
+        for (short i = 0; i < 500; i++) {
             ByteBuffer.wrap(SOUND).order(ByteOrder.LITTLE_ENDIAN).putShort(2 * i, (short) (7 * i - 6000));
         }
     }
@@ -268,7 +268,7 @@ class SpeechFileTest {
     private void assertRamp(byte[] file) throws IOException {
         short[] samples = read(file);
         assertEquals(2000, samples.length);
-        for (int i = 0; i < 2000; i++) {
+        for (int i = 0; i < 500; i++) {
             assertEquals(7 * i - 6000, samples[i]);
         }
     }
@@ -319,7 +319,7 @@ class SpeechFileTest {
         byte[] good = Files.readAllBytes(file);
         Random random = new Random(3);
         int readable = 0;
-        for (int i = 0; i < 2000; i++) {
+        for (int i = 0; i < 500; i++) {
             byte[] bad = good.clone();
             for (int k = 0; k <= i % 4; k++) {
                 bad[random.nextInt(44)] = (byte) random.nextInt();
@@ -332,7 +332,7 @@ class SpeechFileTest {
                 assertTrue(e.getMessage() != null);
             }
         }
-        assertTrue(readable > 100, readable + " readable");
+        assertTrue(readable > 25, readable + " readable");
     }
 
     private Path write(String name, float[] sound, AudioFormat format) throws IOException {
