@@ -28,8 +28,7 @@ class LessonsTest {
     /** Tries of one value, or of a refused one, are no different ones; another process than the student's own is not it. */
     private static final Map<String, List<String>> OF_WRONG_SOLUTIONS = Map.of(
             "break-it", List.of("check step=tried result=fail"),
-            "your-first-behaviour",
-                    List.of("check step=compiled result=pass", "check step=behaviour result=fail"));
+            "your-first-behaviour", List.of("check step=compiled result=pass", "check step=behaviour result=fail"));
 
     static Stream<String> lessons() throws Exception {
         return FinishedProgram.run("simgsm-center", "--lessons", "--lang", "en")
