@@ -11,6 +11,8 @@ import java.net.http.HttpResponse;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -123,6 +125,33 @@ class GatewayTest {
         try (WebPhone phone = new WebPhone(port, first)) {
             assertEquals(code, phone.closeCode());
         }
+    }
+
+    @Test
+    void guessesOfTheKeyAreSlowedForTheirAddressAlsoIfOneIsRight() throws Exception {
+        String guessed = scenario.gateway().expect("ready").field("web");
+        Set<Integer> codes = new TreeSet<>();
+        for (int i = 0; i < 20; i++) {
+            try (WebPhone phone = new WebPhone(guessed, "{\"key\":\"guess" + i + "\"}")) {
+                codes.add(phone.closeCode());
+            }
+        }
+        assertEquals(Set.of(1013, 4001), codes);
+        int right = 0;
+        for (int i = 0; i < 50 && right != 429; i++) {
+            robotsBy(guessed, "guess");
+            right = robotsBy(guessed, "word");
+        }
+        assertEquals(429, right);
+    }
+
+    private static int robotsBy(String at, String key) throws Exception {
+        HttpRequest request = HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + at + "/robots"))
+                .header("Authorization", "Bearer " + key)
+                .build();
+        return HttpClient.newHttpClient()
+                .send(request, HttpResponse.BodyHandlers.discarding())
+                .statusCode();
     }
 
     @ParameterizedTest

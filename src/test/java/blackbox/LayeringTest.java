@@ -130,7 +130,7 @@ class LayeringTest {
             simrobot.pioneer         : simgsm.net vericommand simrobot.behaviour simrobot.process simrobot.robot simrobot.simulation simrobot.p2os
             simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.process simrobot.world simrobot.robot simrobot.simulation
             simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
-            simrobot.http            : simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
+            simrobot.http            : simgsm.timer simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
             simrobot.ros             : simgsm.net simgsm.web vericommand simrobot.robot simrobot.simulation simrobot.camera
             simrobot.control         : simgsm.event simgsm.file simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
             simrobot.ui              : vericommand simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.file simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control

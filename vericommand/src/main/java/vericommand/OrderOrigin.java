@@ -9,32 +9,29 @@ final class OrderOrigin {
     private final OrderSource source;
     private final String from;
     private final Consumer<OrderReport> follower;
-    private final String keys;
     private final Supplier<Pose> pose;
     private Optional<String> verdict = Optional.empty();
     private Optional<Reply> reply = Optional.empty();
     private boolean ended;
 
-    private OrderOrigin(
-            OrderSource source, String from, String keys, Supplier<Pose> pose, Consumer<OrderReport> follower) {
+    private OrderOrigin(OrderSource source, String from, Supplier<Pose> pose, Consumer<OrderReport> follower) {
         this.source = source;
         this.from = from;
-        this.keys = keys;
         this.pose = pose;
         this.follower = follower;
     }
 
     static OrderOrigin call(String number) {
-        return new OrderOrigin(OrderSource.CALL, number, "", () -> null, report -> {});
+        return new OrderOrigin(OrderSource.CALL, number, () -> null, report -> {});
     }
 
     static OrderOrigin message(String number) {
-        return new OrderOrigin(OrderSource.MESSAGE, number, "", () -> null, report -> {});
+        return new OrderOrigin(OrderSource.MESSAGE, number, () -> null, report -> {});
     }
 
     /** @param follower told of each change, first that the order waits */
-    static OrderOrigin program(String operator, String keys, Supplier<Pose> pose, Consumer<OrderReport> follower) {
-        OrderOrigin origin = new OrderOrigin(OrderSource.PROGRAM, operator, keys, pose, follower);
+    static OrderOrigin program(String operator, Supplier<Pose> pose, Consumer<OrderReport> follower) {
+        OrderOrigin origin = new OrderOrigin(OrderSource.PROGRAM, operator, pose, follower);
         origin.report(OrderReport.State.WAITING);
         return origin;
     }
@@ -69,7 +66,7 @@ final class OrderOrigin {
     }
 
     private void report(OrderReport.State state) {
-        follower.accept(new OrderReport(from, keys, verdict, state, reply, pose.get()));
+        follower.accept(new OrderReport(verdict, state, reply, pose.get()));
     }
 
     /** The call is over: its orders get no further reply. */

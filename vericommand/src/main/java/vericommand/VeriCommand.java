@@ -144,7 +144,7 @@ public final class VeriCommand {
      */
     public void order(String operator, String text, Consumer<OrderReport> follower) {
         display.begin(operator, OrderSource.PROGRAM);
-        handle(OrderText.read(text), OrderOrigin.program(operator, OrderText.keysOf(text), robot::pose, follower));
+        handle(OrderText.read(text), OrderOrigin.program(operator, robot::pose, follower));
         listener.changed();
     }
 

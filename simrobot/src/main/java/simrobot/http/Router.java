@@ -17,6 +17,7 @@ final class Router extends WebPages {
     private static final int MOST_NAMES = 20;
     private static final String CAMERA = "camera.jpg";
     private static final String MAP = "map.svg";
+    private static final String ORDERS = "orders";
     private static final String STREAM = "camera.mjpg";
 
     private final WebSource source;
@@ -24,14 +25,35 @@ final class Router extends WebPages {
     private final CameraPictureCache cameras;
     private final CameraStreams streams;
     private final Page page;
+    /** Empty on a read-only port. */
+    private final Optional<OrderPages> orders;
 
-    Router(WebSource source, SceneCache scenes, CameraPictureCache cameras, CameraStreams streams, Page page) {
+    Router(
+            WebSource source,
+            SceneCache scenes,
+            CameraPictureCache cameras,
+            CameraStreams streams,
+            Page page,
+            Optional<OrderPages> orders) {
         super(Page.POLICY);
         this.source = source;
         this.scenes = scenes;
         this.cameras = cameras;
         this.streams = streams;
         this.page = page;
+        this.orders = orders;
+    }
+
+    private boolean isOfOrders(List<String> parts) {
+        return orders.isPresent()
+                && (parts.size() == 3 || parts.size() == 4)
+                && parts.get(0).equals("robots")
+                && parts.get(2).equals(ORDERS);
+    }
+
+    @Override
+    protected List<String> methods(List<String> parts) {
+        return isOfOrders(parts) && parts.size() == 3 ? List.of("POST") : super.methods(parts);
     }
 
     @Override
@@ -40,6 +62,9 @@ final class Router extends WebPages {
         boolean isStream = parts.size() == 3
                 && parts.get(0).equals("robots")
                 && parts.get(2).equals(STREAM);
+        if (isOfOrders(parts)) {
+            return Optional.of(answerOrder(exchange, orders.orElseThrow(), parts));
+        }
         if (parts.isEmpty()) {
             return Optional.of(page.of(scenes.now(), source).answer(exchange));
         }
@@ -49,6 +74,17 @@ final class Router extends WebPages {
         RobotSnapshot robot = withCamera(robot(scenes.now(), parts.get(1)));
         streams.begin(exchange, robot.name());
         return Optional.empty();
+    }
+
+    /** Whoever has no key learns nothing about robots. */
+    private WebResponse answerOrder(HttpExchange exchange, OrderPages pages, List<String> parts)
+            throws IOException, InterruptedException, RequestException {
+        if (parts.size() == 4) {
+            return pages.newest(robot(scenes.now(), parts.get(1)), parts.get(3));
+        }
+        String operator = operator(exchange, pages.keys());
+        pages.requireRate(operator);
+        return pages.place(exchange, operator, robot(scenes.now(), parts.get(1)));
     }
 
     private WebResponse answer(List<String> parts, String path)
@@ -70,7 +106,9 @@ final class Router extends WebPages {
             }
         }
         throw RequestException.notFound(
-                path, "/, /" + MAP + ", /robots, /robots/NAME, /robots/NAME/" + CAMERA + " or /robots/NAME/" + STREAM);
+                path,
+                "/, /" + MAP + ", /robots, /robots/NAME, /robots/NAME/" + CAMERA + " or /robots/NAME/" + STREAM
+                        + (orders.isPresent() ? ", or an order at /robots/NAME/" + ORDERS + "/ID" : ""));
     }
 
     private static RobotSnapshot robot(SimulationSnapshot scene, String name) throws RequestException {

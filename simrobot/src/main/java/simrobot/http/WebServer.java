@@ -5,10 +5,12 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.util.Locale;
+import java.util.Optional;
+import simgsm.web.AccessKeys;
 import simgsm.web.WebPort;
 import simrobot.camera.CameraPictureCache;
 
-/** SimRobot's read-only web server. */
+/** SimRobot's web server: read-only, or with keys for orders. */
 public final class WebServer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(WebServer.class.getName());
 
@@ -19,19 +21,28 @@ public final class WebServer implements AutoCloseable {
      * Opens the port; requests are answered after {@link #start}.
      *
      * @param port 0 for any free port
+     * @param keys with which programs may order; none if empty
      * @throws IOException with the port's number if it cannot be opened
      */
-    public WebServer(InetAddress address, int port, Locale language, WebSource source) throws IOException {
-        this(address, port, language, source, WebPort.WRITE_LIMIT_NANOS);
+    public WebServer(InetAddress address, int port, Locale language, WebSource source, Optional<AccessKeys> keys)
+            throws IOException {
+        this(address, port, language, source, keys, WebPort.WRITE_LIMIT_NANOS);
     }
 
-    WebServer(InetAddress address, int port, Locale language, WebSource source, long writeLimitNanos)
+    WebServer(
+            InetAddress address,
+            int port,
+            Locale language,
+            WebSource source,
+            Optional<AccessKeys> keys,
+            long writeLimitNanos)
             throws IOException {
         SceneCache scenes = new SceneCache(source);
         CameraPictureCache cameras = new CameraPictureCache();
         streams = new CameraStreams(scenes, cameras);
-        this.port = new WebPort(
-                address, port, new Router(source, scenes, cameras, streams, new Page(language)), writeLimitNanos);
+        Optional<OrderPages> orders = keys.map(known -> new OrderPages(known, source, System::nanoTime));
+        Router router = new Router(source, scenes, cameras, streams, new Page(language), orders);
+        this.port = new WebPort(address, port, router, writeLimitNanos);
     }
 
     public int port() {

@@ -21,6 +21,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.zip.GZIPInputStream;
 import javax.imageio.ImageIO;
@@ -36,6 +38,7 @@ import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
+import vericommand.OrderReport;
 
 /** The web server over a simulation that only the test moves. */
 class WebServerTest {
@@ -54,11 +57,16 @@ class WebServerTest {
     }
 
     private WebServer open(Locale language) throws IOException {
-        WebServer opened = new WebServer(InetAddress.getLoopbackAddress(), 0, language, source(() -> {
-            synchronized (simulation) {
-                return simulation.snapshot();
-            }
-        }));
+        WebServer opened = new WebServer(
+                InetAddress.getLoopbackAddress(),
+                0,
+                language,
+                source(() -> {
+                    synchronized (simulation) {
+                        return simulation.snapshot();
+                    }
+                }),
+                Optional.empty());
         opened.start();
         return opened;
     }
@@ -73,6 +81,11 @@ class WebServerTest {
             @Override
             public String number(String robot) {
                 return robot.equals("ann") ? "5550200" : "";
+            }
+
+            @Override
+            public boolean order(String robot, String operator, String keys, Consumer<OrderReport> follower) {
+                throw new AssertionError("no keys are given");
             }
 
             @Override
@@ -425,6 +438,7 @@ class WebServerTest {
                     posts.run(5);
                     return posts.snapshot();
                 }),
+                Optional.empty(),
                 100_000_000)) {
             impatient.start();
             for (int i = 0; i < CameraStreams.MOST; i++) {

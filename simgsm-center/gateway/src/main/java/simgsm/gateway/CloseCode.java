@@ -8,6 +8,9 @@ final class CloseCode {
     /** RFC 6455, 7.4.1: the program ends. */
     static final int GOING_AWAY = 1001;
 
+    /** The IANA's registry of close codes: too many wrong keys. */
+    static final int TRY_AGAIN_LATER = 1013;
+
     static final int OPENED_ELSEWHERE = 4000;
     static final int WRONG_KEY = 4001;
     static final int NO_NUMBER = 4002;

@@ -6,7 +6,6 @@ import java.io.InputStream;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import simgsm.web.JsonText;
 import simgsm.web.QrCode;
@@ -31,11 +30,6 @@ final class GatewayPages extends WebPages {
             "phone.js", SCRIPT,
             "sound.js", SCRIPT);
 
-    /** The answer to a wrong key is delayed, so that guesses are slow. */
-    private static final int GUESS_MILLIS = 1_000;
-
-    private static final int UNAUTHORIZED = 401;
-
     private final Gateway gateway;
     private final RobotPages robots;
 
@@ -47,7 +41,7 @@ final class GatewayPages extends WebPages {
 
     @Override
     protected Optional<WebResponse> answer(HttpExchange exchange, List<String> parts, String path)
-            throws IOException, RequestException, InterruptedException {
+            throws IOException, RequestException {
         String first = parts.isEmpty() ? "index.html" : parts.get(0);
         if (parts.size() <= 1 && TYPES.containsKey(first)) {
             try (InputStream in = GatewayPages.class.getResourceAsStream("page-files/" + first)) {
@@ -61,7 +55,7 @@ final class GatewayPages extends WebPages {
         if (!List.of("robots", "link.svg", "users").contains(first)) {
             throw RequestException.notFound(path, "/, /link.html or /robots");
         }
-        requireKey(exchange);
+        operator(exchange, gateway.users().keys());
         return Optional.of(
                 switch (first) {
                     case "robots" -> robots.answer(parts.subList(1, parts.size()), path);
@@ -87,14 +81,5 @@ final class GatewayPages extends WebPages {
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + side + " " + side + "\" aria-label=\""
                 + link + "\"><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/><path d=\"" + code.svgPath()
                 + "\"/></svg>";
-    }
-
-    private void requireKey(HttpExchange exchange) throws RequestException, InterruptedException {
-        String given = Objects.requireNonNullElse(exchange.getRequestHeaders().getFirst("Authorization"), "");
-        if (!given.startsWith("Bearer ") || !gateway.users().isKey(given.substring("Bearer ".length()))) {
-            Thread.sleep(GUESS_MILLIS);
-            exchange.getResponseHeaders().set("WWW-Authenticate", "Bearer");
-            throw new RequestException(UNAUTHORIZED, "expected the link's key as Authorization: Bearer KEY");
-        }
     }
 }

@@ -20,8 +20,6 @@ final class PhoneSocket implements WebSocketListener {
     /** Null until the key has come. */
     private WebUser user;
 
-    private boolean isRefused;
-
     PhoneSocket(WebSocket socket, WebUsers users) {
         this.socket = socket;
         this.users = users;
@@ -30,9 +28,6 @@ final class PhoneSocket implements WebSocketListener {
 
     @Override
     public void text(String text) {
-        if (isRefused) {
-            return;
-        }
         Map<String, Object> message;
         try {
             message = JsonReader.object(text);
@@ -47,7 +42,6 @@ final class PhoneSocket implements WebSocketListener {
         if (user == null) {
             user = users.join(socket, string(message, "key"), string(message, "token"), string(message, "name"))
                     .orElse(null);
-            isRefused = user == null;
         } else {
             try {
                 perform(message);

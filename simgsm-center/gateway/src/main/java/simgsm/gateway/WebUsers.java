@@ -1,7 +1,5 @@
 package simgsm.gateway;
 
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.util.Collection;
 import java.util.HexFormat;
@@ -15,6 +13,9 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.station.StationThread;
 import simgsm.station.context.StationIdentity;
+import simgsm.web.AccessKeys;
+import simgsm.web.RequestException;
+import simgsm.web.WebResponse;
 import simgsm.web.WebSocket;
 
 /** The browsers that are subscribers: each has a number of its own for as long as its page is open, and 60 s more. */
@@ -24,7 +25,6 @@ final class WebUsers {
 
     private static final long RETURN_NANOS = TimeUnit.SECONDS.toNanos(60);
     private static final long KEY_NANOS = TimeUnit.SECONDS.toNanos(10);
-    private static final long GUESS_NANOS = TimeUnit.SECONDS.toNanos(1);
     private static final int MOST_NAME = 30;
     private static final int TOKEN_OCTETS = 16;
     private static final String UNIT_NAME = "SimGSM web phone";
@@ -32,6 +32,7 @@ final class WebUsers {
     private final StationThread thread;
     private final GatewaySettings settings;
     private final Consumer<GatewayEvent> listener;
+    private final AccessKeys keys;
     private final SecureRandom random = new SecureRandom();
     private final PageWords texts;
     private final Map<Long, WebUser> byNumber = new TreeMap<>();
@@ -43,32 +44,32 @@ final class WebUsers {
     WebUsers(StationThread thread, GatewaySettings settings, Consumer<GatewayEvent> listener) {
         this.thread = thread;
         this.settings = settings;
+        keys = AccessKeys.of("link", settings.key());
         this.listener = listener;
         texts = new PageWords(settings.language());
     }
 
-    /** Whether a key is the link's; takes the same time for every wrong one. */
-    boolean isKey(String key) {
-        return MessageDigest.isEqual(
-                key.getBytes(StandardCharsets.UTF_8), settings.key().getBytes(StandardCharsets.UTF_8));
+    /** The link's key. */
+    AccessKeys keys() {
+        return keys;
     }
 
     /** A page shows its key and says its user's name. @return empty if it is refused: its socket closes */
     Optional<WebUser> join(WebSocket socket, String key, String token, String name) {
-        if (!isKey(key)) {
-            thread.after(GUESS_NANOS, () -> socket.close(CloseCode.WRONG_KEY, "wrong key"));
-            return refused(socket, CloseCode.WRONG_KEY, "wrong key");
+        try {
+            keys.operator(key, socket.peer(), System.nanoTime());
+        } catch (RequestException wrong) {
+            boolean isKnownWrong = wrong.status() == WebResponse.UNAUTHORIZED;
+            return refused(socket, isKnownWrong ? CloseCode.WRONG_KEY : CloseCode.TRY_AGAIN_LATER, wrong.getMessage());
         }
         Optional<WebUser> known = byNumber.values().stream()
                 .filter(user -> user.token().equals(token) && !user.isLeaving())
                 .findFirst();
         if (known.isEmpty() && isLocked) {
-            socket.close(CloseCode.LOCKED, "locked");
             return refused(socket, CloseCode.LOCKED, "locked");
         }
         Optional<WebUser> user = known.or(this::newUser);
         if (user.isEmpty()) {
-            socket.close(CloseCode.NO_NUMBER, "no number free");
             return refused(socket, CloseCode.NO_NUMBER, "no number free, at most " + most());
         }
         user.get().attach(socket, name.length() > MOST_NAME ? name.substring(0, MOST_NAME) : name);
@@ -100,6 +101,7 @@ final class WebUsers {
     }
 
     private Optional<WebUser> refused(WebSocket socket, int cause, String text) {
+        socket.close(cause, text);
         listener.accept(new GatewayEvent.Refused(GatewayEvent.WEB, socket.peer().getHostAddress(), cause, text));
         return Optional.empty();
     }

@@ -18,12 +18,17 @@ public final class AccessKeys {
     /** Characters of a header field and of JSON alike. */
     private static final String KEY = "[!-~]{1,200}";
 
-    private static final int UNAUTHORIZED = 401;
-
     private final Map<String, byte[]> keys = new LinkedHashMap<>();
     private final GuessLimit guesses = new GuessLimit();
 
     private AccessKeys() {}
+
+    /** One key, of all that act for this operator. */
+    public static AccessKeys of(String operator, String key) {
+        AccessKeys keys = new AccessKeys();
+        keys.keys.put(operator, key.getBytes(StandardCharsets.US_ASCII));
+        return keys;
+    }
 
     /**
      * Reads a file, and logs a warning if every user of this machine may read it.
@@ -85,7 +90,7 @@ public final class AccessKeys {
         }
         if (operator == null) {
             guesses.countWrong(from, nowNanos);
-            throw new RequestException(UNAUTHORIZED, "wrong key, expected one of the file of --http-keys");
+            throw new RequestException(WebResponse.UNAUTHORIZED, "wrong key");
         }
         return operator;
     }

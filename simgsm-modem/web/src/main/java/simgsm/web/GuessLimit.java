@@ -9,12 +9,9 @@ import simgsm.timer.RateLimit;
  * Slows the guessing of keys: each address has 10 wrong ones at once, then one a second. Until then its further keys, right
  * or wrong, are refused unread, so that a guess cannot be told from a right key in between. Any thread may call it.
  */
-public final class GuessLimit {
+final class GuessLimit {
     /** At once, after 10 s without a wrong key. */
     static final int MOST_AT_ONCE = 10;
-
-    /** The status of a request beyond a limit (RFC 6585, 4). */
-    public static final int TOO_MANY_REQUESTS = 429;
 
     private static final int MOST_ADDRESSES = 10_000;
 
@@ -31,17 +28,17 @@ public final class GuessLimit {
     public GuessLimit() {}
 
     /** @throws RequestException with status 429 if an address has sent too many wrong keys */
-    public synchronized void require(InetAddress from, long nowNanos) throws RequestException {
+    synchronized void require(InetAddress from, long nowNanos) throws RequestException {
         RateLimit wrong = addresses.get(from);
         if (wrong != null && !wrong.isLeft(nowNanos)) {
             throw new RequestException(
-                    TOO_MANY_REQUESTS,
+                    WebResponse.TOO_MANY_REQUESTS,
                     "too many wrong keys from this address, expected at most one a second; try again in a second");
         }
     }
 
     /** Counts a wrong key. */
-    public synchronized void countWrong(InetAddress from, long nowNanos) {
+    synchronized void countWrong(InetAddress from, long nowNanos) {
         addresses
                 .computeIfAbsent(from, unknown -> new RateLimit(1, MOST_AT_ONCE))
                 .take(nowNanos);

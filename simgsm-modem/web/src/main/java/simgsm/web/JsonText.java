@@ -39,9 +39,10 @@ public final class JsonText {
         return this;
     }
 
+    /** @param value may be null */
     public JsonText value(String value) {
         separate();
-        text.append(JsonString.quoted(value));
+        text.append(value == null ? null : JsonString.quoted(value));
         return this;
     }
 

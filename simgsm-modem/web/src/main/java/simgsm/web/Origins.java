@@ -43,17 +43,12 @@ final class Origins {
     }
 
     /**
-     * A page of another site may open a WebSocket to this machine, so its origin must be the host that it asks.
+     * A page of another site may open a WebSocket to this machine, or post to it, so its origin must be the host that it asks.
      *
-     * @param admitsEveryHost see {@link WebPages}
+     * @param host null if the request names none, as the origin
      */
-    static void requireSameOrigin(HttpHead asked, boolean admitsEveryHost) throws RequestException {
-        String host = asked.field("Host").orElse(null);
-        if (!admitsEveryHost) {
-            requireOwnHost(host);
-        }
-        String origin = asked.field("Origin").orElse("").replaceFirst("^https?://", "");
-        if (!origin.isEmpty() && !origin.equalsIgnoreCase(host)) {
+    static void requireSameOrigin(String host, String origin) throws RequestException {
+        if (origin != null && !origin.replaceFirst("^https?://", "").equalsIgnoreCase(host)) {
             throw new RequestException(WebResponse.FORBIDDEN, "the request comes from a page of another host");
         }
     }

@@ -21,6 +21,10 @@ public final class RequestException extends Exception {
         return text.length() <= MOST_QUOTED ? text : text.substring(0, MOST_QUOTED) + "...";
     }
 
+    public int status() {
+        return status;
+    }
+
     WebResponse answer() {
         return WebResponse.error(status, getMessage());
     }

@@ -40,7 +40,11 @@ final class WebDoor implements Acceptor.Factory {
     WebSocketPath path(HttpHead head) throws RequestException {
         WebSocketPath path = WebSocketHandshake.path(head, paths);
         if (!path.admitsEveryOrigin()) {
-            Origins.requireSameOrigin(head, admitsEveryHost);
+            String host = head.field("Host").orElse(null);
+            if (!admitsEveryHost) {
+                Origins.requireOwnHost(host);
+            }
+            Origins.requireSameOrigin(host, head.field("Origin").orElse(null));
         }
         return path;
     }

@@ -7,20 +7,26 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Answers GET and HEAD requests to this machine by their path, every other one with 405; pages of this machine may read the
- * answers; an error is answered with its reason as JSON, an error
+ * Answers requests to this machine by their path, those with a method that the path does not take with 405; pages of this
+ * machine may read the answers to GET and HEAD, other methods are for the same origin; an error is answered with its reason as JSON, an error
  * of our own closes the connection and is logged.
  */
 public abstract class WebPages implements HttpHandler {
     private static final Logger LOG = System.getLogger(WebPages.class.getName());
 
+    private static final List<String> READING = List.of("GET", "HEAD");
+    private static final String SCHEME = "Bearer ";
+
     private final String policy;
     private final boolean admitsEveryHost;
+    /** Null on a port without WebSockets. */
+    private volatile WebDoor door;
 
     /** @param policy what pages may load and run (Content-Security-Policy) */
     protected WebPages(String policy) {
@@ -35,6 +41,35 @@ public abstract class WebPages implements HttpHandler {
     protected WebPages(String policy, boolean admitsEveryHost) {
         this.policy = policy;
         this.admitsEveryHost = admitsEveryHost;
+    }
+
+    void setDoor(WebDoor passing) {
+        door = passing;
+    }
+
+    /** The client behind a request: its own address, not that of the connection which the door passes on. */
+    protected final InetSocketAddress client(HttpExchange exchange) {
+        InetSocketAddress seen = exchange.getRemoteAddress();
+        return door == null ? seen : door.client(seen);
+    }
+
+    /**
+     * Whose key a request has.
+     *
+     * @throws RequestException with status 401 without a right key, 429 after too many wrong ones
+     */
+    protected final String operator(HttpExchange exchange, AccessKeys keys) throws RequestException {
+        String given = Objects.requireNonNullElse(exchange.getRequestHeaders().getFirst("Authorization"), "");
+        if (!given.regionMatches(true, 0, SCHEME, 0, SCHEME.length())) {
+            throw new RequestException(WebResponse.UNAUTHORIZED, "expected a key as Authorization: Bearer KEY");
+        }
+        return keys.operator(
+                given.substring(SCHEME.length()).strip(), client(exchange).getAddress(), System.nanoTime());
+    }
+
+    /** The methods that a path takes. */
+    protected List<String> methods(List<String> parts) {
+        return READING;
     }
 
     /**
@@ -53,12 +88,17 @@ public abstract class WebPages implements HttpHandler {
     public final void handle(HttpExchange exchange) throws IOException {
         String path = Objects.requireNonNullElse(exchange.getRequestURI().getRawPath(), "");
         try {
-            requireGetOrHead(exchange);
+            List<String> parts = UrlPaths.parts(path);
+            requireMethod(exchange, methods(parts));
             if (!admitsEveryHost) {
                 Origins.requireOwnHost(exchange.getRequestHeaders().getFirst("Host"));
             }
             Origins.admit(exchange);
-            Optional<WebResponse> answer = answer(exchange, UrlPaths.parts(path), path);
+            if (!READING.contains(exchange.getRequestMethod())) {
+                Headers headers = exchange.getRequestHeaders();
+                Origins.requireSameOrigin(headers.getFirst("Host"), headers.getFirst("Origin"));
+            }
+            Optional<WebResponse> answer = answer(exchange, parts, path);
             if (answer.isPresent()) {
                 send(exchange, answer.get());
             }
@@ -79,12 +119,13 @@ public abstract class WebPages implements HttpHandler {
         }
     }
 
-    private static void requireGetOrHead(HttpExchange exchange) throws RequestException {
+    private static void requireMethod(HttpExchange exchange, List<String> allowed) throws RequestException {
         String method = exchange.getRequestMethod();
-        if (!method.equals("GET") && !method.equals("HEAD")) {
-            exchange.getResponseHeaders().set("Allow", "GET, HEAD");
+        if (!allowed.contains(method)) {
+            exchange.getResponseHeaders().set("Allow", String.join(", ", allowed));
             throw new RequestException(
-                    WebResponse.METHOD_NOT_ALLOWED, "method " + method + " is not allowed, expected GET or HEAD");
+                    WebResponse.METHOD_NOT_ALLOWED,
+                    "method " + method + " is not allowed, expected " + String.join(" or ", allowed));
         }
     }
 
@@ -95,6 +136,11 @@ public abstract class WebPages implements HttpHandler {
         headers.set("Cache-Control", headers.containsKey("ETag") ? "no-cache" : "no-store");
         headers.set("X-Content-Type-Options", "nosniff");
         headers.set("Content-Security-Policy", policy);
+        if (answer.status() == WebResponse.UNAUTHORIZED) {
+            headers.set("WWW-Authenticate", "Bearer");
+        } else if (answer.status() == WebResponse.TOO_MANY_REQUESTS) {
+            headers.set("Retry-After", "1");
+        }
         try (exchange) {
             if (answer.status() == WebResponse.NOT_MODIFIED) {
                 exchange.sendResponseHeaders(answer.status(), -1);

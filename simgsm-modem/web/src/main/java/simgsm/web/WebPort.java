@@ -1,6 +1,5 @@
 package simgsm.web;
 
-import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpHandler;
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
@@ -52,7 +51,6 @@ public final class WebPort implements AutoCloseable {
     /** Null if there are no WebSockets: the HTTP server has the port itself. */
     private Acceptor acceptor;
 
-    private WebDoor door;
     private InetSocketAddress address;
     private final ThreadPoolExecutor workers;
     private final WriteLimit writeLimit;
@@ -82,7 +80,8 @@ public final class WebPort implements AutoCloseable {
             boolean admitsEveryHost)
             throws IOException {
         this(InetAddress.getLoopbackAddress(), 0, pages);
-        door = new WebDoor(server.getAddress(), sockets, admitsEveryHost);
+        WebDoor door = new WebDoor(server.getAddress(), sockets, admitsEveryHost);
+        pages.setDoor(door);
         acceptor = loop.listen(address, new ConnectionLimits(MOST_CONNECTIONS, MOST_PER_ADDRESS), door);
         this.address = new InetSocketAddress(address.getAddress(), acceptor.port());
     }
@@ -130,11 +129,6 @@ public final class WebPort implements AutoCloseable {
             }
         }
         return bound;
-    }
-
-    /** The client behind a request: its own address, not that of the connection which the door passes on. */
-    public InetSocketAddress client(HttpExchange exchange) {
-        return door == null ? exchange.getRemoteAddress() : door.client(exchange.getRemoteAddress());
     }
 
     public void start() {

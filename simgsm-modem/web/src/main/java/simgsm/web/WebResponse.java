@@ -11,9 +11,14 @@ public record WebResponse(int status, String type, byte[] body) {
     public static final int OK = 200;
     public static final int NOT_MODIFIED = 304;
     public static final int BAD_REQUEST = 400;
+    public static final int UNAUTHORIZED = 401;
     public static final int FORBIDDEN = 403;
     public static final int NOT_FOUND = 404;
     public static final int METHOD_NOT_ALLOWED = 405;
+    public static final int CONTENT_TOO_LARGE = 413;
+    public static final int UNSUPPORTED_TYPE = 415;
+    public static final int UNPROCESSABLE = 422;
+    public static final int TOO_MANY_REQUESTS = 429;
     public static final int UNAVAILABLE = 503;
 
     public static WebResponse json(String json) {

@@ -52,7 +52,7 @@ class WebSocketPortTest {
             @Override
             protected Optional<WebResponse> answer(HttpExchange exchange, List<String> parts, String path)
                     throws RequestException {
-                clients.add(port.client(exchange));
+                clients.add(client(exchange));
                 if (parts.isEmpty()) {
                     return Optional.of(WebResponse.html("page"));
                 }

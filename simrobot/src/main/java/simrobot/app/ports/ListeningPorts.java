@@ -15,6 +15,7 @@ import simgsm.console.FatalError;
 import simgsm.console.UsageException;
 import simgsm.modem.at.AtProfile;
 import simgsm.net.FirstExchange;
+import simgsm.web.AccessKeys;
 import simrobot.app.ports.RobotPorts.RobotPort;
 import simrobot.control.SimRobot;
 import simrobot.control.TelephoneRobot;
@@ -25,10 +26,13 @@ import simrobot.p2os.P2osServer;
 import simrobot.robot.SimulatedRobot;
 import simrobot.ros.RosServer;
 import simrobot.simulation.SimulationSnapshot;
+import vericommand.OrderReport;
 
 /** The ports on which the program listens, as the command line names them: AT commands, P2OS, HTTP and rosbridge. */
 public final class ListeningPorts implements AutoCloseable {
     static final int MAX_PORT = 0xffff;
+
+    private static final String KEYS = "http-keys";
 
     private static final Logger LOG = System.getLogger(ListeningPorts.class.getName());
     private static final byte[] STATUS = "GET /robots HTTP/1.0\r\n\r\n".getBytes(StandardCharsets.US_ASCII);
@@ -76,22 +80,39 @@ public final class ListeningPorts implements AutoCloseable {
             opened.p2os.open(arguments, simRobot);
             if (arguments.has("p2os")) {
                 opened.discovery = discovery(opened.address);
+                warnIfReachable(opened.address);
             }
+            Optional<AccessKeys> keys = keys(arguments);
             if (arguments.has("http")) {
                 int port = (int) arguments.integer("http", 0, 0, MAX_PORT);
-                opened.web =
-                        Optional.of(new WebServer(opened.address, port, arguments.language(), new Source(simRobot)));
+                opened.web = Optional.of(
+                        new WebServer(opened.address, port, arguments.language(), new Source(simRobot), keys));
             }
             if (arguments.has("ros")) {
                 int port = (int) arguments.integer("ros", 0, 0, MAX_PORT);
                 opened.ros = Optional.of(new RosServer(
-                        new InetSocketAddress(opened.address, port), new RosRobots(simRobot, Optional.empty())));
+                        new InetSocketAddress(opened.address, port), new RosRobots(simRobot, keys)));
             }
             return opened;
         } catch (UsageException | IOException e) {
             opened.close();
             throw e;
         }
+    }
+
+    /** P2OS itself has no password, so real clients on other machines have none either. */
+    private static void warnIfReachable(InetAddress address) {
+        if (!address.isLoopbackAddress()) {
+            LOG.log(Level.WARNING, "every machine that reaches the P2OS ports may move the robots");
+        }
+    }
+
+    private static Optional<AccessKeys> keys(Arguments arguments) throws UsageException, IOException {
+        Optional<Path> file = arguments.path(KEYS);
+        if (file.isPresent() && !arguments.has("http") && !arguments.has("ros")) {
+            throw new UsageException("--" + KEYS + ": expected with --http PORT or --ros PORT");
+        }
+        return file.isPresent() ? Optional.of(AccessKeys.read(file.get())) : Optional.empty();
     }
 
     /** Empty if the port is in use: of several simulators on a machine the first answers. */
@@ -116,6 +137,16 @@ public final class ListeningPorts implements AutoCloseable {
                     .map(TelephoneRobot::number)
                     .map(number -> number.digits())
                     .orElse("");
+        }
+
+        @Override
+        public boolean order(String name, String operator, String keys, Consumer<OrderReport> follower)
+                throws InterruptedException {
+            return simRobot.onSimulation(() -> {
+                Optional<TelephoneRobot> robot = simRobot.robot(name);
+                robot.ifPresent(found -> found.order(operator, keys, follower));
+                return robot.isPresent();
+            });
         }
 
         @Override

@@ -11,6 +11,9 @@
       const answer = await fetch('users', { headers, cache: 'no-store' });
       $('notice').hidden = answer.ok;
       $('notice').textContent = answer.ok ? '' : words['closed.key'];
+      if (answer.status === 401) {
+        return;
+      }
       if (answer.ok) {
         const users = await answer.json();
         $('count').textContent = words['link.joined'].replace('{0}', users.length);

@@ -7,15 +7,13 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Orders of programs, whose course is reported step by step. */
-class VeriCommandProgramTest {
+class ProgramOrdersTest {
     private static final String WHERE = "Stopped at 1.200 0.500 m, heading 90.0.";
 
     private final List<String> reports = new ArrayList<>();
 
     private void order(Bench bench, String keys) {
         bench.veri.order("ana", keys, report -> {
-            assertEquals("ana", report.operator());
-            assertEquals(OrderText.keysOf(keys), report.keys());
             reports.add(report.state()
                     + report.verdict().map(word -> " " + word).orElse("")
                     + report.reply().map(reply -> " " + reply.message()).orElse(""));
