@@ -90,8 +90,8 @@ public final class ListeningPorts implements AutoCloseable {
             }
             if (arguments.has("ros")) {
                 int port = (int) arguments.integer("ros", 0, 0, MAX_PORT);
-                opened.ros = Optional.of(new RosServer(
-                        new InetSocketAddress(opened.address, port), new RosRobots(simRobot, keys)));
+                opened.ros = Optional.of(
+                        new RosServer(new InetSocketAddress(opened.address, port), new RosRobots(simRobot, keys)));
             }
             return opened;
         } catch (UsageException | IOException e) {
