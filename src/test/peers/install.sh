@@ -67,6 +67,7 @@ python_library() {
 python_library prometheus_client prometheus-client==0.26.0
 python_library smpplib smpplib==2.2.4
 python_library pycrate_mobile pycrate==0.8.1
+python_library roslibpy roslibpy==2.1.0
 python_library gsmmodem python-gsmmodem-new==0.13.0
 gsmmodem_tests() {
     local source
@@ -79,11 +80,14 @@ gsmmodem_tests() {
     return $status
 }
 [ -d target/peers/gsmmodem-tests ] || thrice gsmmodem_tests || missing+=("python-gsmmodem-new's tests")
-[ -d target/peers/node_modules/smpp ] \
-    || thrice npm install --silent --no-fund --no-audit --prefix target/peers smpp@0.5.1 || missing+=(smpp@0.5.1)
-[ -d target/peers/node_modules/puppeteer-core ] \
-    || thrice npm install --silent --no-fund --no-audit --prefix target/peers puppeteer-core@24.43.0 \
-    || missing+=(puppeteer-core)
+node_library() {
+    [ -d "target/peers/node_modules/$1" ] \
+        || thrice npm install --silent --no-fund --no-audit --prefix target/peers "$2" || missing+=("$2")
+}
+node_library smpp smpp@0.5.1
+node_library puppeteer-core puppeteer-core@24.43.0
+node_library roslib roslib@2.1.0
+node_library roslib-1 roslib-1@npm:roslib@1.4.1
 smpp_commands() { (cd src/test/peers/smpp_commands && go build -buildvcs=false -o ../../../../target/peers/smpp_commands .); }
 [ -x target/peers/smpp_commands ] || thrice smpp_commands || missing+=("gosmpp and fiorix/go-smpp (Go 1.25)")
 if [ ${#missing[@]} -gt 0 ]; then
