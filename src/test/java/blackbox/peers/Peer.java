@@ -25,6 +25,7 @@ enum Peer {
     C_COMPILER("cc"),
     PYTHON("python3"),
     NODE("node"),
+    CURL("curl"),
     BEARERBOX("bearerbox"),
     SMSBOX("smsbox"),
     SOCAT("socat"),
