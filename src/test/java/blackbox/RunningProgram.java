@@ -128,7 +128,7 @@ public final class RunningProgram implements AutoCloseable {
     }
 
     /** Like {@link #expect}; returns the events passed over too, the match last. */
-    List<ConsoleEvent> expectAll(String event, String... keysAndValues) {
+    public List<ConsoleEvent> expectAll(String event, String... keysAndValues) {
         List<ConsoleEvent> seen = new ArrayList<>();
         await(event, fields(keysAndValues), Set.of(), seen::add);
         return seen;

@@ -10,6 +10,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -57,6 +58,36 @@ class BrowserTest {
             Peer.ZBARIMG.require();
             String read = Peer.ZBARIMG.run("-q", "--raw", code.toString()).text();
             assertTrue(read.lines().anyMatch(ready.field("link")::equals), read);
+        }
+    }
+
+    /** {@code -Dkeys=900} is the long run. */
+    @Test
+    void eachKeyThatIsTypedInChromiumIsReceivedByTheRobotsModemOnce() throws Exception {
+        Peer.CHROMIUM.require();
+        Peer.require(Peer.NODE.run("-e", "require('puppeteer-core')").status() == 0, "puppeteer-core (Node)");
+        try (Scenario scenario = new Scenario("Keys typed in Chromium")) {
+            scenario.center();
+            RunningProgram robot = scenario.robot("empty.map");
+            ProcessBuilder browser = Peer.NODE.process(
+                    Peer.source("browser_keys.js"),
+                    scenario.gateway().expect("ready").field("link"),
+                    Scenario.ROBOT,
+                    System.getProperty("keys", "60"));
+            browser.environment().put("CHROMIUM", Peer.CHROMIUM.path().toString());
+            List<String> typed = Peer.run(browser)
+                    .expectSuccess()
+                    .lines()
+                    .filter(line -> line.startsWith("key "))
+                    .map(line -> line.substring(4))
+                    .toList();
+            robot.say("robots");
+            List<String> received = robot.expectAll("end").stream()
+                    .filter(event -> event.name().equals("keys"))
+                    .map(event -> event.field("keys"))
+                    .toList();
+            scenario.tell(typed.size() + " keys typed");
+            assertEquals(String.join("", typed), String.join("", received));
         }
     }
 

@@ -16,11 +16,12 @@ import simrobot.world.World;
 
 /**
  * Finds places for robots without a given one: the world's homes in their order, then free places on square rings of growing
- * size around the first home, outside the boxes. A place that was occupied once is not tried again, so the cost is linear in the number of
+ * size around the first home, outside the boxes and apart from the homes. A place that was occupied once is not tried again, so the cost is linear in the number of
  * robots.
  */
 final class StartPlaces {
     private static final double RASTER_METERS = 0.75;
+    private static final double ROUNDING_METERS = 1e-9;
     private static final int MAX_RINGS = 400;
     private static final double RADIUS = Pioneer2Dx.RADIUS_METERS;
 
@@ -62,7 +63,7 @@ final class StartPlaces {
                 fillRing(nextRing++);
             }
             Position place = ring.remove();
-            if (isFree(place) && !isInBox(place)) {
+            if (isFree(place) && !isInBox(place) && !isNearHome(place)) {
                 return new Home("", place, 0);
             }
         }
@@ -72,6 +73,14 @@ final class StartPlaces {
     /** The middle of a large box is far from its sides, but no way leads there. */
     private boolean isInBox(Position place) {
         return world.items(Box.class).stream().anyMatch(box -> box.area().contains(place.xMeters(), place.yMeters()));
+    }
+
+    /** Whether a robot there would stand nearer to one at home than to its neighbours, so that their first orders meet. */
+    private boolean isNearHome(Position place) {
+        return world.items(Home.class).stream()
+                .map(Home::position)
+                .anyMatch(home -> Math.hypot(home.xMeters() - place.xMeters(), home.yMeters() - place.yMeters())
+                        < RASTER_METERS - ROUNDING_METERS);
     }
 
     private boolean isFree(Position place) {

@@ -55,6 +55,18 @@ class SimulationTest {
     }
 
     @Test
+    void thirtyRobotsOfAClassDriveTwentyCentimetresFromTheirPlacesAtOnce() throws Exception {
+        Simulation simulation = new Simulation(office(), 1);
+        for (int i = 0; i < 30; i++) {
+            simulation.addRobot("r" + i).start(new Instruction.Forward(20), ended -> {});
+        }
+        simulation.run(500);
+        for (SimulatedRobot robot : simulation.robots()) {
+            assertEquals(RobotStatus.STOPPED, robot.status(), robot.name());
+        }
+    }
+
+    @Test
     void withoutAHomeTheRobotStandsAtTheOriginOrNextToIt() {
         Simulation simulation = new Simulation(World.bare(), 1);
         assertEquals(0, simulation.addRobot("a").xMeters());
