@@ -69,6 +69,7 @@ python_library prometheus_client prometheus-client==0.26.0
 python_library smpplib smpplib==2.2.4
 python_library pycrate_mobile pycrate==0.8.1
 python_library roslibpy roslibpy==2.1.0
+python_library websockets websockets==17.0
 python_library gsmmodem python-gsmmodem-new==0.13.0
 gsmmodem_tests() {
     local source

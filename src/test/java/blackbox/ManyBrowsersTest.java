@@ -47,7 +47,7 @@ class ManyBrowsersTest {
             Map.entry(HANDSHAKE + frames("81fe400000000000"), "a"),
             Map.entry(HANDSHAKE + frames("817a"), ""),
             Map.entry(HANDSHAKE + frames("898100000000" + "61").repeat(1_000), ""),
-            Map.entry(HANDSHAKE + frames("818200000000" + "7b7d"), ""));
+            Map.entry(HANDSHAKE + frames("818200000000" + "6869"), ""));
 
     private static String frames(String hex) {
         return new String(HexFormat.of().parseHex(hex), StandardCharsets.ISO_8859_1);

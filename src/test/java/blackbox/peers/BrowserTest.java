@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import simgsm.dtmf.DtmfReceiver;
 
-/** The gateway's pages in Chromium: keys by keyboard and touch drive the robot, its tones are played, zbarimg reads the link. */
+/** The gateway and its pages with Chromium, zbarimg and Python's websockets. */
 @Tag("peer")
 @Isolated("sound in real time")
 class BrowserTest {
@@ -88,6 +88,39 @@ class BrowserTest {
                     .toList();
             scenario.tell(typed.size() + " keys typed");
             assertEquals(String.join("", typed), String.join("", received));
+        }
+    }
+
+    @Test
+    void pythonsWebsocketsOrdersByKeysAndIsClosedByTheCodesOfTheContract() throws Exception {
+        Peer.SOX.require();
+        Peer.require(Peer.PYTHON.run("-c", "import websockets").status() == 0, "websockets (Python)");
+        try (Scenario scenario = new Scenario("Python's websockets orders")) {
+            scenario.center();
+            RunningProgram robot = scenario.robot("empty.map");
+            String web = scenario.gateway().expect("ready").field("web");
+            Path wav = folder.resolve("keys.wav");
+            Path sound = folder.resolve("keys.al");
+            Audio.tool("tones", "**#**20**", wav.toString());
+            Peer.SOX.run(wav.toString(), "-t", "al", sound.toString()).expectSuccess();
+            String printed = Peer.PYTHON
+                    .run(
+                            Peer.source("websockets_order.py"),
+                            "ws://127.0.0.1:" + web + "/phone",
+                            "word",
+                            Scenario.ROBOT,
+                            sound.toString())
+                    .expectSuccess();
+            robot.expect("order", "text", "**#**20**", "verdict", "accepted");
+            assertEquals(
+                    List.of(
+                            "tone executed",
+                            "wrong key 4001",
+                            "no JSON 1008",
+                            "100 octets 1003",
+                            "over the limit 1009",
+                            "fragments of 100 octets 1003"),
+                    printed.lines().toList());
         }
     }
 
