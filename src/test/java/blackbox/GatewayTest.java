@@ -88,6 +88,22 @@ class GatewayTest {
     }
 
     @Test
+    void theLadderShowsTheSubscribersMessagesInBothDirectionsWhileItIsOpen() {
+        try (WebPhone phone = join()) {
+            phone.say("{\"do\":\"ladder\",\"state\":\"on\"}");
+            assertEquals("up", phone.expect("layer3", "name", "Location Updating Request").get("direction"));
+            assertEquals("down", phone.expect("layer3", "name", "Location Updating Accept").get("direction"));
+            phone.say("{\"do\":\"dial\",\"number\":\"5550200\"}");
+            assertEquals("up", phone.expect("layer3", "name", "Setup").get("direction"));
+            assertEquals("down", phone.expect("layer3", "name", "Connect").get("direction"));
+            phone.expect("connected");
+            phone.say("{\"do\":\"ladder\",\"state\":\"off\"}");
+            phone.say("{\"do\":\"hangup\"}");
+            phone.expectBefore("layer3", "released");
+        }
+    }
+
+    @Test
     void aCutConnectionEndsTheCallAndTheTokenBringsTheNumberBackWithWhatCameMeanwhile() {
         WebPhone phone = new WebPhone(port, JOIN);
         Map<String, Object> welcome = phone.expect("welcome");
@@ -162,7 +178,8 @@ class GatewayTest {
                 "{\"do\":\"hangup\"}|hangup: there is no call",
                 "{\"do\":\"answer\"}|answer: no call rings",
                 "{\"do\":\"sms\",\"number\":\"5550200\",\"text\":\"\"}|sms: expected a text",
-                "{\"do\":\"fly\"}|fly: expected dial, answer, hangup, sms or inbox",
+                "{\"do\":\"ladder\"}|ladder: expected the state on or off",
+                "{\"do\":\"fly\"}|fly: expected dial, answer, hangup, sms, inbox or ladder",
                 "{\"do\":|JSON, position 7: ",
             })
     void aWrongMessageIsAnsweredByAnError(String message, String answer) {

@@ -122,8 +122,10 @@ public class Scenario implements AutoCloseable {
 
     /** Starts a gateway for browsers on a free port. */
     public RunningProgram gateway(String... options) {
-        return headless(
-                "gateway", "simgsm-gateway", List.of("--center", network, "--web", "0", "--key", "word"), options);
+        List<String> arguments = new ArrayList<>(
+                List.of("--headless", "--lang", "en", "--center", network, "--web", "0", "--key", "word"));
+        arguments.addAll(List.of(options));
+        return start("gateway", "simgsm-gateway", arguments.toArray(String[]::new));
     }
 
     /** Where the centre, started with {@code --smpp}, takes applications. */

@@ -1,5 +1,7 @@
 package blackbox;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.io.ByteArrayOutputStream;
 import java.net.http.WebSocket;
 import java.nio.ByteBuffer;
@@ -55,6 +57,13 @@ final class WebPhone extends JsonSocket {
         return expect(
                 event -> name.equals(event.get("event")) && value.equals(event.get(field)),
                 name + " " + field + "=" + value);
+    }
+
+    /** Waits for an event; none of the other name may come before it. */
+    void expectBefore(String forbidden, String name) {
+        Map<String, Object> event =
+                expect(each -> List.of(forbidden, name).contains(each.get("event")), name + " without " + forbidden);
+        assertEquals(name, event.get("event"));
     }
 
     /** What has been heard so far. */

@@ -58,7 +58,8 @@ final class PhoneSocket implements WebSocketListener {
             case "hangup" -> check(user.station().hangUp(), "there is no call");
             case "sms" -> user.send(number(message), text(message));
             case "inbox" -> user.tellInbox();
-            default -> throw new IllegalArgumentException("expected dial, answer, hangup, sms or inbox");
+            case "ladder" -> user.showLadder(isOn(message));
+            default -> throw new IllegalArgumentException("expected dial, answer, hangup, sms, inbox or ladder");
         }
     }
 
@@ -66,6 +67,12 @@ final class PhoneSocket implements WebSocketListener {
         if (!isDone) {
             throw new IllegalArgumentException(otherwise);
         }
+    }
+
+    private static boolean isOn(Map<String, Object> message) {
+        String state = string(message, "state");
+        check(state.equals("on") || state.equals("off"), "expected the state on or off");
+        return state.equals("on");
     }
 
     private static Msisdn number(Map<String, Object> message) {

@@ -1,8 +1,11 @@
 package simgsm.gateway;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import simgsm.air.Direction;
 import simgsm.air.Msisdn;
 import simgsm.console.Event;
 import simgsm.dtmf.DtmfReceiver;
@@ -14,6 +17,7 @@ import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
+import simgsm.trace.MessageText;
 import simgsm.web.JsonText;
 import simgsm.web.WebSocket;
 
@@ -27,6 +31,9 @@ final class WebUser {
 
     private static final int MOST_UNACKNOWLEDGED = 20;
 
+    /** Messages of layer 3 that a page sees when it opens its ladder. */
+    private static final int MOST_RUNGS = 40;
+
     private record Received(String from, String text) {}
 
     private final String token;
@@ -37,6 +44,8 @@ final class WebUser {
             new DtmfReceiver(digit -> keyHeard(digit.key().symbol()));
     private final MobileStation station;
     private final List<Received> inbox = new ArrayList<>();
+    private final Deque<Event> ladder = new ArrayDeque<>(MOST_RUNGS);
+    private boolean isLadderShown;
     private Optional<WebSocket> page = Optional.empty();
     private String from = "";
     private String name = "";
@@ -128,6 +137,7 @@ final class WebUser {
         boolean isLast = page.filter(current -> current == socket).isPresent();
         if (isLast) {
             page = Optional.empty();
+            isLadderShown = false;
             absences++;
             station.hangUp();
             station.setMemoryAvailable(false);
@@ -154,6 +164,10 @@ final class WebUser {
             }
             return;
         }
+        if (event instanceof StationEvent.MessagePassed passed) {
+            keepRung(passed);
+            return;
+        }
         if (event instanceof StationEvent.Connected) {
             isConnected = true;
             receiver.reset();
@@ -176,6 +190,28 @@ final class WebUser {
             messagesRead = Math.max(0, messagesRead - 1);
         }
         inbox.add(message);
+    }
+
+    private void keepRung(StationEvent.MessagePassed passed) {
+        if (ladder.size() == MOST_RUNGS) {
+            ladder.removeFirst();
+        }
+        Event rung = Event.of("layer3")
+                .with("direction", passed.direction() == Direction.UPLINK ? "up" : "down")
+                .with("name", MessageText.nameOf(passed.message(), passed.direction()))
+                .with("millis", System.currentTimeMillis());
+        ladder.addLast(rung);
+        if (isLadderShown) {
+            tell(rung);
+        }
+    }
+
+    /** The page shows its ladder, or no longer: the messages of layer 3 are told while it does, the latest at once. */
+    void showLadder(boolean isShown) {
+        isLadderShown = isShown;
+        if (isShown) {
+            ladder.forEach(this::tell);
+        }
     }
 
     private void keyHeard(char key) {

@@ -13,13 +13,14 @@ import java.util.stream.Collectors;
 /**
  * An option or a console command with its help, as a resource declares it: a line with the name and the arguments, then
  * indented lines of help, the Spanish ones after {@code es:}. A row without help is the shared row of that name, if there
- * is one; {@code include common} is replaced by the rows that all programs with a window have.
+ * is one; {@code include headless} is replaced by the rows that all programs with a console have, {@code include common} by
+ * those and the rows that all programs with a window have.
  *
  * @param name with its hyphens
  * @param arguments as in a usage line; empty for none
  */
 record HelpRow(String name, String arguments, String english, String spanish) {
-    private static final String COMMON = "include";
+    private static final String INCLUDE = "include";
     private static final String SPANISH = "es: ";
     private static final Map<String, HelpRow> SHARED =
             rows(HelpRow.class.getResourceAsStream("shared.txt"), Map.of()).stream()
@@ -53,8 +54,8 @@ record HelpRow(String name, String arguments, String english, String spanish) {
         for (String block : text.strip().split("\\R+(?=\\S)")) {
             List<String> lines = block.lines().toList();
             String[] head = lines.get(0).split(" ", 2);
-            if (head[0].equals(COMMON)) {
-                rows.addAll(read(HelpRow.class.getResourceAsStream("common.txt")));
+            if (head[0].equals(INCLUDE)) {
+                rows.addAll(read(HelpRow.class.getResourceAsStream(head[1] + ".txt")));
             } else {
                 HelpRow row =
                         new HelpRow(head[0], head.length > 1 ? head[1] : "", help(lines, false), help(lines, true));

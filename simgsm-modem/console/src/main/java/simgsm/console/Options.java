@@ -32,7 +32,7 @@ public final class Options {
      * The options of a resource: the usage and what the program does, then a row for each option, as
      * {@code --name VALUE} with indented lines of help, the Spanish ones after {@code es:}. {@code [VALUE]} may be left out;
      * after {@code VALUE ...} all values count, not only the last one. A row without help is one that programs share, and
-     * {@code include common} the rows of all programs with a window.
+     * {@code include headless} or {@code include common} the rows of {@link HelpRow}.
      */
     public static Options read(InputStream resource) {
         List<HelpRow> rows = HelpRow.read(resource);

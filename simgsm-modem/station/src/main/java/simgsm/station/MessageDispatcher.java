@@ -22,6 +22,7 @@ import simgsm.station.call.KeySignalling;
 import simgsm.station.call.MobileCall;
 import simgsm.station.call.MobileCallMessages;
 import simgsm.station.context.StationContext;
+import simgsm.station.context.StationEvent;
 import simgsm.station.mobility.MobileRegistration;
 import simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationEvent;
 import simgsm.station.mobility.MobilityMessages;
@@ -104,6 +105,7 @@ final class MessageDispatcher {
         try {
             Layer3Message message = Layer3Codec.decode(octets.toArray(), Direction.DOWNLINK);
             context.log().trace(Level.DEBUG, "down {0}", message);
+            context.events().add(new StationEvent.MessagePassed(Direction.DOWNLINK, message));
             arrived(message);
         } catch (ProtocolViolation e) {
             context.log().trace(Level.WARNING, "{0}", e.getMessage());

@@ -72,7 +72,9 @@ public final class ClassDemo {
         try (Session session = Session.open(arguments, folder -> settings)) {
             boolean isHeadless = arguments.has("headless") || !Display.isAvailable();
             if (isHeadless && WebLink.isWanted(arguments)) {
-                return demo.serve(session);
+                // The students' phones are browsers.
+                List<String> options = demo.robotOptions(Stream.of("--headless"));
+                return WebLink.serve(arguments, session, ROBOTS, options, demo.phoneNumbers());
             }
             demo.printStudents(session.center().port());
             if (isHeadless) {
@@ -110,22 +112,18 @@ public final class ClassDemo {
         }
     }
 
-    void startRobots(Session session, Stream<String> more) throws IOException {
+    private List<String> robotOptions(Stream<String> more) {
         Stream<String> robots = IntStream.range(0, roll.students())
                 .boxed()
                 .flatMap(i -> Stream.of("--robot", roll.name(i) + "=" + roll.robot(i)));
         Stream<String> world = Stream.of("--no-sound", "--world", WORLD);
-        List<String> options = Stream.of(world, robots, more, WebLink.robotOptions(arguments))
+        return Stream.of(world, robots, more, WebLink.robotOptions(arguments))
                 .flatMap(each -> each)
                 .toList();
-        session.start(ROBOTS, "simrobot", roll.robot(0), options);
     }
 
-    /** The students' phones are browsers. */
-    private int serve(Session session) throws Exception {
-        session.center().start(session.centerEvents());
-        startRobots(session, Stream.of("--headless"));
-        return WebLink.serve(arguments, session, ROBOTS, phoneNumbers());
+    void startRobots(Session session, Stream<String> more) throws IOException {
+        session.start(ROBOTS, "simrobot", roll.robot(0), robotOptions(more));
     }
 
     /** The numbers of the students' phones, which browsers take. */

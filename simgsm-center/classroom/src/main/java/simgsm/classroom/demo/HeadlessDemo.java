@@ -52,11 +52,9 @@ public final class HeadlessDemo {
     private static int serve(Arguments arguments, CenterSettings settings)
             throws IOException, InterruptedException, UsageException {
         try (Session session = Session.open(arguments, folder -> settings)) {
-            session.center().start(session.centerEvents());
             List<String> options = new ArrayList<>(List.of("--headless", "--no-sound", "--world", WORLD));
             WebLink.robotOptions(arguments).forEach(options::add);
-            session.start("robot", "simrobot", Session.ROBOT_NUMBER, options);
-            return WebLink.serve(arguments, session, "robot", Optional.empty());
+            return WebLink.serve(arguments, session, "robot", options, Optional.empty());
         } catch (SessionFailure failure) {
             throw new IOException(failure.getMessage(), failure);
         }

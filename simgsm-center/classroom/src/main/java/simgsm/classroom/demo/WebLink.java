@@ -57,9 +57,12 @@ final class WebLink {
                 .get("link"));
     }
 
-    /** Without a display: prints the link and performs the centre's commands until the input ends. */
-    static int serve(Arguments arguments, Session session, String robots, Optional<String> numbers)
+    /** Without a display: starts SimRobot and the gateway, prints the link and performs the centre's commands until the input ends. */
+    static int serve(
+            Arguments arguments, Session session, String robots, List<String> options, Optional<String> numbers)
             throws IOException, SessionFailure, InterruptedException, UsageException {
+        session.center().start(session.centerEvents());
+        session.start(robots, "simrobot", Session.ROBOT_NUMBER, options);
         try (Console console = Console.onStandardOutput()) {
             String link = start(arguments, session, robots, numbers).orElseThrow();
             console.ready(session.center().ready().with("link", link));

@@ -124,16 +124,26 @@ public final class Session implements AutoCloseable {
      *
      * @param name of its console
      * @param jar without its ending
-     * @param number with which it registers; empty for one that does not
+     * @param number with which it registers; empty for the gateway, which has neither that nor a window
      */
     public void start(String name, String jar, String number, List<String> options) throws IOException {
         List<String> words =
                 new ArrayList<>(number.isEmpty() ? List.of() : center.home().wordsFor(number));
         words.addAll(List.of("--center", center.reachedAt()));
         words.addAll(List.of("--log-level", arguments.text("log-level").orElse("warning")));
-        for (String passed : List.of("lang", "theme", "seed")) {
+        List<String> shared = number.isEmpty() ? List.of("lang") : List.of("lang", "theme", "seed");
+        for (String passed : shared) {
             arguments.text(passed).ifPresent(value -> words.addAll(List.of("--" + passed, value)));
         }
+        if (!number.isEmpty()) {
+            words.addAll(windowOptions());
+        }
+        words.addAll(options);
+        consoles.attach(name, children.start(jar + ".jar", number, words, ProcessBuilder.Redirect.PIPE));
+    }
+
+    private List<String> windowOptions() {
+        List<String> words = new ArrayList<>(WindowMemory.passedOn(arguments));
         arguments
                 .text("lessons")
                 .filter(lessons -> !lessons.isEmpty())
@@ -142,9 +152,7 @@ public final class Session implements AutoCloseable {
         if (arguments.has("no-sound")) {
             words.add("--no-sound");
         }
-        words.addAll(WindowMemory.passedOn(arguments));
-        words.addAll(options);
-        consoles.attach(name, children.start(jar + ".jar", number, words, ProcessBuilder.Redirect.PIPE));
+        return words;
     }
 
     @Override

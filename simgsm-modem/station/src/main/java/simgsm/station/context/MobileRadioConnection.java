@@ -18,6 +18,7 @@ import simgsm.octets.OctetString;
 /** The one radio connection that calls, short messages and registration share. The first message sent opens it. */
 public final class MobileRadioConnection {
     private final StationLog log;
+    private final PendingEvents events;
     private Uplink uplink = Uplink.DISCONNECTED;
     private boolean open;
     /** Whether the centre has ended the media: the call it was for ends, and its last speech has no place to go. */
@@ -25,8 +26,9 @@ public final class MobileRadioConnection {
     /** N(SD) of the next message that carries one (TS 24.007, 11.2.3.2.3). */
     private int sendSequence;
 
-    MobileRadioConnection(StationLog log) {
+    MobileRadioConnection(StationLog log, PendingEvents events) {
         this.log = log;
+        this.events = events;
     }
 
     /** @param newUplink the connection to the centre from now on */
@@ -44,6 +46,7 @@ public final class MobileRadioConnection {
         OctetString octets = OctetString.of(Layer3Codec.encode(message, Direction.UPLINK, nextSequence(message)));
         Sapi sapi = message instanceof ShortMessageControl ? Sapi.SHORT_MESSAGES : Sapi.SIGNALLING;
         log.trace(Level.DEBUG, "up {0}", message);
+        events.add(new StationEvent.MessagePassed(Direction.UPLINK, message));
         send(open ? new RslMessage.DataIndication(sapi, octets) : new RslMessage.EstablishIndication(sapi, octets));
         open = true;
     }

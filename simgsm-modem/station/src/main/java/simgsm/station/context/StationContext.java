@@ -13,11 +13,8 @@ public record StationContext(
     /** @param settle runs after each timer that expires */
     public static StationContext of(StationIdentity identity, Consumer<StationEvent> listener, Runnable settle) {
         StationLog log = new StationLog(identity);
+        PendingEvents events = new PendingEvents(listener, log);
         return new StationContext(
-                identity,
-                log,
-                new StationTimers(settle),
-                new MobileRadioConnection(log),
-                new PendingEvents(listener, log));
+                identity, log, new StationTimers(settle), new MobileRadioConnection(log, events), events);
     }
 }

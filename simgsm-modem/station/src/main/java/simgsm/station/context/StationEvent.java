@@ -2,6 +2,8 @@ package simgsm.station.context;
 
 import java.util.Optional;
 import simgsm.air.Cause;
+import simgsm.air.Direction;
+import simgsm.air.Layer3Message;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.RpCause;
@@ -31,6 +33,9 @@ public sealed interface StationEvent {
 
     /** The snapshot has changed. */
     record StationChanged() implements StationEvent {}
+
+    /** A layer 3 message was sent or received. */
+    record MessagePassed(Direction direction, Layer3Message message) implements StationEvent {}
 
     /** 30 s have passed since the station was asked for a reminder. */
     record ReminderDue() implements StationEvent {}
