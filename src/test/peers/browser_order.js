@@ -66,6 +66,13 @@ const pause = millis => new Promise(done => setTimeout(done, millis));
     await page.waitForFunction(() => window.played.slice(-8000).every(sample => Math.abs(sample) < 0.01), { polling: 100 });
     await page.keyboard.press('Escape');
     await page.waitForFunction(() => document.body.dataset.phase === 'idle');
+    await page.keyboard.press('Enter');
+    console.log('redial', await page.$eval('#keyed', text => text.textContent));
+    await page.click('#log');
+    console.log('calls', await page.$eval('#past', list => list.innerText.replace(/\s+/g, ' ')));
+    await page.click('#ladder summary');
+    await page.waitForSelector('#rungs .down');
+    console.log('ladder', await page.$$eval('#rungs li', rungs => rungs.map(each => each.className + ' ' + each.lastChild.textContent).join(', ')));
     const rate = await page.evaluate(() => Sound.context().sampleRate);
     const played = await page.evaluate(() => window.played);
     const samples = Int16Array.from({ length: Math.floor(played.length * 8000 / rate) },

@@ -50,6 +50,9 @@ class BrowserTest {
                     printed.contains("tones 1 connection accepted 6 executing 3 executed 6 executing 3 executed"),
                     printed);
             assertTrue(printed.contains("state Stopped x 0.20 m y 0.00 m heading 270\u00b0"), printed);
+            assertTrue(printed.contains("redial " + Scenario.ROBOT), printed);
+            assertTrue(printed.lines().anyMatch(line -> line.matches("calls .*To " + Scenario.ROBOT + " .*")), printed);
+            assertTrue(printed.contains("up Setup, down Call Proceeding"), printed);
             assertTrue(printed.contains("faults 0"), printed);
             StringBuilder keys = new StringBuilder();
             new DtmfReceiver(digit -> keys.append(digit.key().symbol())).accept(samples(sound));

@@ -34,7 +34,7 @@ final class WebUser {
     /** Messages of layer 3 that a page sees when it opens its ladder. */
     private static final int MOST_RUNGS = 40;
 
-    private record Received(String from, String text) {}
+    private record Received(String from, String text, long millis) {}
 
     private final String token;
     private final PageWords texts;
@@ -177,7 +177,7 @@ final class WebUser {
         } else if (event instanceof StationEvent.MessageSent || event instanceof StationEvent.MessageFailed) {
             unacknowledged--;
         } else if (event instanceof StationEvent.ShortMessageReceived message) {
-            keep(new Received(message.from(), message.text()));
+            keep(new Received(message.from(), message.text(), System.currentTimeMillis()));
         }
         if (EventForm.of(event).isPresent()) {
             tell(Event.from(event));
@@ -225,6 +225,7 @@ final class WebUser {
             tell(Event.of("message")
                     .with("from", message.from())
                     .with("text", message.text())
+                    .with("millis", message.millis())
                     .with("read", i < messagesRead));
         }
         messagesRead = inbox.size();

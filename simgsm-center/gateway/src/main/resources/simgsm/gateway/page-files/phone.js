@@ -20,8 +20,15 @@
   let chosen = '';
   let showsCamera = false;
   let isFinished = false;
+  let calls = JSON.parse(sessionStorage.getItem('calls') || '[]');
 
   const word = (name, ...values) => values.reduce((text, value, i) => text.replace(`{${i}}`, () => value), words[name] || name);
+
+  function time(millis) {
+    const shown = document.createElement('time');
+    shown.textContent = new Date(millis).toLocaleTimeString(language, { hourCycle: 'h23' });
+    return shown;
+  }
 
   function row(list, text, kind) {
     const item = document.createElement('li');
@@ -36,6 +43,8 @@
     list.scrollTop = list.scrollHeight;
     return item;
   }
+
+  const message = (text, kind, at) => row($('box'), text, kind).prepend(time(at || Date.now()), ' ');
 
   function show(text) {
     $('line').textContent = text;
@@ -59,6 +68,34 @@
   };
 
   // Calls.
+
+  function begin(kind, number) {
+    calls = calls.slice(1 - MOST_ROWS).concat({ kind, number, at: Date.now(), seconds: 0 });
+    peer = number;
+    showCalls();
+  }
+
+  function lastCall(news) {
+    Object.assign(calls[calls.length - 1] || {}, news);
+    showCalls();
+  }
+
+  function showCalls() {
+    sessionStorage.setItem('calls', JSON.stringify(calls));
+    $('past').replaceChildren();
+    for (const past of calls) {
+      const again = document.createElement('button');
+      again.type = 'button';
+      again.textContent = word('call.' + past.kind, past.number) + (past.seconds ? `  ${minutes(past.seconds)}` : '');
+      again.addEventListener('click', () => { if (phase === 'idle') { entry = past.number; showEntry(); $('call').focus(); } });
+      const item = row($('past'), '');
+      item.append(time(past.at), again);
+      $('past').prepend(item);
+    }
+  }
+
+  const minutes = seconds => `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, '0')}`;
+  const callSeconds = () => Math.floor((Date.now() - connectedAt) / 1000);
 
   function setPhase(next) {
     phase = next;
@@ -86,17 +123,19 @@
       retry = 0;
       $('box').replaceChildren();
       send({ do: 'inbox' });
+      showLadder();
       notice('');
       setPhase('idle');
       show(word('searching'));
     },
     registered: () => { $('lamp').className = 'on'; if (phase === 'idle') { show(word('ready')); } },
     unregistered: () => { $('lamp').className = ''; show(word('searching')); },
-    calling: event => { $('tones').replaceChildren(); setPhase('calling'); show(word('calling', event.number)); },
+    calling: event => { $('tones').replaceChildren(); begin('out', event.number); setPhase('calling'); show(word('calling', event.number)); },
     alerting: () => { setPhase('alerting'); show(word('alerting', peer)); },
-    ringing: event => { $('tones').replaceChildren(); peer = event.from; setPhase('ringing'); show(word('ringing', event.from)); },
+    ringing: event => { $('tones').replaceChildren(); begin('missed', event.from || '?'); setPhase('ringing'); show(word('ringing', event.from)); },
     connected: event => {
       peer = event.number || peer;
+      lastCall({ kind: phase === 'ringing' ? 'in' : 'out' });
       connectedAt = Date.now();
       entry = '';
       showEntry();
@@ -104,10 +143,18 @@
       chooseByNumber(peer);
     },
     released: event => {
+      lastCall(phase === 'connected' ? { seconds: callSeconds() } : {});
       setPhase('idle');
       entry = '';
       showEntry();
       show(word('released', words['cause.' + event.cause] || event.text));
+    },
+    layer3: event => {
+      const item = row($('rungs'), '', event.direction);
+      const arrow = document.createElement('b');
+      arrow.setAttribute('role', 'img');
+      arrow.setAttribute('aria-label', word('ladder.' + event.direction));
+      item.append(time(Number(event.millis)), arrow, event.name);
     },
     tone: event => {
       const item = row($('tones'), '');
@@ -115,17 +162,17 @@
       chip.textContent = event.key;
       item.append(chip, ' ' + (words['tone.' + event.key] || ''));
     },
-    sms: event => { row($('box'), word('sms.from', event.from, event.text)); show(word('sms.new', event.from)); },
-    'sms-sent': event => row($('box'), word('sms.sent', event.to), 'quiet'),
-    'sms-delivered': event => row($('box'), word('sms.delivered', event.to), 'quiet'),
-    'sms-failed': event => row($('box'), word('sms.failed', event.to, event.text)),
-    'sms-undelivered': event => row($('box'), word('sms.failed', event.to, event.text)),
-    message: event => row($('box'), word('sms.from', event.from, event.text)),
+    sms: event => { message(word('sms.from', event.from, event.text)); show(word('sms.new', event.from)); },
+    'sms-sent': event => message(word('sms.sent', event.to), 'quiet'),
+    'sms-delivered': event => message(word('sms.delivered', event.to), 'quiet'),
+    'sms-failed': event => message(word('sms.failed', event.to, event.text)),
+    'sms-undelivered': event => message(word('sms.failed', event.to, event.text)),
+    message: event => message(word('sms.from', event.from, event.text), '', Number(event.millis)),
     error: event => {
       const text = words['error.' + event.text.split(':')[0]] || event.text;
       show(text);
       if (event.text.startsWith('sms:')) {
-        row($('box'), text);
+        message(text);
       }
     },
   };
@@ -133,9 +180,16 @@
   function call() {
     if (phase === 'ringing') {
       send({ do: 'answer' });
-    } else if (phase === 'idle' && entry) {
-      peer = entry;
-      send({ do: 'dial', number: entry });
+    } else if (phase === 'idle') {
+      // Without a number the call key shows the last one that was called; the next press calls it.
+      const last = calls.filter(past => past.kind === 'out').pop();
+      if (entry) {
+        peer = entry;
+        send({ do: 'dial', number: entry });
+      } else if (last) {
+        entry = last.number;
+        showEntry();
+      }
     }
   }
 
@@ -327,9 +381,14 @@
     }
   };
 
+  function showLadder() {
+    $('rungs').replaceChildren();
+    send({ do: 'ladder', state: $('ladder').open ? 'on' : 'off' });
+  }
+
   // Start.
 
-  async function begin() {
+  async function start() {
     words = await (await fetch(`words-${language}.json`)).json();
     document.documentElement.lang = language;
     document.querySelectorAll('[data-word]').forEach(each => { each.textContent = word(each.dataset.word); });
@@ -349,6 +408,9 @@
     $('call').addEventListener('click', () => { Sound.wake(); call(); });
     $('end').addEventListener('click', end);
     $('sms').addEventListener('click', () => { $('to').value ||= /^\d+$/.test(entry) ? entry : ''; $('messages').scrollIntoView(); $('to').focus(); });
+    $('log').addEventListener('click', () => { $('calls').open = true; $('calls').scrollIntoView(); $('calls').firstElementChild.focus(); });
+    $('ladder').addEventListener('toggle', showLadder);
+    showCalls();
     $('robots').addEventListener('change', () => { chosen = $('robots').value; });
     $('view').addEventListener('click', () => {
       showsCamera = !showsCamera;
@@ -357,11 +419,11 @@
     $('write').addEventListener('submit', event => {
       event.preventDefault();
       if (!socket || socket.readyState !== WebSocket.OPEN) {
-        row($('box'), word('sms.unsent'));
+        message(word('sms.unsent'));
         return;
       }
       send({ do: 'sms', number: $('to').value.trim(), text: $('text').value });
-      row($('box'), word('sms.mine', $('to').value.trim(), $('text').value));
+      message(word('sms.mine', $('to').value.trim(), $('text').value));
       $('text').value = '';
     });
     document.addEventListener('keydown', onKeyboard);
@@ -370,11 +432,10 @@
     document.addEventListener('visibilitychange', () => document.hidden && release());
     setInterval(() => {
       if (phase === 'connected') {
-        const seconds = Math.floor((Date.now() - connectedAt) / 1000);
-        show(word('connected', peer, `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, '0')}`));
+        show(word('connected', peer, minutes(callSeconds())));
       }
     }, 250);
   }
 
-  begin();
+  start();
 })();
