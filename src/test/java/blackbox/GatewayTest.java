@@ -91,8 +91,12 @@ class GatewayTest {
     void theLadderShowsTheSubscribersMessagesInBothDirectionsWhileItIsOpen() {
         try (WebPhone phone = join()) {
             phone.say("{\"do\":\"ladder\",\"state\":\"on\"}");
-            assertEquals("up", phone.expect("layer3", "name", "Location Updating Request").get("direction"));
-            assertEquals("down", phone.expect("layer3", "name", "Location Updating Accept").get("direction"));
+            assertEquals(
+                    "up",
+                    phone.expect("layer3", "name", "Location Updating Request").get("direction"));
+            assertEquals(
+                    "down",
+                    phone.expect("layer3", "name", "Location Updating Accept").get("direction"));
             phone.say("{\"do\":\"dial\",\"number\":\"5550200\"}");
             assertEquals("up", phone.expect("layer3", "name", "Setup").get("direction"));
             assertEquals("down", phone.expect("layer3", "name", "Connect").get("direction"));
