@@ -5,6 +5,7 @@ import static simgsm.center.bsc.ConnectionTable.ConnectionEvent.*;
 import static simgsm.center.bsc.ConnectionTable.ConnectionState.*;
 
 import java.util.EnumSet;
+import java.util.Optional;
 import java.util.Set;
 import simgsm.state.StateTable;
 
@@ -18,24 +19,42 @@ public final class ConnectionTable {
         /** The first channel is being activated. */
         ACCESS,
         /** IMMEDIATE ASSIGNMENT is sent. */
-        GRANTED,
+        GRANTED(BscTimer.T3101, T3101_EXPIRED),
         /** The mobile is on its channel. */
         DEDICATED,
-        /** So it is, and waits for a traffic channel. */
+        /** So it is, and waits for a traffic channel; T11 runs from the first attempt. */
         QUEUED,
         /** CHANNEL MODE MODIFY is sent, for speech on a traffic channel that carries signalling. */
-        CHANGING_MODE,
+        CHANGING_MODE(BscTimer.MODE_OF_MOBILE, MODE_UNANSWERED),
         /** The mobile has acknowledged it; MODE MODIFY REQUEST is sent to the tower. */
-        CHANGING_CHANNEL,
+        CHANGING_CHANNEL(BscTimer.MODE_OF_TOWER, MODE_UNANSWERED),
         /** The traffic channel is being activated. */
         PREPARING_ASSIGNMENT,
         /** ASSIGNMENT COMMAND is sent; layer 3 waits. */
-        ASSIGNING,
+        ASSIGNING(BscTimer.T10, T10_EXPIRED),
         /** The channel in the other cell is being activated. */
         PREPARING_HANDOVER,
         /** HANDOVER COMMAND is sent; layer 3 waits. */
-        HANDING_OVER,
-        ENDED
+        HANDING_OVER(BscTimer.T3103, T3103_EXPIRED),
+        ENDED;
+
+        /** The longest stay in a state, and the event at its end. */
+        record Guard(BscTimer timer, ConnectionEvent expiry) {}
+
+        private final Optional<Guard> guard;
+
+        ConnectionState() {
+            guard = Optional.empty();
+        }
+
+        ConnectionState(BscTimer timer, ConnectionEvent expiry) {
+            guard = Optional.of(new Guard(timer, expiry));
+        }
+
+        /** The limit of the state; empty if the channels, the exchange or T11 limit it. */
+        Optional<Guard> guard() {
+            return guard;
+        }
     }
 
     /** Events of a radio connection. */

@@ -2,16 +2,19 @@ package simgsm.center.bsc;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Optional;
 import simgsm.abis.RslElement;
 import simgsm.abis.RslPdu;
 import simgsm.abis.RslType;
 import simgsm.air.ChannelDescription;
 import simgsm.air.ChannelNumber;
 import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
 import simgsm.center.bsc.ChannelTable.ChannelAction;
 import simgsm.center.bsc.ChannelTable.ChannelEvent;
 import simgsm.center.bsc.ChannelTable.ChannelState;
 import simgsm.center.bsc.handover.HandoverDecision;
+import simgsm.center.bsc.handover.Measurement;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 import simgsm.state.StateMachine;
@@ -35,8 +38,8 @@ final class DedicatedChannel {
     private static final int CHANNEL_DESCRIPTION_TAG = 0x64;
     /** Mobile allocation of length 0. */
     private static final int MOBILE_ALLOCATION_TAG = 0x72;
-    /** Normal burst of the activation: the mobile's power level at first. */
-    private static final int FIRST_POWER_LEVEL = 14;
+    /** MS power control level at the activation and in commands. */
+    private static final int POWER_LEVEL = 14;
     /** Release mode: local end (TS 48.058, 9.3.20). */
     private static final int LOCAL_END = 1;
 
@@ -98,13 +101,29 @@ final class DedicatedChannel {
         return decision;
     }
 
-    int handoverReference() {
-        return handoverReference;
-    }
-
     ChannelDescription description() {
         return new ChannelDescription(
                 number, tower.plan().trainingSequence(), tower.plan().cell().frequency());
+    }
+
+    /** The command by which a mobile in this cell moves to this channel. */
+    RadioResource assignmentCommand() {
+        return new RadioResource.AssignmentCommand(description(), POWER_LEVEL, RadioResource.SPEECH_FULL_RATE);
+    }
+
+    /** The command by which a mobile in another cell moves to this channel. */
+    RadioResource handoverCommand() {
+        return new RadioResource.HandoverCommand(
+                tower.plan().cell(),
+                description(),
+                handoverReference,
+                POWER_LEVEL,
+                Optional.of(RadioResource.SPEECH_FULL_RATE));
+    }
+
+    /** The command by which the mobile on this channel begins to speak on it. */
+    RadioResource modeCommand() {
+        return new RadioResource.ChannelModeModify(description(), RadioResource.SPEECH_FULL_RATE);
     }
 
     /** Gives the channel to a connection. @param reference of a handover, else unused */
@@ -190,8 +209,8 @@ final class DedicatedChannel {
                 released(message.sapi());
                 tell(message);
             }
-            case DATA_INDICATION, ERROR_INDICATION, CONNECTION_FAILURE, HANDOVER_DETECTION, MEASUREMENT_RESULT ->
-                tell(message);
+            case DATA_INDICATION, ERROR_INDICATION, CONNECTION_FAILURE, HANDOVER_DETECTION -> tell(message);
+            case MEASUREMENT_RESULT -> measured(tower.measurement(message));
             default -> {
                 // The other answers need no action.
             }
@@ -202,6 +221,15 @@ final class DedicatedChannel {
         boolean isEnding = machine.state() == ChannelState.CLOSING || machine.state() == ChannelState.LEAVING;
         if (machine.state() == ChannelState.ACTIVE || isEnding && message.type() == RslType.RELEASE_INDICATION) {
             user.receive(this, message);
+        }
+    }
+
+    private void measured(Measurement measurement) {
+        if (machine.state() == ChannelState.ACTIVE) {
+            if (decision != null) {
+                decision.add(measurement);
+            }
+            user.measured(this, measurement);
         }
     }
 
@@ -288,7 +316,7 @@ final class DedicatedChannel {
         if (purpose == Purpose.HANDOVER) {
             message = message.with(RslElement.HANDOVER_REFERENCE, handoverReference);
         }
-        message = message.with(RslElement.BS_POWER, 0).with(RslElement.MS_POWER, FIRST_POWER_LEVEL);
+        message = message.with(RslElement.BS_POWER, 0).with(RslElement.MS_POWER, POWER_LEVEL);
         if (purpose != Purpose.HANDOVER) {
             message = message.with(RslElement.TIMING_ADVANCE, accessDelay);
         }

@@ -1,8 +1,6 @@
 package simgsm.center.bsc;
 
 import java.lang.System.Logger.Level;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.Optional;
 import java.util.OptionalLong;
 import simgsm.abis.IpaFrame;
@@ -10,7 +8,6 @@ import simgsm.abis.RslElement;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslPdu;
 import simgsm.air.Cause;
-import simgsm.air.Coded;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
@@ -21,7 +18,6 @@ import simgsm.center.bsc.ConnectionTable.ConnectionAction;
 import simgsm.center.bsc.ConnectionTable.ConnectionEvent;
 import simgsm.center.bsc.ConnectionTable.ConnectionState;
 import simgsm.center.bsc.DedicatedChannel.Purpose;
-import simgsm.center.bsc.handover.HandoverDecision;
 import simgsm.center.bsc.handover.Measurement;
 import simgsm.octets.OctetString;
 import simgsm.state.StateMachine;
@@ -32,15 +28,12 @@ final class RadioConnection {
     private static final System.Logger LOG = System.getLogger(RadioConnection.class.getName());
 
     private static final int SAPI_0 = 0;
-    /** MS power control level in commands. */
-    private static final int POWER_LEVEL = 14;
 
     private final BaseStationController controller;
     private final ChannelRequest request;
     private final StateMachine<ConnectionState, ConnectionEvent, ConnectionAction> machine =
             new StateMachine<>(ConnectionTable.ROWS, this, this::perform).onEntry(this::entered);
-    /** Downlink messages that wait for the end of an assignment or handover, with their SAPI. */
-    private final Deque<Waiting> waiting = new ArrayDeque<>();
+    private final HeldDownlink held = new HeldDownlink();
 
     private DedicatedChannel channel;
     /** The channel of a running assignment or handover; null otherwise. */
@@ -49,7 +42,6 @@ final class RadioConnection {
     private TowerMobile mobile;
 
     private OctetString firstMessage;
-    private boolean isReleaseWaiting;
     private boolean isSpeechNeeded;
     /** Since when the call waits for a traffic channel, over failed directed retries. */
     private OptionalLong waitingSinceNanos = OptionalLong.empty();
@@ -57,8 +49,6 @@ final class RadioConnection {
     private boolean isDetected;
 
     private Timer guard;
-
-    private record Waiting(int sapi, OctetString layer3) {}
 
     private RadioConnection(BaseStationController controller, ChannelRequest request, DedicatedChannel first) {
         this.controller = controller;
@@ -89,7 +79,7 @@ final class RadioConnection {
 
     void send(int sapi, OctetString layer3) {
         if (isSuspended()) {
-            waiting.add(new Waiting(sapi, layer3));
+            held.add(sapi, layer3);
         } else if (machine.state() != ConnectionState.ENDED) {
             channel.send(sapi, layer3);
         }
@@ -97,7 +87,7 @@ final class RadioConnection {
 
     void release() {
         if (isSuspended()) {
-            isReleaseWaiting = true;
+            held.addRelease();
         } else {
             machine.fire(ConnectionEvent.RELEASE);
         }
@@ -105,14 +95,14 @@ final class RadioConnection {
 
     /** Whether a call needs a traffic channel. */
     void setSpeechNeeded(boolean isNeeded) {
-        boolean isChanged = isNeeded != isSpeechNeeded;
-        isSpeechNeeded = isNeeded;
-        if (isChanged) {
-            waitingSinceNanos = OptionalLong.empty();
+        if (isNeeded == isSpeechNeeded) {
+            return;
         }
-        if (isChanged && isNeeded) {
+        isSpeechNeeded = isNeeded;
+        waitingSinceNanos = OptionalLong.empty();
+        if (isNeeded) {
             seekSpeech();
-        } else if (isChanged) {
+        } else {
             machine.fire(ConnectionEvent.SPEECH_UNUSED);
         }
     }
@@ -228,7 +218,6 @@ final class RadioConnection {
                 }
             }
             case HANDOVER_DETECTION -> isDetected |= from == target;
-            case MEASUREMENT_RESULT -> measured(from, message);
             // ERROR INDICATION: a mobile's link layer has failed, which is no protocol error of the tower.
             default -> LOG.log(Level.DEBUG, "{0}: {1}", this, message.type().title());
         }
@@ -247,9 +236,8 @@ final class RadioConnection {
             firstMessage = layer3;
             machine.fire(ConnectionEvent.MOBILE_ARRIVED);
         } else if (mobile != null && !receiveRadioResource(from, layer3)) {
-            RslMessage.Sapi link = Coded.find(RslMessage.Sapi.values(), sapi).orElse(RslMessage.Sapi.SIGNALLING);
-            if (link == RslMessage.Sapi.SHORT_MESSAGES) {
-                controller.uplink().established(mobile.link(), link, layer3);
+            if (sapi == RslMessage.Sapi.SHORT_MESSAGES.code()) {
+                controller.uplink().established(mobile.link(), RslMessage.Sapi.SHORT_MESSAGES, layer3);
             } else {
                 controller.uplink().received(mobile.link(), layer3);
             }
@@ -270,19 +258,14 @@ final class RadioConnection {
 
     // Handover.
 
-    private void measured(DedicatedChannel from, RslPdu message) throws ProtocolViolation {
-        Measurement measurement = from.tower().measurement(message);
-        HandoverDecision decision = from.decision();
-        if (decision != null) {
-            decision.add(measurement);
-        }
+    void measured(DedicatedChannel from, Measurement measurement) {
         if (from != channel || !machine.accepts(ConnectionEvent.HANDOVER)) {
             return;
         }
         HandoverTarget targets = new HandoverTarget(controller);
         Optional<DedicatedChannel> found = machine.state() == ConnectionState.QUEUED
                 ? targets.elsewhere(channel, measurement)
-                : targets.better(channel, decision);
+                : targets.better(channel, channel.decision());
         found.ifPresent(free -> {
             target = free;
             machine.fire(ConnectionEvent.HANDOVER);
@@ -296,21 +279,11 @@ final class RadioConnection {
         if (before == ConnectionState.QUEUED) {
             channel.tower().unqueue(this);
         }
-        switch (machine.state()) {
-            case GRANTED -> guard(BscTimer.T3101, ConnectionEvent.T3101_EXPIRED);
-            case QUEUED -> waitInQueue();
-            case ASSIGNING -> guard(BscTimer.T10, ConnectionEvent.T10_EXPIRED);
-            case CHANGING_MODE -> guard(BscTimer.MODE_OF_MOBILE, ConnectionEvent.MODE_UNANSWERED);
-            case CHANGING_CHANNEL -> guard(BscTimer.MODE_OF_TOWER, ConnectionEvent.MODE_UNANSWERED);
-            case HANDING_OVER -> guard(BscTimer.T3103, ConnectionEvent.T3103_EXPIRED);
-            default -> {
-                // The channels and the exchange have timers of their own.
-            }
+        if (machine.state() == ConnectionState.QUEUED) {
+            waitInQueue();
+        } else {
+            machine.state().guard().ifPresent(limit -> guard(limit.timer().nanos(), limit.expiry()));
         }
-    }
-
-    private void guard(BscTimer timer, ConnectionEvent expiry) {
-        guard(timer.nanos(), expiry);
     }
 
     private void guard(long nanos, ConnectionEvent expiry) {
@@ -333,18 +306,21 @@ final class RadioConnection {
             case TELL_ARRIVED -> arrived();
             case ACTIVATE_TARGET -> activateTarget();
             case COMMAND_ASSIGNMENT -> {
-                command(new RadioResource.AssignmentCommand(
-                        target.description(), POWER_LEVEL, RadioResource.SPEECH_FULL_RATE));
+                command(target.assignmentCommand());
                 target.speech().create();
             }
-            case COMMAND_HANDOVER -> commandHandover();
-            case COMMAND_MODE ->
-                command(new RadioResource.ChannelModeModify(channel.description(), RadioResource.SPEECH_FULL_RATE));
+            case COMMAND_HANDOVER -> {
+                target.speech().create();
+                command(target.handoverCommand());
+            }
+            case COMMAND_MODE -> command(channel.modeCommand());
             case MODIFY_CHANNEL -> channel.modifyMode();
             case CREATE_SPEECH -> channel.speech().create();
             case SWITCH -> switchChannels();
             case SEND_WAITING -> {
-                sendWaiting();
+                if (held.sendOn(channel)) {
+                    machine.fire(ConnectionEvent.RELEASE);
+                }
                 if (channel.speech().isRefused()) {
                     refuseSpeech();
                 }
@@ -380,16 +356,6 @@ final class RadioConnection {
                 isHandover ? controller.nextHandoverReference() : 0);
     }
 
-    private void commandHandover() {
-        target.speech().create();
-        command(new RadioResource.HandoverCommand(
-                target.tower().plan().cell(),
-                target.description(),
-                target.handoverReference(),
-                POWER_LEVEL,
-                Optional.of(RadioResource.SPEECH_FULL_RATE)));
-    }
-
     private void command(RadioResource message) {
         OctetString layer3 = OctetString.of(Layer3Codec.encode((Layer3Message) message, Direction.DOWNLINK, 0));
         mobile.link().trace(Direction.DOWNLINK, Layer3Type.of(message).title(), layer3);
@@ -402,16 +368,6 @@ final class RadioConnection {
         target = null;
         waitingSinceNanos = OptionalLong.empty();
         old.release();
-    }
-
-    private void sendWaiting() {
-        while (!waiting.isEmpty()) {
-            Waiting next = waiting.remove();
-            channel.send(next.sapi, next.layer3);
-        }
-        if (isReleaseWaiting) {
-            machine.fire(ConnectionEvent.RELEASE);
-        }
     }
 
     private void abandonTarget() {

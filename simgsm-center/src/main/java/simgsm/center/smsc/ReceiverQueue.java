@@ -27,7 +27,7 @@ final class ReceiverQueue {
             CivilTime civil,
             Timers timers,
             DeliveryPort port,
-            ShortMessageCenter.Containers containers,
+            ReceiverQueues.Containers containers,
             HeldOctets held,
             BiConsumer<QueueEntry, MessageState> ended) {}
 

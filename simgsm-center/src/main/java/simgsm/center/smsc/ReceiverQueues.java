@@ -3,13 +3,28 @@ package simgsm.center.smsc;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.NavigableMap;
+import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /** The queues of all destinations that something waits for. */
 final class ReceiverQueues {
+    /** Makes the collections that grow with the number of messages; a test counts the accesses to them. */
+    interface Containers {
+        Containers STANDARD = new Containers() {};
+
+        default <K, V> Map<K, V> inOrderOfInsertion() {
+            return new LinkedHashMap<>();
+        }
+
+        default <K, V> NavigableMap<K, V> sorted() {
+            return new TreeMap<>();
+        }
+    }
+
     /** Destinations that {@link #available(Predicate)} looks at in one go, and the pause before the next ones. */
     static final int SCANNED_AT_ONCE = 1_000;
 

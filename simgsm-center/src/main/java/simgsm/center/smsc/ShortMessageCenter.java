@@ -5,12 +5,9 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.NavigableMap;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -32,14 +29,8 @@ public final class ShortMessageCenter {
     /** The centre's own number, in RP addresses. */
     public static final Msisdn ADDRESS = new Msisdn("3003");
 
-    public static final int MAX_WAITING_PER_RECEIVER = 200_000;
-    /** In all; a heap below 2 GB sets a lower limit: {@link HeldOctets}. */
-    public static final int MAX_WAITING = 1_000_000;
     /** Receipts for one application. */
     public static final int MAX_WAITING_RECEIPTS = 100_000;
-    /** Messages given to the store and not yet durable; above it, submissions are refused with congestion. */
-    static final int MAX_UNCOMMITTED = 50_000;
-
     /** Pause before the end of a message is stored again after a failure. */
     private static final long STORE_AGAIN_NANOS = Duration.ofSeconds(5).toNanos();
 
@@ -56,33 +47,17 @@ public final class ShortMessageCenter {
     private final ReceiverQueues queues;
     private final MessageRegister messages;
 
-    private final Map<Long, Submission> submissions = new HashMap<>();
-    /** By ticket. A report is sent when its end is durable: one that was sent once must not change. */
-    private final Map<Long, Consumer<Boolean>> otherCommits = new HashMap<>();
+    /**
+     * Receivers of the store's answers, by ticket. A report is sent when its end is durable: one that was sent once must not
+     * change.
+     */
+    private final Map<Long, Consumer<Boolean>> commits = new HashMap<>();
 
     private final RecentSubmissions recent = new RecentSubmissions();
     private final TimeStamps stamps = new TimeStamps();
-    private final HeldOctets held;
-    private int waitingCount;
-    private int uncommitted;
+    private final Admission admission;
     private long nextId = 1;
     private long nextTicket = 1;
-
-    /** One or several messages that are stored and acknowledged together. */
-    private record Submission(List<ShortMessage> messages, Consumer<Optional<RpCause>> answer) {}
-
-    /** Makes the collections that grow with the number of messages; a test counts the accesses to them. */
-    interface Containers {
-        Containers STANDARD = new Containers() {};
-
-        default <K, V> Map<K, V> inOrderOfInsertion() {
-            return new LinkedHashMap<>();
-        }
-
-        default <K, V> NavigableMap<K, V> sorted() {
-            return new TreeMap<>();
-        }
-    }
 
     /**
      * @param listener is given every change of state of every message
@@ -99,7 +74,7 @@ public final class ShortMessageCenter {
                 store,
                 port,
                 listener,
-                Containers.STANDARD,
+                ReceiverQueues.Containers.STANDARD,
                 HeldOctets.in(Runtime.getRuntime().maxMemory()));
     }
 
@@ -109,15 +84,15 @@ public final class ShortMessageCenter {
             MessageStore store,
             DeliveryPort port,
             BiConsumer<ShortMessage, MessageState> listener,
-            Containers containers,
+            ReceiverQueues.Containers containers,
             HeldOctets held) {
         this.civil = civil;
         this.timers = timers;
         this.store = store;
         this.port = port;
         this.listener = listener;
-        this.held = held;
         this.queues = new ReceiverQueues(new ReceiverQueue.Context(civil, timers, port, containers, held, this::ended));
+        this.admission = new Admission(port, queues, held);
         this.messages = new MessageRegister(containers.inOrderOfInsertion());
     }
 
@@ -156,7 +131,7 @@ public final class ShortMessageCenter {
         Optional<Long> original = isRepeated || unit.rejectDuplicates()
                 ? recent.original(from, message.to(), unit, timers.nowNanos())
                 : Optional.empty();
-        Optional<RpCause> refusal = original.isPresent() ? Optional.empty() : refusal(message.to(), 1);
+        Optional<RpCause> refusal = original.isPresent() ? Optional.empty() : admission.refusal(message.to(), 1);
         if (original.isPresent()) {
             answerAs(original.get(), answer);
         } else if (refusal.isPresent()) {
@@ -164,7 +139,7 @@ public final class ShortMessageCenter {
         } else {
             recent.remember(from, message.to(), unit, nextTicket, timers.nowNanos());
             Instant stamp = stamps.stamp(message.sender(), message.to(), unit, now());
-            commit(List.of(message.stampedAt(stamp)), answer);
+            accept(List.of(message.stampedAt(stamp)), answer);
         }
     }
 
@@ -189,7 +164,7 @@ public final class ShortMessageCenter {
         List<ShortMessage> accepted = new ArrayList<>(units.size());
         for (SubmitTpdu unit : units) {
             Msisdn to = unit.destination().number().orElseThrow().plain();
-            Optional<RpCause> refusal = refusal(to, units.size());
+            Optional<RpCause> refusal = admission.refusal(to, units.size());
             if (refusal.isPresent()) {
                 answer.accept(refusal);
                 return;
@@ -207,60 +182,34 @@ public final class ShortMessageCenter {
                     expiresAt.orElse(origin.deliverAt().orElse(now()).plus(DEFAULT_VALIDITY)),
                     Optional.of(origin.member(new EsmeOrigin.Group(before, after), isLastPart))));
         }
-        commit(accepted, answer);
+        accept(accepted, answer);
     }
 
     /** Answers a repeated submission like the original: at once if that is stored, else together with it. */
     private void answerAs(long ticket, Consumer<Optional<RpCause>> answer) {
-        Submission pending = submissions.get(ticket);
-        if (pending == null) {
+        Consumer<Boolean> original = commits.get(ticket);
+        if (original == null) {
             answer.accept(Optional.empty());
         } else {
-            submissions.put(ticket, new Submission(pending.messages, pending.answer.andThen(answer)));
+            commits.put(ticket, original.andThen(isDurable -> answer.accept(answerOf(isDurable))));
         }
     }
 
-    private void commit(List<ShortMessage> accepted, Consumer<Optional<RpCause>> answer) {
-        nextId += accepted.size();
-        uncommitted += accepted.size();
-        accepted.forEach(held::add);
-        accepted.forEach(message -> reserve(message, 1));
-        long ticket = nextTicket++;
-        submissions.put(ticket, new Submission(accepted, answer));
-        store.commit(
-                ticket,
-                accepted.stream().<StoreEntry>map(StoreEntry.Accepted::new).toList());
+    private static Optional<RpCause> answerOf(boolean isDurable) {
+        return isDurable ? Optional.empty() : Optional.of(RpCause.NETWORK_OUT_OF_ORDER);
     }
 
-    private void reserve(ShortMessage message, int count) {
-        queues.of(new Destination.Number(message.to())).reserve(count);
+    private void accept(List<ShortMessage> accepted, Consumer<Optional<RpCause>> answer) {
+        nextId += accepted.size();
+        admission.storing(accepted);
+        commit(
+                accepted.stream().<StoreEntry>map(StoreEntry.Accepted::new).toList(),
+                isDurable -> stored(accepted, isDurable, answer));
     }
 
     /** Why this number of messages to a receiver cannot be accepted; empty if they can. */
     public Optional<RpCause> refusal(Msisdn receiver, int count) {
-        if (!port.isServed(receiver)) {
-            return Optional.of(RpCause.UNASSIGNED_NUMBER);
-        }
-        boolean hasRoom = uncommitted + count <= MAX_UNCOMMITTED
-                && waitingCount + uncommitted + count <= MAX_WAITING
-                && queues.size(new Destination.Number(receiver)) + count <= MAX_WAITING_PER_RECEIVER
-                && held.hasRoomFor((long) count * HeldOctets.ENVELOPE);
-        return hasRoom ? Optional.empty() : congestion(receiver);
-    }
-
-    private Optional<RpCause> congestion(Msisdn receiver) {
-        if (held.isNewlyRefusing()) {
-            LOG.log(
-                    Level.WARNING,
-                    "short messages are refused: {0} wait, {1} of them for {2}; they hold {3} MB of the heap, {4} MB are the"
-                            + " limit (-Xmx sets the heap)",
-                    waitingCount + uncommitted,
-                    queues.size(new Destination.Number(receiver)),
-                    receiver.digits(),
-                    held.held() >> 20,
-                    held.most() >> 20);
-        }
-        return Optional.of(RpCause.CONGESTION);
+        return admission.refusal(receiver, count);
     }
 
     /** Whether the number is a subscriber's, attached or not. */
@@ -270,35 +219,29 @@ public final class ShortMessageCenter {
 
     /** The store's answer to an earlier commit. */
     public void committed(long ticket, boolean isDurable) {
-        Submission submission = submissions.remove(ticket);
-        Consumer<Boolean> other = otherCommits.remove(ticket);
-        if (submission != null) {
-            submissionStored(submission, isDurable);
-        } else if (other != null) {
-            other.accept(isDurable);
+        Consumer<Boolean> receiver = commits.remove(ticket);
+        if (receiver != null) {
+            receiver.accept(isDurable);
         }
     }
 
-    private void submissionStored(Submission submission, boolean isDurable) {
-        List<ShortMessage> stored = submission.messages;
-        uncommitted -= stored.size();
-        stored.forEach(held::remove);
-        stored.forEach(message -> reserve(message, -1));
+    private void stored(List<ShortMessage> accepted, boolean isDurable, Consumer<Optional<RpCause>> answer) {
+        admission.stored(accepted);
         if (isDurable) {
-            submission.answer.accept(Optional.empty());
-            for (ShortMessage message : stored) {
+            answer.accept(answerOf(true));
+            for (ShortMessage message : accepted) {
                 listener.accept(message, MessageState.ACCEPTED);
                 enqueue(new Envelope.Delivery(message));
             }
         } else {
-            for (ShortMessage message : stored) {
+            for (ShortMessage message : accepted) {
                 queues.removeIfEmpty(new Destination.Number(message.to()));
                 if (message.esme().isEmpty()) {
                     recent.forget(message.from(), message.to(), TransferUnits.submitOf(message));
                 }
             }
-            submission.answer.accept(Optional.of(RpCause.NETWORK_OUT_OF_ORDER));
-            stored.forEach(message -> listener.accept(message, MessageState.REJECTED));
+            answer.accept(answerOf(false));
+            accepted.forEach(message -> listener.accept(message, MessageState.REJECTED));
         }
     }
 
@@ -317,8 +260,7 @@ public final class ShortMessageCenter {
         commit(new StoreEntry.Accepted(changed), isDurable -> {
             answer.accept(isDurable);
             if (isDurable) {
-                held.remove(entry.envelope.message());
-                held.add(changed);
+                admission.replaced(entry.envelope.message(), changed);
             }
             entry.queue.release(entry, isDurable ? new Envelope.Delivery(changed) : entry.envelope);
         });
@@ -362,12 +304,11 @@ public final class ShortMessageCenter {
 
     /** Messages and reports that wait. */
     public int waitingCount() {
-        return waitingCount;
+        return admission.waiting();
     }
 
     private void enqueue(Envelope envelope) {
-        waitingCount++;
-        held.add(envelope.message());
+        admission.queued(envelope);
         ReceiverQueue queue = queues.of(envelope.destination());
         QueueEntry entry = queue.add(envelope);
         if (envelope instanceof Envelope.Delivery) {
@@ -377,9 +318,7 @@ public final class ShortMessageCenter {
     }
 
     private void ended(QueueEntry entry, MessageState state) {
-        waitingCount--;
-        held.remove(entry.envelope.message());
-        held.attempted(-entry.attempts.size());
+        admission.left(entry);
         queues.removeIfEmpty(entry.envelope.destination());
         ShortMessage message = entry.envelope.message();
         if (entry.envelope instanceof Envelope.Delivery) {
@@ -412,9 +351,13 @@ public final class ShortMessageCenter {
 
     /** Stores an entry. @param stored is told once whether it is durable */
     public void commit(StoreEntry entry, Consumer<Boolean> stored) {
+        commit(List.of(entry), stored);
+    }
+
+    private void commit(List<StoreEntry> entries, Consumer<Boolean> stored) {
         long ticket = nextTicket++;
-        otherCommits.put(ticket, stored);
-        store.commit(ticket, List.of(entry));
+        commits.put(ticket, stored);
+        store.commit(ticket, entries);
     }
 
     private static Envelope.Report reportOf(ShortMessage message, MessageState state, Instant at) {

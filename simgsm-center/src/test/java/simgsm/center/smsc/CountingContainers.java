@@ -16,7 +16,7 @@ import java.util.TreeMap;
  * Collections that count the work done on them: one step for each look-up, change and element that is gone through. What a
  * command costs can be asserted without a clock.
  */
-final class CountingContainers implements ShortMessageCenter.Containers {
+final class CountingContainers implements ReceiverQueues.Containers {
     private final List<Map<?, ?>> made = new ArrayList<>();
     private long steps;
 

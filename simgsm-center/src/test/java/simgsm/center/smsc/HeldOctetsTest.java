@@ -58,7 +58,7 @@ class HeldOctetsTest {
             (ticket, entries) -> tickets.add(ticket),
             port,
             (message, state) -> {},
-            ShortMessageCenter.Containers.STANDARD,
+            ReceiverQueues.Containers.STANDARD,
             held);
 
     private boolean submit() {

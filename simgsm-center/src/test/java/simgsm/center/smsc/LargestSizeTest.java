@@ -109,7 +109,7 @@ class LargestSizeTest {
     }
 
     private void fillTheReceiver() {
-        fill(ShortMessageCenter.MAX_WAITING_PER_RECEIVER, id -> RECEIVER);
+        fill(Admission.MAX_WAITING_PER_RECEIVER, id -> RECEIVER);
     }
 
     private void assertFew(String command, Runnable action) {
@@ -120,7 +120,7 @@ class LargestSizeTest {
     @Test
     void noCommandOnAFullQueueCostsMoreTheMoreMessagesWait() {
         fillTheReceiver();
-        int count = ShortMessageCenter.MAX_WAITING_PER_RECEIVER;
+        int count = Admission.MAX_WAITING_PER_RECEIVER;
         for (long id : new long[] {1, count / 2, count}) {
             assertFew(
                     "history of " + id,
@@ -164,20 +164,20 @@ class LargestSizeTest {
         assertFew("cancel of a postponed one", () -> assertTrue(center.cancel(1)));
         isThere = false;
         assertFew("the receiver becomes available", () -> center.available(RECEIVER));
-        assertEquals(ShortMessageCenter.MAX_WAITING_PER_RECEIVER - 1, center.waitingCount());
+        assertEquals(Admission.MAX_WAITING_PER_RECEIVER - 1, center.waitingCount());
     }
 
     @Test
     void replacingCostsNoMoreTheMoreMessagesWait() {
         fillTheReceiver();
-        for (long id : new long[] {1, 100_000, ShortMessageCenter.MAX_WAITING_PER_RECEIVER}) {
+        for (long id : new long[] {1, 100_000, Admission.MAX_WAITING_PER_RECEIVER}) {
             ShortMessage old = center.messages().waitingMessage(id).orElseThrow();
             assertFew("replacement of " + id, () -> {
                 assertTrue(center.replace(old, stored -> {}));
                 store();
             });
         }
-        assertEquals(ShortMessageCenter.MAX_WAITING_PER_RECEIVER, center.waitingCount());
+        assertEquals(Admission.MAX_WAITING_PER_RECEIVER, center.waitingCount());
     }
 
     @Test
@@ -221,7 +221,7 @@ class LargestSizeTest {
 
     @Test
     void theLimitCountsTheMessagesThatAreBeingStored() {
-        fill(ShortMessageCenter.MAX_WAITING_PER_RECEIVER - 1, id -> RECEIVER);
+        fill(Admission.MAX_WAITING_PER_RECEIVER - 1, id -> RECEIVER);
         OctetString submit = TpduCodec.encode(SubmitTpdu.of(1, SmsAddress.of(RECEIVER), UserData.of("two more")));
         center.submit(SENDER, submit, false, refusal -> answer = refusal);
         center.submit(SENDER, submit, false, refusal -> answer = refusal);

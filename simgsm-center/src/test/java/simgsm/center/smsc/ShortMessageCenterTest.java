@@ -102,7 +102,7 @@ class ShortMessageCenterTest {
 
     @Test
     void beyondItsLimitAReceiversQueueRefusesWithCongestion() {
-        for (int i = 0; i < ShortMessageCenter.MAX_WAITING_PER_RECEIVER; i++) {
+        for (int i = 0; i < Admission.MAX_WAITING_PER_RECEIVER; i++) {
             submit("x");
         }
         assertTrue(answers.stream().allMatch(Optional::isEmpty));

@@ -269,7 +269,7 @@ class StoredMessagesTest {
 
     @Test
     void upTo50000MessagesAreBeingStored() {
-        for (int i = 0; i < ShortMessageCenter.MAX_UNCOMMITTED - 2; i++) {
+        for (int i = 0; i < Admission.MAX_UNCOMMITTED - 2; i++) {
             submit("x", false);
         }
         submit(shop(EsmeOrigin.Receipts.NONE), 3);

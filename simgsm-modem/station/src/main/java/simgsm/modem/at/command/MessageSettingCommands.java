@@ -12,7 +12,7 @@ import simgsm.modem.at.state.ClientSettings;
 import simgsm.modem.at.state.SimMemory;
 import simgsm.sms.ChannelList;
 
-/** What is set for short messages (TS 27.005, 3.2 and 3.3). */
+/** Commands for the settings of short messages (TS 27.005, 3.2 and 3.3). */
 final class MessageSettingCommands {
     private static final AtResult REFUSED = new AtResult.MessageError(CmsError.OPERATION_NOT_SUPPORTED);
     private static final int SUBMIT = 0x01;
@@ -29,27 +29,11 @@ final class MessageSettingCommands {
                 .set((client, request) -> client.settings().textMode = number(request, 1) == 1);
         table.row("+CSMS")
                 .read((client, request) -> request.answer(client.settings().acknowledges ? 1 : 0, 1, 1, 1))
-                .set((client, request) -> {
-                    client.settings().acknowledges = number(request, 1) == 1;
-                    request.answer(1, 1, 1);
-                });
+                .set(MessageSettingCommands::service);
         table.row("+CPMS")
-                .read((client, request) -> {
-                    String memory = "\"SM\"," + used(client);
-                    request.answer(memory, memory, memory);
-                })
+                .read((client, request) -> request.answer(memory(client), memory(client), memory(client)))
                 .set(MessageSettingCommands::memories);
-        table.row("+CNMI")
-                .read((client, request) -> {
-                    ClientSettings settings = client.settings();
-                    request.answer(
-                            settings.indicationMode,
-                            settings.deliverMode,
-                            settings.broadcastMode,
-                            settings.reportMode,
-                            settings.bufferMode);
-                })
-                .set(MessageSettingCommands::indications);
+        table.row("+CNMI").read(MessageSettingCommands::tellIndications).set(MessageSettingCommands::indications);
         submissions(table);
     }
 
@@ -65,14 +49,7 @@ final class MessageSettingCommands {
                         AddressType.of(client.modem().messages().serviceCenter().toString())))
                 .set(MessageSettingCommands::serviceCenter);
         table.row("+CSMP")
-                .read((client, request) -> {
-                    ClientSettings settings = client.settings();
-                    request.answer(
-                            settings.submitFirstOctet,
-                            settings.submitValidity,
-                            settings.submitProtocol,
-                            settings.submitCoding);
-                })
+                .read(MessageSettingCommands::tellSubmitParameters)
                 .set(MessageSettingCommands::submitParameters);
         table.row("+CSDH")
                 .read((client, request) -> request.answer(client.settings().showsHeader ? 1 : 0))
@@ -90,6 +67,15 @@ final class MessageSettingCommands {
         return client.modem().messages().memory().used() + "," + SimMemory.CAPACITY;
     }
 
+    private static String memory(AtClient client) {
+        return "\"SM\"," + used(client);
+    }
+
+    private static void service(AtClient client, AtRequest request) throws AtException {
+        client.settings().acknowledges = number(request, 1) == 1;
+        request.answer(1, 1, 1);
+    }
+
     private static void memories(AtClient client, AtRequest request) throws AtException {
         AtParameters parameters = request.parameters().refusing(REFUSED).atMost(3);
         for (int i = 0; i < Math.max(1, parameters.count()); i++) {
@@ -98,6 +84,11 @@ final class MessageSettingCommands {
             }
         }
         request.answer(used(client), used(client), used(client));
+    }
+
+    private static void tellIndications(AtClient client, AtRequest request) {
+        ClientSettings now = client.settings();
+        request.answer(now.indicationMode, now.deliverMode, now.broadcastMode, now.reportMode, now.bufferMode);
     }
 
     private static void indications(AtClient client, AtRequest request) throws AtException {
@@ -127,6 +118,11 @@ final class MessageSettingCommands {
         } catch (IllegalArgumentException notANumber) {
             throw AtException.ofMessage(CmsError.INVALID_TEXT_PARAMETER);
         }
+    }
+
+    private static void tellSubmitParameters(AtClient client, AtRequest request) {
+        ClientSettings now = client.settings();
+        request.answer(now.submitFirstOctet, now.submitValidity, now.submitProtocol, now.submitCoding);
     }
 
     private static void submitParameters(AtClient client, AtRequest request) throws AtException {

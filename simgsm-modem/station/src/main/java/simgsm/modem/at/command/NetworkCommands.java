@@ -21,13 +21,7 @@ final class NetworkCommands {
                         request.answer(client.modem().network().isAttached(client) ? 1 : 0));
         table.row("+COPS")
                 .read(NetworkCommands::operator)
-                .testWith((client, request) -> {
-                    NetworkCodes network = client.modem().network();
-                    String name =
-                            AtRequest.quoted(client.settings().characterSet.encode(network.operatorName()));
-                    request.answer(
-                            "(2," + name + "," + name + ",\"" + NetworkCodes.operatorCode() + "\"),,(0,2,3),(0-2)");
-                })
+                .testWith(NetworkCommands::operators)
                 .set(NetworkCommands::setOperator);
         table.row("+CSQ")
                 .execute((client, request) ->
@@ -74,6 +68,12 @@ final class NetworkCommands {
                     : client.settings().characterSet.encode(network.operatorName());
             request.answer(0, format, AtRequest.quoted(name));
         }
+    }
+
+    private static void operators(AtClient client, AtRequest request) {
+        String name = AtRequest.quoted(
+                client.settings().characterSet.encode(client.modem().network().operatorName()));
+        request.answer("(2," + name + "," + name + ",\"" + NetworkCodes.operatorCode() + "\"),,(0,2,3),(0-2)");
     }
 
     private static void setOperator(AtClient client, AtRequest request) throws AtException {

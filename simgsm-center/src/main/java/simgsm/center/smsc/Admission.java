@@ -1,0 +1,98 @@
+package simgsm.center.smsc;
+
+import java.lang.System.Logger.Level;
+import java.util.List;
+import java.util.Optional;
+import simgsm.air.Msisdn;
+import simgsm.air.RpCause;
+
+/** Decides whether messages are accepted: counts those that are being stored or wait, and the heap that they hold. */
+final class Admission {
+    static final int MAX_WAITING_PER_RECEIVER = 200_000;
+    /** In all; a heap below 2 GB sets a lower limit: {@link HeldOctets}. */
+    static final int MAX_WAITING = 1_000_000;
+    /** Messages given to the store and not yet durable; above it, submissions are refused with congestion. */
+    static final int MAX_UNCOMMITTED = 50_000;
+
+    private static final System.Logger LOG = System.getLogger(Admission.class.getName());
+
+    private final DeliveryPort port;
+    private final ReceiverQueues queues;
+    private final HeldOctets held;
+    private int waiting;
+    private int uncommitted;
+
+    Admission(DeliveryPort port, ReceiverQueues queues, HeldOctets held) {
+        this.port = port;
+        this.queues = queues;
+        this.held = held;
+    }
+
+    /** Why this number of messages to a receiver cannot be accepted; empty if they can. */
+    Optional<RpCause> refusal(Msisdn receiver, int count) {
+        if (!port.isServed(receiver)) {
+            return Optional.of(RpCause.UNASSIGNED_NUMBER);
+        }
+        boolean hasRoom = uncommitted + count <= MAX_UNCOMMITTED
+                && waiting + uncommitted + count <= MAX_WAITING
+                && queues.size(new Destination.Number(receiver)) + count <= MAX_WAITING_PER_RECEIVER
+                && held.hasRoomFor((long) count * HeldOctets.ENVELOPE);
+        return hasRoom ? Optional.empty() : congestion(receiver);
+    }
+
+    private Optional<RpCause> congestion(Msisdn receiver) {
+        if (held.isNewlyRefusing()) {
+            LOG.log(
+                    Level.WARNING,
+                    "short messages are refused: {0} wait, {1} of them for {2}; they hold {3} MB of the heap, {4} MB are the"
+                            + " limit (-Xmx sets the heap)",
+                    waiting + uncommitted,
+                    queues.size(new Destination.Number(receiver)),
+                    receiver.digits(),
+                    held.held() >> 20,
+                    held.most() >> 20);
+        }
+        return Optional.of(RpCause.CONGESTION);
+    }
+
+    /** The messages are given to the store. */
+    void storing(List<ShortMessage> messages) {
+        uncommitted += messages.size();
+        messages.forEach(held::add);
+        reserve(messages, 1);
+    }
+
+    /** The store has answered. */
+    void stored(List<ShortMessage> messages) {
+        uncommitted -= messages.size();
+        messages.forEach(held::remove);
+        reserve(messages, -1);
+    }
+
+    private void reserve(List<ShortMessage> messages, int countEach) {
+        messages.forEach(
+                message -> queues.of(new Destination.Number(message.to())).reserve(countEach));
+    }
+
+    void queued(Envelope envelope) {
+        waiting++;
+        held.add(envelope.message());
+    }
+
+    /** The entry has left its queue. */
+    void left(QueueEntry entry) {
+        waiting--;
+        held.remove(entry.envelope.message());
+        held.attempted(-entry.attempts.size());
+    }
+
+    void replaced(ShortMessage old, ShortMessage changed) {
+        held.remove(old);
+        held.add(changed);
+    }
+
+    /** Messages and reports that wait. */
+    int waiting() {
+        return waiting;
+    }
+}
