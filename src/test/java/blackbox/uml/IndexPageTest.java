@@ -22,11 +22,10 @@ class IndexPageTest {
 
             Write all printed sources and docs/REFERENCE.md anew, then draw every SVG:
 
-                mvn -o -q -pl src/test -am -Dtest='blackbox.uml.*Test,*ReferenceTest' -Dsurefire.failIfNoSpecifiedTests=false -Duml.write=true package
-                mvn -o -q -N -Puml exec:java
+                mvn -q -pl src/test -am -Dtest='blackbox.uml.*Test,*ReferenceTest' -Dsurefire.failIfNoSpecifiedTests=false -Duml.write=true package
+                mvn -q -N -Puml exec:java
 
-            The first command reports the SVG files that it has made stale; after the second, `mvn verify` is green. The robot's
-            status is also printed by `java -jar target/dist/vericommand.jar --diagram`.
+            The first command reports the SVG files that it has made stale; after the second, `mvn verify` is green.
             """;
 
     /** Folder and prefix of the file names, with the section's heading; an empty prefix takes what is left. */
@@ -50,8 +49,7 @@ class IndexPageTest {
             String start = section.get(0).isEmpty() ? "" : section.get(0) + "/";
             for (String file : List.copyOf(titles.keySet())) {
                 if (file.startsWith(start + section.get(1)) && file.indexOf('/') == start.length() - 1) {
-                    page.append("<a href=\"%s\"><img src=\"%s\" width=\"360\" alt=\"%s\"></a>\n\n"
-                            .formatted(file, file, titles.remove(file)));
+                    page.append("![%s](%s)\n\n".formatted(titles.remove(file), file));
                 }
             }
             page.setLength(page.length() - 1);
