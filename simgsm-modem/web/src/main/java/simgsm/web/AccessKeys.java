@@ -76,12 +76,13 @@ public final class AccessKeys {
     }
 
     /**
-     * The operator with this key. The time that this takes does not depend on the keys' characters.
+     * The operator with this key. The time that this takes does not depend on the keys' characters. Any thread may call it;
+     * guesses that come at once are counted one after the other.
      *
      * @param from the client's address, whose guesses are slowed
      * @throws RequestException with status 401 for a wrong key, 429 for one too many
      */
-    public String operator(String key, InetAddress from, long nowNanos) throws RequestException {
+    public synchronized String operator(String key, InetAddress from, long nowNanos) throws RequestException {
         guesses.require(from, nowNanos);
         byte[] given = key.getBytes(StandardCharsets.UTF_8);
         String operator = null;

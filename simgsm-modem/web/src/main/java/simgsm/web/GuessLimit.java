@@ -7,7 +7,7 @@ import simgsm.timer.RateLimit;
 
 /**
  * Slows the guessing of keys: each address has 10 wrong ones at once, then one a second. Until then its further keys, right
- * or wrong, are refused unread, so that a guess cannot be told from a right key in between. Any thread may call it.
+ * or wrong, are refused unread, so that a guess cannot be told from a right key in between.
  */
 final class GuessLimit {
     /** At once, after 10 s without a wrong key. */
@@ -28,7 +28,7 @@ final class GuessLimit {
     public GuessLimit() {}
 
     /** @throws RequestException with status 429 if an address has sent too many wrong keys */
-    synchronized void require(InetAddress from, long nowNanos) throws RequestException {
+    void require(InetAddress from, long nowNanos) throws RequestException {
         RateLimit wrong = addresses.get(from);
         if (wrong != null && !wrong.isLeft(nowNanos)) {
             throw new RequestException(
@@ -38,7 +38,7 @@ final class GuessLimit {
     }
 
     /** Counts a wrong key. */
-    synchronized void countWrong(InetAddress from, long nowNanos) {
+    void countWrong(InetAddress from, long nowNanos) {
         addresses
                 .computeIfAbsent(from, unknown -> new RateLimit(1, MOST_AT_ONCE))
                 .take(nowNanos);

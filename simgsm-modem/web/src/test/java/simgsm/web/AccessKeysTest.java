@@ -7,7 +7,11 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -64,6 +68,18 @@ class AccessKeysTest {
     void aComplaintNamesTheLineAndWhatWasExpectedButNoKey(String text, String complaint) {
         IOException refused = assertThrows(IOException.class, () -> keys(text.replace("\\n", "\n")));
         assertEquals(file + complaint, refused.getMessage());
+    }
+
+    @Test
+    void ofGuessesAtOnceNoMoreAreReadThanOneAfterTheOther() throws Exception {
+        // Many keys take so long to compare that guesses overlap.
+        AccessKeys keys = keys(
+                IntStream.range(0, 20_000).mapToObj(i -> "op" + i + "=k" + i).collect(Collectors.joining("\n")));
+        List<Integer> statuses = IntStream.range(0, 1_000)
+                .parallel()
+                .mapToObj(i -> status(keys, "guess" + i, HERE, 0))
+                .toList();
+        assertEquals(10, Collections.frequency(statuses, 401));
     }
 
     @Test
