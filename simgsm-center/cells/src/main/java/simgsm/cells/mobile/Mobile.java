@@ -1,10 +1,8 @@
 package simgsm.cells.mobile;
 
 import java.lang.System.Logger.Level;
-import java.util.ArrayDeque;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.Queue;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
@@ -33,9 +31,6 @@ public final class Mobile {
     public static final long PERIOD_NANOS = 480_000_000L;
 
     private static final System.Logger LOG = System.getLogger(Mobile.class.getName());
-    /** Messages that wait in one direction at most; the terminal's own time-outs end the transaction long before. */
-    private static final int MOST_HELD = 1_000;
-
     /** After a channel the mobile needs this long to leave its link layer and to find the common channels again. */
     private static final long RETURN_NANOS = 500_000_000L;
 
@@ -52,10 +47,10 @@ public final class Mobile {
     private final MobileSpeech speech;
     private final RadioLink link;
     private final ChannelChange change;
-    private final CellNotice notice = new CellNotice(this::send);
+    private final MeasurementCycle measurements;
     private final StateMachine<MobileRadioState, MobileRadioEvent, MobileRadioAction> machine;
-    private final Queue<RslMessage.DataIndication> heldUp = new ArrayDeque<>();
-    private final Queue<RslMessage.DataRequest> heldDown = new ArrayDeque<>();
+    private final HeldLayer3 held = new HeldLayer3(
+            this::isReachable, data -> channel().orElseThrow().send(data.sapi().code(), data.layer3()), this::pass);
     private final Receiver receiver = new Receiver();
     private final String address;
     /** The first message of the connection that is being opened; null otherwise. */
@@ -64,9 +59,6 @@ public final class Mobile {
     private TowerChannel channel;
 
     private ImmediateAssignment granted;
-    private boolean isGone;
-
-    private long measuredNanos;
     /** When the mobile is in idle mode again after its last channel. */
     private long idleNanos;
 
@@ -86,11 +78,7 @@ public final class Mobile {
         @Override
         public void layer3Arrived(TowerChannel from, int sapi, OctetString layer3) {
             if (from == channel) {
-                Sapi link = sapi == 0 ? Sapi.SIGNALLING : Sapi.SHORT_MESSAGES;
-                if (heldDown.size() < MOST_HELD) {
-                    heldDown.add(new RslMessage.DataRequest(link, layer3));
-                }
-                passHeld();
+                held.add(new RslMessage.DataRequest(sapi == 0 ? Sapi.SIGNALLING : Sapi.SHORT_MESSAGES, layer3));
             }
         }
 
@@ -129,8 +117,7 @@ public final class Mobile {
         speech = new MobileSpeech(port, timers, millis -> network.happened(new MobileEvent.SpeechGap(this, millis)));
         change = new ChannelChange(this, network, timers);
         machine = new StateMachine<>(MobileRadioTable.TABLE, address, this::perform);
-        timers.start((long) (network.random() * PERIOD_NANOS), this::period);
-        measuredNanos = timers.nowNanos();
+        measurements = new MeasurementCycle(this, network, timers, reception, new CellNotice(this::send));
     }
 
     /** The number; as long as it is not known, the terminal's address. */
@@ -170,28 +157,14 @@ public final class Mobile {
         return selection;
     }
 
-    /** The levels of the last measurements in the connection. */
-    public RecentLevels recent() {
-        return link.recent();
-    }
-
     /** The levels of all towers at the last measurement, in dBm. */
     public double[] levelsDbm() {
         return reception.levelsDbm().clone();
     }
 
-    /** RXQUAL at the last measurement in a connection. */
-    public int quality() {
-        return link.quality();
-    }
-
-    public int radioLinkCount() {
-        return link.count();
-    }
-
-    /** Measurement reports on this channel so far. */
-    public int reports() {
-        return link.reports();
+    /** Reception on the current or last channel. */
+    public RadioLink link() {
+        return link;
     }
 
     /** The silence across the last handover. */
@@ -210,10 +183,7 @@ public final class Mobile {
             machine.fire(MobileRadioEvent.FIRST_MESSAGE);
         } else if (message instanceof RslMessage.DataIndication data) {
             read(data.layer3());
-            if (heldUp.size() < MOST_HELD) {
-                heldUp.add(data);
-            }
-            passHeld();
+            held.add(data);
         } else if (message instanceof RslMessage.ReleaseIndication) {
             machine.fire(MobileRadioEvent.LEFT);
         }
@@ -222,7 +192,7 @@ public final class Mobile {
     private void read(OctetString layer3) {
         if (identity.readUplink(layer3)) {
             network.identified(this);
-            measure();
+            measurements.measure();
         }
     }
 
@@ -240,7 +210,7 @@ public final class Mobile {
 
     /** The terminal's connection is closed. */
     public void close() {
-        isGone = true;
+        measurements.stop();
         machine.fire(MobileRadioEvent.TERMINAL_LOST);
     }
 
@@ -281,9 +251,9 @@ public final class Mobile {
             case BEGIN_HANDOVER -> change.beginHandover();
             case COMPLETE_HANDOVER -> change.completeHandover();
             case FAIL_HANDOVER -> change.failHandover();
-            case SEND_HELD -> passHeld();
+            case SEND_HELD -> held.pass();
             case LEAVE_CHANNEL -> {
-                passHeldUp();
+                held.passUp();
                 channel.leave();
             }
             case FORSAKE_CHANNEL -> forsake();
@@ -380,24 +350,7 @@ public final class Mobile {
         speech.callEnded();
         granted = null;
         firstMessage = null;
-        heldUp.clear();
-        heldDown.clear();
-    }
-
-    // Layer 3 that waits.
-
-    private void passHeld() {
-        passHeldUp();
-        while (!heldDown.isEmpty() && isReachable()) {
-            pass(heldDown.remove());
-        }
-    }
-
-    private void passHeldUp() {
-        while (!heldUp.isEmpty() && isReachable()) {
-            RslMessage.DataIndication data = heldUp.remove();
-            channel.send(data.sapi().code(), data.layer3());
-        }
+        held.clear();
     }
 
     private boolean isReachable() {
@@ -413,64 +366,25 @@ public final class Mobile {
         area.ifPresent(code -> network.happened(new MobileEvent.LocationUpdated(this, code)));
     }
 
-    // Measurements.
-
-    private void period() {
-        if (!isGone) {
-            timers.start(PERIOD_NANOS, this::period);
-            measure();
-        }
-    }
-
     /** Moves, measures, and chooses a cell or reports. */
     public void measure() {
-        long now = timers.nowNanos();
-        if (!network.isPaused()) {
-            walker.advance(now - measuredNanos);
-        }
-        measuredNanos = now;
-        reception.measure(walker.place());
-        if (machine.state() == MobileRadioState.DEDICATED) {
-            link.measure();
-            report();
-            passHeld();
-        } else if (channel == null && identity.number().isPresent()) {
-            chooseCell(now);
-        }
-        tellCell();
+        measurements.measure();
     }
 
-    private void tellCell() {
-        int tower = serving();
-        if (tower == IdleSelection.NONE) {
-            notice.tell(Optional.empty(), 0);
-        } else {
-            notice.tell(network.towers().get(tower).cell(), reception.levelsDbm()[tower]);
-        }
+    /** The levels are measured: layer 3 that waited for a better signal is sent. */
+    void measured() {
+        held.pass();
     }
 
-    private void chooseCell(long now) {
-        int before = selection.serving();
-        CellParameters[] cells = network.towers().stream()
-                .map(tower -> tower.isInService() ? CellParameters.of(tower) : null)
-                .toArray(CellParameters[]::new);
-        if (selection.measured(now, reception.levelsDbm(), cells)) {
-            int chosen = selection.serving();
-            if (chosen == IdleSelection.NONE) {
-                network.happened(new MobileEvent.CellLost(this, nameOf(before)));
-            } else {
-                network.happened(new MobileEvent.Camped(this, nameOf(chosen), selection.c2(chosen)));
-                if (machine.state() == MobileRadioState.ACCESS && !requests.isUnderWay()) {
-                    requestChannel();
-                }
-            }
-        }
+    /** Whether the number is known: the terminal has sent its first message. */
+    boolean isIdentified() {
+        return identity.number().isPresent();
     }
 
-    private void report() {
-        if (link.report(channel)) {
-            network.happened(new MobileEvent.RadioLinkFailed(this));
-            machine.fire(MobileRadioEvent.LINK_FAILED);
+    /** Idle mode has chosen a cell: an access that waits for one begins. */
+    void camped() {
+        if (machine.state() == MobileRadioState.ACCESS && !requests.isUnderWay()) {
+            requestChannel();
         }
     }
 

@@ -11,7 +11,7 @@ import simgsm.cells.tower.TowerChannel;
 import simgsm.cells.town.Frequencies;
 
 /** How well a mobile and the tower of its channel receive each other: quality, lost frames and blocks, reports, the link's end. */
-final class RadioLink {
+public final class RadioLink {
     /** Above this share of lost blocks the link layer's repetitions are of no use. */
     private static final double UNUSABLE = 0.9;
 
@@ -39,22 +39,22 @@ final class RadioLink {
     }
 
     /** The levels of the last measurements. */
-    RecentLevels recent() {
+    public RecentLevels recent() {
         return recent;
     }
 
-    /** RXQUAL at the last measurement. */
-    int quality() {
+    /** RXQUAL at the last measurement on a channel, 0 to 7. */
+    public int quality() {
         return quality;
     }
 
     /** The mobile's radio link counter. */
-    int count() {
+    public int count() {
         return downlink.count();
     }
 
     /** Measurement reports on this channel so far. */
-    int reports() {
+    public int reports() {
         return reports;
     }
 

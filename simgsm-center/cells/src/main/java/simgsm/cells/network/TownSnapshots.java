@@ -79,7 +79,7 @@ public final class TownSnapshots {
                 mobile.channel().filter(channel -> channel.isTraffic()).isPresent(),
                 mobile.walker().ahead(),
                 levels(network, mobile, levels),
-                isConnected ? OptionalInt.of(mobile.quality()) : OptionalInt.empty(),
+                isConnected ? OptionalInt.of(mobile.link().quality()) : OptionalInt.empty(),
                 isConnected
                         ? OptionalInt.of(RadioScale.timingAdvance(network.towers()
                                 .get(serving)
@@ -87,9 +87,9 @@ public final class TownSnapshots {
                                 .place()
                                 .distanceMetres(mobile.walker().place())))
                         : OptionalInt.empty(),
-                isConnected ? OptionalInt.of(mobile.radioLinkCount()) : OptionalInt.empty(),
+                isConnected ? OptionalInt.of(mobile.link().count()) : OptionalInt.empty(),
                 isConnected
-                        ? OptionalInt.of(rule.periodReports() - mobile.reports() % rule.periodReports())
+                        ? OptionalInt.of(rule.periodReports() - mobile.link().reports() % rule.periodReports())
                         : OptionalInt.empty(),
                 rule.periodReports(),
                 isConnected ? rule.marginDecibels() : hysteresis(network, serving),
@@ -134,8 +134,8 @@ public final class TownSnapshots {
                 .map(tower -> new MobileState.Level(
                         network.towers().get(tower).tower().name(),
                         levels[tower],
-                        isConnected && mobile.recent().has(averaged)
-                                ? OptionalDouble.of(mobile.recent().averageDbm(tower, averaged))
+                        isConnected && mobile.link().recent().has(averaged)
+                                ? OptionalDouble.of(mobile.link().recent().averageDbm(tower, averaged))
                                 : OptionalDouble.empty(),
                         isConnected || Double.isInfinite(mobile.selection().c2(tower))
                                 ? OptionalDouble.empty()

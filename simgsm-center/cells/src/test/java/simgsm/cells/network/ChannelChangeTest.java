@@ -191,11 +191,11 @@ class ChannelChangeTest {
         scene.network.place("5550100", new simgsm.cells.town.TownPlace(500, 0));
         scene.pass(480 * MILLI);
         scene.west.up.clear();
-        assertEquals(TownScene.LINK_TIMEOUT - 10 + 2, terminal.mobile.radioLinkCount());
+        assertEquals(TownScene.LINK_TIMEOUT - 10 + 2, terminal.mobile.link().count());
         assign(1);
         scene.pass(100 * MILLI);
 
-        assertEquals(TownScene.LINK_TIMEOUT, terminal.mobile.radioLinkCount());
+        assertEquals(TownScene.LINK_TIMEOUT, terminal.mobile.link().count());
     }
 
     @ParameterizedTest
