@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
 
 /** ROS programs read and drive a robot by the rosbridge protocol (spec/remote.md, 3; protocol version 2). */
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
@@ -190,6 +192,37 @@ class RosbridgeTest {
         CompletionException refused =
                 assertThrows(CompletionException.class, () -> new JsonSocket(port, "/other", builder -> builder));
         assertTrue(Objects.toString(refused.getCause()).contains("Handshake"), refused.toString());
+    }
+
+    @Test
+    void withKeysOnlyTheirOperatorsDrive(@TempDir Path folder) throws Exception {
+        Path keys = Files.writeString(folder.resolve("keys"), "eva=secret\n");
+        try (Scenario scenario = new Scenario("ROS programs with keys")) {
+            RunningProgram locked = scenario.start(
+                    "robot",
+                    "simrobot",
+                    "--headless",
+                    "--center",
+                    "127.0.0.1:1",
+                    "--ros",
+                    "0",
+                    "--http-keys",
+                    keys.toString());
+            try (Client client = new Client(locked.expect("ready").field("ros"), "http://elsewhere.example")) {
+                client.tell(ADVERTISE).tell(DRIVE);
+                assertTrue(client.error().startsWith("only with a key"));
+                client.tell("{'op':'auth','key':'other'}");
+                assertEquals("wrong key", client.error());
+                client.tell("{'op':'auth','id':1,'key':'secret'}");
+                client.expect(message -> "info".equals(message.get("level")), "welcome");
+                client.tell(DRIVE);
+                locked.expect("status", "value", "Moving");
+                locked.expect("status", "value", "Stopped");
+                client.tell("{'op':'call_service','id':'o','service':'/robot/order','args':['** #*0 **']}");
+                locked.expect("submitted", "from", "eva");
+                assertEquals(3, number(client.response("o"), "values.tone"));
+            }
+        }
     }
 
     @Test

@@ -1,14 +1,20 @@
 package blackbox.peers;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import blackbox.Dist;
 import blackbox.RunningProgram;
 import blackbox.Scenario;
+import com.sun.net.httpserver.HttpServer;
 import java.io.BufferedReader;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -48,6 +54,42 @@ class RosClientsTest {
                         "order 3 Done: #**20. Stopped",
                         "wrong Service /nope does not exist"),
                 port -> Peer.PYTHON.process(Peer.source("roslibpy_drive.py"), port));
+    }
+
+    @Test
+    void thePageOfThePortsPageDrivesInChromiumAndTheRobotStandsWhenItIsClosed() throws Exception {
+        Peer.CHROMIUM.require();
+        Peer.require(Peer.NODE.run("-e", "require('puppeteer-core')").status() == 0, "puppeteer-core (Node)");
+        Peer.require(Files.isDirectory(Peer.LIBRARIES.resolve("node_modules").resolve("roslib-1")), "roslib-1 (Node)");
+        String html = Files.readString(Dist.root().resolve("docs/PORTS.md"))
+                .lines()
+                .filter(line -> line.startsWith("    "))
+                .dropWhile(line -> !line.contains("roslib.min.js"))
+                .limit(8)
+                .collect(Collectors.joining("\n"));
+        HttpServer pages = HttpServer.create(new InetSocketAddress("127.0.0.1", 0), 0);
+        try (Scenario scenario = new Scenario("a page with roslib")) {
+            scenario.center();
+            RunningProgram robot = scenario.robot("empty.map", "--ros", "0");
+            byte[] body = html.replace("9090", robot.said("ready").field("ros")).getBytes(StandardCharsets.UTF_8);
+            pages.createContext("/", exchange -> {
+                exchange.getResponseHeaders().set("Content-Type", "text/html");
+                exchange.sendResponseHeaders(200, body.length);
+                exchange.getResponseBody().write(body);
+                exchange.close();
+            });
+            pages.start();
+            ProcessBuilder browser = Peer.NODE.process(
+                    Peer.source("ros_page.js"),
+                    "http://localhost:" + pages.getAddress().getPort() + "/");
+            browser.environment().put("CHROMIUM", Peer.CHROMIUM.path().toString());
+            String printed = Peer.run(browser).expectSuccess();
+            assertTrue(printed.startsWith("place 0.0"), printed);
+            robot.expect("status", "value", "Moving");
+            robot.expect("status", "value", "Stopped");
+        } finally {
+            pages.stop(0);
+        }
     }
 
     /** @param client of a port */
