@@ -1,6 +1,5 @@
 package simrobot.ros;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import simrobot.simulation.Simulation;
@@ -27,20 +26,16 @@ enum RosGeneration {
 
     /** A time as message. @param nanos simulated time */
     Map<String, Object> time(long nanos) {
-        Map<String, Object> time = new LinkedHashMap<>();
-        time.put(seconds, TimeUnit.NANOSECONDS.toSeconds(nanos));
-        time.put(nanoseconds, nanos % TimeUnit.SECONDS.toNanos(1));
-        return time;
+        return RosMessages.fields(
+                seconds + " " + nanoseconds,
+                TimeUnit.NANOSECONDS.toSeconds(nanos),
+                nanos % TimeUnit.SECONDS.toNanos(1));
     }
 
     /** std_msgs/Header; its number in ROS 1 counts the steps of the simulation. */
     Map<String, Object> header(long nanos, String frame) {
-        Map<String, Object> header = new LinkedHashMap<>();
-        if (this == ROS_1) {
-            header.put("seq", nanos / Simulation.STEP_NANOS);
-        }
-        header.put("stamp", time(nanos));
-        header.put("frame_id", frame);
-        return header;
+        return this == ROS_1
+                ? RosMessages.fields("seq stamp frame_id", nanos / Simulation.STEP_NANOS, time(nanos), frame)
+                : RosMessages.fields("stamp frame_id", time(nanos), frame);
     }
 }

@@ -35,11 +35,11 @@ final class RosMessages {
         this.cameras = cameras;
     }
 
-    /** Fields by name, values and names in turn. */
-    private static Map<String, Object> fields(Object... namesAndValues) {
+    /** An object. @param names separated by blanks */
+    static Map<String, Object> fields(String names, Object... values) {
         Map<String, Object> fields = new LinkedHashMap<>();
-        for (int i = 0; i < namesAndValues.length; i += 2) {
-            fields.put((String) namesAndValues[i], namesAndValues[i + 1]);
+        for (String name : names.split(" ")) {
+            fields.put(name, values[fields.size()]);
         }
         return fields;
     }
@@ -57,27 +57,30 @@ final class RosMessages {
     }
 
     private static Map<String, Object> vector(double x, double y, double z) {
-        return fields("x", x, "y", y, "z", z);
+        return fields("x y z", x, y, z);
     }
 
     private static Map<String, Object> turned(double radians) {
-        return fields("x", 0, "y", 0, "z", Math.sin(radians / 2), "w", Math.cos(radians / 2));
+        return fields("x y z w", 0, 0, Math.sin(radians / 2), Math.cos(radians / 2));
     }
 
     Object odometry(String name) {
         RobotSnapshot robot = robot(name);
         Pose pose = robot.condition().odometry();
         Map<String, Object> place = fields(
-                "position", vector(pose.xMeters(), pose.yMeters(), 0),
-                "orientation", turned(Math.toRadians(pose.headingDegrees())));
+                "position orientation",
+                vector(pose.xMeters(), pose.yMeters(), 0),
+                turned(Math.toRadians(pose.headingDegrees())));
         Map<String, Object> speeds = fields(
-                "linear", vector(robot.speedMetersPerSecond(), 0, 0),
-                "angular", vector(0, 0, robot.turnRadiansPerSecond()));
+                "linear angular",
+                vector(robot.speedMetersPerSecond(), 0, 0),
+                vector(0, 0, robot.turnRadiansPerSecond()));
         return fields(
-                "header", header(name, "odom"),
-                "child_frame_id", frame(name, "base_link"),
-                "pose", fields("pose", place, "covariance", NO_COVARIANCE),
-                "twist", fields("twist", speeds, "covariance", NO_COVARIANCE));
+                "header child_frame_id pose twist",
+                header(name, "odom"),
+                frame(name, "base_link"),
+                fields("pose covariance", place, NO_COVARIANCE),
+                fields("twist covariance", speeds, NO_COVARIANCE));
     }
 
     /** Without an echo the range is infinite. */
@@ -88,25 +91,16 @@ final class RosMessages {
             ranges.add(range < Laser.RANGE_METERS ? (float) range : Float.POSITIVE_INFINITY);
         }
         return fields(
-                "header",
+                "header angle_min angle_max angle_increment time_increment scan_time range_min range_max ranges intensities",
                 header(name, "laser"),
-                "angle_min",
                 field.radians(0),
-                "angle_max",
                 field.radians(field.count() - 1),
-                "angle_increment",
                 Math.toRadians(field.stepDegrees()),
-                "time_increment",
                 0,
-                "scan_time",
                 RosTopic.SCAN.periodMillis() / 1e3,
-                "range_min",
                 0,
-                "range_max",
                 Laser.RANGE_METERS,
-                "ranges",
                 ranges,
-                "intensities",
                 List.of());
     }
 
@@ -119,53 +113,37 @@ final class RosMessages {
                         SonarRing.mountY(sonar) + ranges[sonar] * Math.sin(SonarRing.directionRadians(sonar)),
                         0))
                 .toList();
-        return fields("header", header(name, "base_link"), "points", points, "channels", List.of());
+        return fields("header points channels", header(name, "base_link"), points, List.of());
     }
 
     /** What the robot does not measure is not a number. */
     Object battery(String name) {
         double volts = robot(name).condition().batteryVolts();
         return fields(
-                "header",
+                "header voltage temperature current charge capacity design_capacity percentage power_supply_status power_supply_health power_supply_technology present cell_voltage location serial_number",
                 header(name, "base_link"),
-                "voltage",
                 volts,
-                "temperature",
                 Double.NaN,
-                "current",
                 Double.NaN,
-                "charge",
                 Double.NaN,
-                "capacity",
                 Double.NaN,
-                "design_capacity",
                 Double.NaN,
-                "percentage",
                 Battery.chargeShare(volts),
-                "power_supply_status",
                 DISCHARGING,
-                "power_supply_health",
                 0,
-                "power_supply_technology",
                 0,
-                "present",
                 true,
-                "cell_voltage",
                 List.of(),
-                "location",
                 "",
-                "serial_number",
                 "");
     }
 
     Object camera(String name) throws IOException {
         byte[] jpeg = cameras.shot(scene, robot(name)).jpeg();
         return fields(
-                "header",
+                "header format data",
                 header(name, "camera"),
-                "format",
                 "jpeg",
-                "data",
                 Base64.getEncoder().encodeToString(jpeg));
     }
 
@@ -182,14 +160,13 @@ final class RosMessages {
 
     private Object transform(String robot, String parent, String child, Pose pose) {
         return fields(
-                "header",
+                "header child_frame_id transform",
                 header(robot, parent),
-                "child_frame_id",
                 frame(robot, child),
-                "transform",
                 fields(
-                        "translation", vector(pose.xMeters(), pose.yMeters(), 0),
-                        "rotation", turned(Math.toRadians(pose.headingDegrees()))));
+                        "translation rotation",
+                        vector(pose.xMeters(), pose.yMeters(), 0),
+                        turned(Math.toRadians(pose.headingDegrees()))));
     }
 
     Object clock(String any) {

@@ -44,32 +44,19 @@ record RosRequest(Map<String, Object> fields) {
 
     /** The status message that answers this. */
     String status(String level, String text) {
-        return withId(new JsonText()
-                        .open('{')
-                        .name("op")
-                        .value("status")
-                        .name("level")
-                        .value(level))
-                .name("msg")
-                .value(text)
-                .close('}')
-                .toString();
+        return answer(RosMessages.fields("op level msg", "status", level, text));
     }
 
     /** The answer to the call of a service. @param values a text says why there is no result */
     String response(Object values, boolean hasResult) {
-        return withId(new JsonText().open('{').name("op").value("service_response"))
-                .name("service")
-                .any(fields.get("service"))
-                .name("values")
-                .any(values)
-                .name("result")
-                .value(hasResult)
-                .close('}')
-                .toString();
+        return answer(RosMessages.fields(
+                "op service values result", "service_response", fields.get("service"), values, hasResult));
     }
 
-    private JsonText withId(JsonText json) {
-        return fields.containsKey(ID) ? json.name(ID).any(id()) : json;
+    private String answer(Map<String, Object> answer) {
+        if (fields.containsKey(ID)) {
+            answer.put(ID, id());
+        }
+        return new JsonText().any(answer).toString();
     }
 }

@@ -220,14 +220,7 @@ public final class RosServer implements AutoCloseable {
     private static String text(Wanted wanted, RosMessages moment) throws IOException {
         Object message = wanted.source().topic().message(moment, wanted.source().robot());
         return new JsonText()
-                .open('{')
-                .name("op")
-                .value("publish")
-                .name("topic")
-                .value(wanted.name())
-                .name("msg")
-                .any(message)
-                .close('}')
+                .any(RosMessages.fields("op topic msg", "publish", wanted.name(), message))
                 .toString();
     }
 }

@@ -1,6 +1,5 @@
 package simrobot.ros;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -42,7 +41,7 @@ final class RosServices {
                 List<String> types = topics.values().stream()
                         .map(source -> source.topic().type(generation))
                         .toList();
-                respond(request, Map.of("topics", new ArrayList<>(topics.keySet()), "types", types));
+                respond(request, Map.of("topics", List.copyOf(topics.keySet()), "types", types));
             }
             case ROSAPI + "topic_type" -> {
                 String topic = arguments(request, "topic").name("topic");
@@ -65,12 +64,11 @@ final class RosServices {
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("Service " + service + " does not exist"));
         String keys = arguments(request, "keys").string("keys");
-        server.order(robot, session.requirePower(), keys, (tone, text) -> {
-            Map<String, Object> reply = new LinkedHashMap<>();
-            reply.put("tone", tone);
-            reply.put("text", text);
-            respond(request, reply);
-        });
+        server.order(
+                robot,
+                session.requirePower(),
+                keys,
+                (tone, text) -> respond(request, RosMessages.fields("tone text", tone, text)));
     }
 
     private void respond(RosRequest request, Map<String, Object> values) {
