@@ -32,7 +32,7 @@ class JsonSocket implements AutoCloseable, WebSocket.Listener {
                 .join();
     }
 
-    final void say(String message) {
+    public final void say(String message) {
         socket.sendText(message, true).join();
     }
 

@@ -16,20 +16,20 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.speech.SpeechCodec;
 
 /** A page's side of the gateway's socket: JSON and A-law as the page sends them, in real time. */
-final class WebPhone extends JsonSocket {
+public final class WebPhone extends JsonSocket {
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor();
     private final DtmfGenerator keys = new DtmfGenerator();
     private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
     private final ByteArrayOutputStream heard = new ByteArrayOutputStream();
 
     /** Opens the socket and sends a first message. */
-    WebPhone(String port, String first) {
+    public WebPhone(String port, String first) {
         super(port, "/phone", builder -> builder.subprotocols("simgsm.v1"));
         say(first);
     }
 
     /** Sends sound from now on, a frame every 20 ms. */
-    void speak() {
+    public void speak() {
         clock.scheduleAtFixedRate(this::sendFrame, 0, 20, TimeUnit.MILLISECONDS);
     }
 
@@ -41,19 +41,19 @@ final class WebPhone extends JsonSocket {
         sendOctets(codec.encode(frame));
     }
 
-    void press(String pressed) {
+    public void press(String pressed) {
         synchronized (keys) {
             DtmfKey.sequence(pressed).forEach(keys::enqueue);
         }
     }
 
     /** Waits for an event of this name, and skips others. */
-    Map<String, Object> expect(String name) {
+    public Map<String, Object> expect(String name) {
         return expect(event -> name.equals(event.get("event")), name);
     }
 
     /** Waits for an event with this value. */
-    Map<String, Object> expect(String name, String field, String value) {
+    public Map<String, Object> expect(String name, String field, String value) {
         return expect(
                 event -> name.equals(event.get("event")) && value.equals(event.get(field)),
                 name + " " + field + "=" + value);

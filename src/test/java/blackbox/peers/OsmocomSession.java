@@ -8,6 +8,7 @@ import blackbox.ConsoleEvent;
 import blackbox.RunningProgram;
 import blackbox.Scenario;
 import blackbox.SpeechGap;
+import blackbox.WebPhone;
 import java.io.IOException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
@@ -35,13 +36,14 @@ final class OsmocomSession extends Scenario {
         this.capture = capture;
     }
 
-    /** @param args what to play, session, crowd, calls or halves, and the capture to write */
+    /** @param args what to play, session, crowd, calls, halves or browser, and the capture to write */
     public static void main(String[] args) throws Exception {
         try (OsmocomSession session = new OsmocomSession(Path.of(args[1]))) {
             switch (args[0]) {
                 case "crowd" -> session.crowd();
                 case "calls" -> session.calls();
                 case "halves" -> session.halves();
+                case "browser" -> session.browser();
                 default -> session.play();
             }
         }
@@ -186,6 +188,45 @@ final class OsmocomSession extends Scenario {
         assertEquals(0, robot.quit());
         assertEquals(0, west.quit());
         assertEquals(0, east.quit());
+    }
+
+    /** A page of the gateway orders by short message and by tones, and the robot answers it both ways. */
+    private void browser() throws InterruptedException {
+        openCells(world("village.town"));
+        RunningProgram robot = terminal(
+                "robot", "simrobot", ROBOT, "--world", world("empty.map").toString(), "--answer-after", "1500");
+        RunningProgram gateway = start(
+                "gateway",
+                "simgsm-gateway",
+                "--headless",
+                "--center",
+                cellsAddress,
+                "--numbers",
+                PHONE + "-" + PHONE,
+                "--key",
+                "word");
+        try (WebPhone phone = new WebPhone(gateway.expect("ready").field("web"), "{\"key\":\"word\"}")) {
+            phone.expect("registered");
+            phone.say("{\"do\":\"sms\",\"number\":\"" + ROBOT + "\",\"text\":\"** #**20 **\"}");
+            phone.expect("sms-sent");
+            robot.expect("sms", "from", PHONE);
+            phone.expect("sms", "from", ROBOT);
+            awaitIdle();
+            phone.say("{\"do\":\"dial\",\"number\":\"" + ROBOT + "\"}");
+            phone.expect("connected");
+            phone.speak();
+            phone.expect("tone", "key", "1");
+            phone.press("**#**20**");
+            phone.expect("tone", "key", "3");
+            robot.expect("pose", "x", "0.4000", "y", "0.0000");
+            phone.say("{\"do\":\"hangup\"}");
+            phone.expect("released", "cause", "16");
+            robot.expect("released", "cause", "16");
+        }
+        tell("a browser's orders by short message and by tones were done and answered");
+        assertEquals(0, gateway.quit());
+        assertEquals(0, robot.quit());
+        assertEquals(0, cells.quit());
     }
 
     /** The village's town file with one of its towers only. */

@@ -66,6 +66,13 @@ class OsmocomTest {
         assertTrue(told.contains("two cells programs on one core: "), told);
     }
 
+    @Test
+    void aBrowserIsAPhoneOfTheCore(@TempDir Path folder) throws Exception {
+        Path town = Dist.root().resolve("worlds").resolve("village.town");
+        String told = session(folder, "browser", town, "5550100,5550200");
+        assertTrue(told.contains("a browser's orders by short message and by tones"), told);
+    }
+
     /** Runs {@link OsmocomSession} beside a core for a town's towers. */
     private static String session(Path folder, String kind, Path town, String numbers)
             throws IOException, InterruptedException {
