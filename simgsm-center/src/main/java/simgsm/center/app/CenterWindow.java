@@ -41,6 +41,7 @@ public final class CenterWindow implements CenterActions {
     private final AtomicLong nextRobot = new AtomicLong(FIRST_ROBOT);
     private final Set<String> cardsGivenOut = new HashSet<>();
     private Set<String> takenNumbers = Set.of();
+    private Optional<Runnable> link = Optional.empty();
     private ChildPrograms children;
     private WindowCascade cascade;
     private Optional<String> lesson = Optional.empty();
@@ -52,6 +53,7 @@ public final class CenterWindow implements CenterActions {
      * @param spoken receives, on the event thread, each other language that the user chooses
      * @param mayBeginLesson whether the window's help begins lessons, each of which ends what runs
      * @param takenNumbers those of others, which no program that the window starts gets
+     * @param link what the window's button for the browsers' link does; empty for no such button
      */
     public record Watch(
             Consumer<ExchangeEvent> events,
@@ -59,13 +61,10 @@ public final class CenterWindow implements CenterActions {
             Runnable opened,
             Consumer<Locale> spoken,
             boolean mayBeginLesson,
-            Set<String> takenNumbers) {
-        public static final Watch NONE = whenOpened(() -> {});
-
-        /** Nothing but this action when the window is made. */
-        public static Watch whenOpened(Runnable action) {
-            return new Watch(event -> {}, snapshot -> {}, action, language -> {}, true, Set.of());
-        }
+            Set<String> takenNumbers,
+            Optional<Runnable> link) {
+        public static final Watch NONE =
+                new Watch(event -> {}, snapshot -> {}, () -> {}, language -> {}, true, Set.of(), Optional.empty());
     }
 
     private CenterWindow(Center center, Arguments arguments, ProgramWindow window) {
@@ -91,6 +90,7 @@ public final class CenterWindow implements CenterActions {
         CenterWindow operator = new CenterWindow(center, arguments, window);
         operator.children = children;
         operator.takenNumbers = watch.takenNumbers();
+        operator.link = watch.link();
         center.publishSnapshots(watch.snapshots());
         Optional<Console> console =
                 arguments.has("console") ? Optional.of(Console.onStandardOutput()) : Optional.empty();
@@ -141,6 +141,11 @@ public final class CenterWindow implements CenterActions {
     @Override
     public Optional<ExchangeSnapshot> snapshot() {
         return Optional.ofNullable(center.snapshot().get());
+    }
+
+    @Override
+    public Optional<Runnable> link() {
+        return link;
     }
 
     @Override

@@ -38,6 +38,11 @@ public interface CenterActions {
     /** Starts another SimRobot; as {@link #newPhone}. */
     void newRobot() throws IOException;
 
+    /** Shows the link by which browsers become phones, on the event thread; empty where there is none. */
+    default Optional<Runnable> link() {
+        return Optional.empty();
+    }
+
     /** Ends the centre and the programs that it has started. */
     void quit();
 }

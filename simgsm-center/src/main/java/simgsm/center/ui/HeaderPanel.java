@@ -75,10 +75,15 @@ final class HeaderPanel extends DressedPanel {
                 .with(Symbol.UP.icon()));
         fold.setSelected(true);
         UserAction quit = UserAction.of(texts, "window.quit", "window.quit", operator::quit);
-        return Arrange.row(
+        JPanel all = Arrange.row(
                 8,
                 ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
                 ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")));
+        operator.link().ifPresent(show -> {
+            UserAction link = UserAction.of(texts, "window.link", "window.link", show);
+            all.add(ComponentNames.name(new JButton(link), "window.link", texts.of("window.link.why")), 0);
+        });
+        return all;
     }
 
     /** Places these in front of the buttons; they leave when another container takes them. */

@@ -416,6 +416,23 @@ class MonitorPanelTest {
     }
 
     @Test
+    void theBrowsersLinkHasAButtonWhereThereIsOne() {
+        assertTrue(ComponentNames.find(panel, "window.link").isEmpty());
+        panel = new MonitorPanel(
+                texts("en"),
+                new NotingOperator() {
+                    @Override
+                    public Optional<Runnable> link() {
+                        return Optional.of(() -> acts.add("link"));
+                    }
+                },
+                Background.NONE);
+        press("window.link");
+
+        assertEquals(List.of("link"), acts);
+    }
+
+    @Test
     void aProgramThatDoesNotStartIsReportedInWords() {
         panel = new MonitorPanel(
                 texts("en"),

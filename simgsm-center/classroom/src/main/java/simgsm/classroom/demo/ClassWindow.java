@@ -84,7 +84,7 @@ final class ClassWindow implements ClassActs, Consoles.Listener {
                         new WindowPlace(screen.x(), screen.y(), screen.width() - column, screen.height()), wanted)
                 .saying(isZoomGiven, wanted);
         session.consoles().listen(this);
-        Optional<String> link = start(layout);
+        Optional<LinkFrame> link = start(layout).map(url -> new LinkFrame(language, url, Optional.empty()));
         CenterWindow.Watch watch = new CenterWindow.Watch(
                 event -> {},
                 snapshot -> {},
@@ -97,14 +97,15 @@ final class ClassWindow implements ClassActs, Consoles.Listener {
                             screen.height(),
                             this,
                             this::view);
-                    link.ifPresent(url -> LinkFrame.open(language, url, Optional.empty()));
+                    link.ifPresent(LinkFrame::open);
                 },
                 chosen -> {
                     language = chosen;
                     frame.speak(chosen);
                 },
                 false,
-                roll.numbers().collect(Collectors.toSet()));
+                roll.numbers().collect(Collectors.toSet()),
+                link.map(shown -> shown::open));
         CenterWindow.run(
                 session.center(),
                 demo.arguments,

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -57,12 +58,19 @@ public final class WindowedDemo {
                 }
             });
             start(session, layout, arguments);
-            Optional<String> link = WebLink.start(arguments, session, "robot", Optional.empty());
+            Optional<LinkFrame> link = WebLink.start(arguments, session, "robot", Optional.empty())
+                    .map(url -> new LinkFrame(settings.language(), url, Optional.of(layout.belowPhone(screen))));
             // The phone has the keyboard: the user dials first.
             ProgramWindow window = layout.centerWindow(arguments.with("unfocused", ""));
             opened.complete(window);
-            CenterWindow.Watch watch = CenterWindow.Watch.whenOpened(() -> link.ifPresent(
-                    url -> LinkFrame.open(settings.language(), url, Optional.of(layout.belowPhone(screen)))));
+            CenterWindow.Watch watch = new CenterWindow.Watch(
+                    event -> {},
+                    snapshot -> {},
+                    () -> link.ifPresent(LinkFrame::open),
+                    language -> {},
+                    true,
+                    Set.of(),
+                    link.map(shown -> shown::open));
             return CenterWindow.run(session.center(), arguments, settings, session.children(), window, watch)
                     .or(() -> Optional.ofNullable(lesson.get()));
         }

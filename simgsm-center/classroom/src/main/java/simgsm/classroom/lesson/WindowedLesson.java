@@ -121,7 +121,13 @@ public final class WindowedLesson implements LessonActs, LessonSession.Watcher {
             WindowedLesson opened =
                     new WindowedLesson(library, named.texts(), arguments.language(), run, session, window);
             CenterWindow.Watch watch = new CenterWindow.Watch(
-                    session.centerEvents(), session.trace(), () -> opened.open(place), language -> {}, true, Set.of());
+                    session.centerEvents(),
+                    session.trace(),
+                    () -> opened.open(place),
+                    language -> {},
+                    true,
+                    Set.of(),
+                    Optional.empty());
             Optional<String> chosen = CenterWindow.run(
                     network.center(), arguments, CenterSettings.read(arguments), network.children(), window, watch);
             opened.end();

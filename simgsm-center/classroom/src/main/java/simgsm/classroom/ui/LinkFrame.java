@@ -25,16 +25,33 @@ public final class LinkFrame {
     private static final int LEAST_UNITS = 180;
     private static final float LETTERS = 1.6f;
 
-    private LinkFrame() {}
+    private final Locale language;
+    private final String link;
+    private final Optional<WindowPlace> room;
+    /** Null until it is opened. */
+    private JFrame frame;
 
     /**
-     * Opens the window, which lasts as long as the program's other windows; on the event thread.
+     * Not opened yet.
      *
      * @param room of the screen that no other window covers; without it, or where it is too small, the window opens in front
      */
-    public static void open(Locale language, String link, Optional<WindowPlace> room) {
+    public LinkFrame(Locale language, String link, Optional<WindowPlace> room) {
+        this.language = language;
+        this.link = link;
+        this.room = room;
+    }
+
+    /** Opens the window, the next time as large as the screen; it lasts as long as the program's other windows. On the event thread. */
+    public void open() {
+        if (frame != null) {
+            frame.setExtendedState(JFrame.MAXIMIZED_BOTH);
+            frame.setVisible(true);
+            frame.toFront();
+            return;
+        }
         TextBundle texts = ClassroomTexts.in(language);
-        JFrame frame = new JFrame(texts.of("link.title"));
+        frame = new JFrame(texts.of("link.title"));
         frame.setIconImages(WindowIcon.images(Symbol.PHONE));
         frame.setContentPane(content(texts, link));
         frame.setAutoRequestFocus(false);
