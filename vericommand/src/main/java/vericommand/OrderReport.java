@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * How far an order of a program is; immutable.
+ * The progress of a program's order; immutable.
  *
  * @param verdict once it is known, {@link Verdict#word}
  * @param reply the newest; a process that is started has one before its end

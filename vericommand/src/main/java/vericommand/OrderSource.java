@@ -1,6 +1,6 @@
 package vericommand;
 
-/** How an order comes and how its reply goes. */
+/** The way by which an order is given and answered. */
 public enum OrderSource {
     /** Keys of a call, answered by tones. */
     CALL,

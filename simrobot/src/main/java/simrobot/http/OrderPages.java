@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.function.LongSupplier;
 import simgsm.web.AccessKeys;
 import simgsm.web.JsonBody;
 import simgsm.web.JsonText;
@@ -46,15 +45,13 @@ final class OrderPages {
 
     private final AccessKeys keys;
     private final WebSource source;
-    private final LongSupplier clockNanos;
     private final Map<String, OperatorRequests> requests = new ConcurrentHashMap<>();
     private final Map<String, HttpOrder> orders = new LinkedHashMap<>();
     private long newestId;
 
-    OrderPages(AccessKeys keys, WebSource source, LongSupplier clockNanos) {
+    OrderPages(AccessKeys keys, WebSource source) {
         this.keys = keys;
         this.source = source;
-        this.clockNanos = clockNanos;
     }
 
     AccessKeys keys() {
@@ -63,7 +60,7 @@ final class OrderPages {
 
     /** @throws RequestException with status 429 if an operator sends too many requests */
     void requireRate(String operator) throws RequestException {
-        requests(operator).requireRate(clockNanos.getAsLong());
+        requests(operator).requireRate(System.nanoTime());
     }
 
     private OperatorRequests requests(String operator) {
@@ -83,8 +80,7 @@ final class OrderPages {
         }
         OperatorRequests.Request act = () -> place(robot, operator, order);
         UUID hash = UUID.nameUUIDFromBytes((robot.name() + " " + order).getBytes(StandardCharsets.UTF_8));
-        PlacedOrder placed =
-                key == null ? act.perform() : requests(operator).once(key, hash, act, clockNanos.getAsLong());
+        PlacedOrder placed = key == null ? act.perform() : requests(operator).once(key, hash, act, System.nanoTime());
         if (!placed.location().isEmpty()) {
             exchange.getResponseHeaders().set("Location", placed.location());
         }

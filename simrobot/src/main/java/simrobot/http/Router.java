@@ -76,7 +76,7 @@ final class Router extends WebPages {
         return Optional.empty();
     }
 
-    /** Whoever has no key learns nothing about robots. */
+    /** The key is checked first: a request without one takes nothing from the simulation. */
     private WebResponse answerOrder(HttpExchange exchange, OrderPages pages, List<String> parts)
             throws IOException, InterruptedException, RequestException {
         if (parts.size() == 4) {

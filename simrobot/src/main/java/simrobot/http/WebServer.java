@@ -40,7 +40,7 @@ public final class WebServer implements AutoCloseable {
         SceneCache scenes = new SceneCache(source);
         CameraPictureCache cameras = new CameraPictureCache();
         streams = new CameraStreams(scenes, cameras);
-        Optional<OrderPages> orders = keys.map(known -> new OrderPages(known, source, System::nanoTime));
+        Optional<OrderPages> orders = keys.map(known -> new OrderPages(known, source));
         Router router = new Router(source, scenes, cameras, streams, new Page(language), orders);
         this.port = new WebPort(address, port, router, writeLimitNanos);
     }

@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import simrobot.simulation.SimulationSnapshot;
 import vericommand.OrderReport;
 
-/** What the web server serves, and who takes orders; called by any thread. */
+/** The robots behind the web server; called by any thread. */
 public interface WebSource {
     /**
      * The current state of the simulation; called at most 20 times a second.

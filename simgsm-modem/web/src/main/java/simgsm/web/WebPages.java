@@ -54,7 +54,7 @@ public abstract class WebPages implements HttpHandler {
     }
 
     /**
-     * Whose key a request has.
+     * The operator whose key a request has.
      *
      * @throws RequestException with status 401 without a right key, 429 after too many wrong ones
      */
