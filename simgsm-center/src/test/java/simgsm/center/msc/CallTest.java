@@ -30,6 +30,23 @@ import simgsm.center.subscriber.HomeRegister;
 
 class CallTest {
     private final TestNetwork network = new TestNetwork();
+    private TestMobile caller;
+    private TestMobile called;
+
+    /** 5550100 calls 5550200, which is paged. */
+    private void dial() {
+        caller = network.attach("5550100");
+        called = network.attach("5550200");
+        caller.dial("5550200");
+        caller.next(CallControl.CallProceeding.class);
+    }
+
+    /** As {@link #dial}, up to ALERTING at both. */
+    private void ringing() {
+        dial();
+        called.ring();
+        caller.next(CallControl.Alerting.class);
+    }
 
     private static byte[] speech(int sequence) {
         return new RtpPacket(RtpPacket.A_LAW, sequence, 160L * sequence, 0xcafef00dL, new byte[160]).encode();
@@ -105,10 +122,7 @@ class CallTest {
 
     @Test
     void aModemThatConnectsWithoutAlertingIsConnected() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        caller.next(CallControl.CallProceeding.class);
+        dial();
         called.takeSetup();
         called.tell(new CallControl.CallConfirmed(CALLED_TRANSACTION));
         called.tell(new CallControl.Connect(CALLED_TRANSACTION));
@@ -117,10 +131,7 @@ class CallTest {
 
     @Test
     void speechOfTheCalledPartyFollowsConnectAtOnce() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        called.ring();
+        ringing();
         caller.speak(speech(0));
         called.speak(speech(0));
         assertTrue(called.heard.isEmpty() && caller.heard.isEmpty(), "a ringing call passes no speech");
@@ -210,10 +221,7 @@ class CallTest {
 
     @Test
     void theCalledMobilesOwnBusyAnswerIsPassedOn() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        caller.next(CallControl.CallProceeding.class);
+        dial();
         called.takeSetup();
         called.tell(new CallControl.ReleaseComplete(CALLED_TRANSACTION, Optional.of(Cause.USER_BUSY)));
         called.leaveReleasedChannel();
@@ -222,12 +230,7 @@ class CallTest {
 
     @Test
     void aRejectionByTheCalledPartyIsPassedOnCause21() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        caller.next(CallControl.CallProceeding.class);
-        called.ring();
-        caller.next(CallControl.Alerting.class);
+        ringing();
         called.tell(new CallControl.Disconnect(CALLED_TRANSACTION, Cause.CALL_REJECTED));
         called.next(CallControl.Release.class);
         assertCauseOfRefusal(Cause.CALL_REJECTED, caller);
@@ -244,10 +247,7 @@ class CallTest {
 
     @Test
     void aPagingWithoutAnswerIsAbsentCause27() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        caller.next(CallControl.CallProceeding.class);
+        dial();
         called.next(RslMessage.PagingCommand.class);
         network.passSeconds(3);
         called.next(RslMessage.PagingCommand.class);
@@ -261,24 +261,19 @@ class CallTest {
 
     @Test
     void pagingThatIsAnsweredAtTheSecondCallGoesOn() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
+        dial();
         called.next(RslMessage.PagingCommand.class);
         network.passSeconds(3);
         called.takeSetup();
         network.passSeconds(10);
         called.tell(new CallControl.CallConfirmed(CALLED_TRANSACTION));
         called.tell(new CallControl.Alerting(CALLED_TRANSACTION));
-        caller.next(CallControl.CallProceeding.class);
         caller.next(CallControl.Alerting.class);
     }
 
     @Test
     void anyFirstMessageAnswersPaging() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
+        dial();
         called.next(RslMessage.PagingCommand.class);
         called.requestService(MobilityManagement.ServiceType.SHORT_MESSAGE);
         called.next(CallControl.Setup.class);
@@ -295,10 +290,7 @@ class CallTest {
 
     @Test
     void aMobileThatIgnoresSetupIsNotRespondingCause18() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        caller.next(CallControl.CallProceeding.class);
+        dial();
         called.takeSetup();
         network.passSeconds(29);
         assertTrue(caller.hasNothing());
@@ -333,10 +325,7 @@ class CallTest {
 
     @Test
     void aMobileThatConfirmsAndNeverRingsIsNotRespondingCause18() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        caller.next(CallControl.CallProceeding.class);
+        dial();
         called.takeSetup();
         called.tell(new CallControl.CallConfirmed(CALLED_TRANSACTION));
         network.passSeconds(29);
@@ -348,11 +337,7 @@ class CallTest {
 
     @Test
     void aCallWithoutAnAnswerEndsAfterThreeMinutesCause19() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        called.ring();
-        caller.received.clear();
+        ringing();
         called.received.clear();
         network.passSeconds(179);
         assertTrue(caller.hasNothing());
@@ -363,10 +348,7 @@ class CallTest {
 
     @Test
     void aCallWithoutConnectAcknowledgeIsCleared() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        called.ring();
+        ringing();
         called.tell(new CallControl.Connect(CALLED_TRANSACTION));
         called.next(CallControl.ConnectAcknowledge.class);
         caller.received.clear();
@@ -420,10 +402,7 @@ class CallTest {
 
     @Test
     void aHangUpWhileTheOtherIsPagedStopsThePaging() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        caller.next(CallControl.CallProceeding.class);
+        dial();
         called.next(RslMessage.PagingCommand.class);
         caller.hangUp(OUR_CALL);
         caller.leaveReleasedChannel();
@@ -447,12 +426,7 @@ class CallTest {
 
     @Test
     void aCalledMobileThatVanishesWhileRingingIsOutOfOrderCause27() {
-        TestMobile caller = network.attach("5550100");
-        TestMobile called = network.attach("5550200");
-        caller.dial("5550200");
-        caller.next(CallControl.CallProceeding.class);
-        called.ring();
-        caller.next(CallControl.Alerting.class);
+        ringing();
         called.vanish();
         assertCauseOfRefusal(Cause.DESTINATION_OUT_OF_ORDER, caller);
     }
