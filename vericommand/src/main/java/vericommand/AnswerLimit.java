@@ -16,7 +16,7 @@ final class AnswerLimit {
 
     static final long MINUTE_NANOS = 60_000_000_000L;
 
-    /** What to do with a message. */
+    /** Treatment of a message. */
     enum Ruling {
         ANSWER,
         /** The silence begins with this message. */

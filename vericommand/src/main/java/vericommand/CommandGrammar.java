@@ -93,7 +93,7 @@ public final class CommandGrammar {
         }
     }
 
-    /** What a key contributes to the order. */
+    /** Contribution of a key to the order. */
     public enum GrammarAction {
         OPEN_ORDER,
         ADD_DIGIT,

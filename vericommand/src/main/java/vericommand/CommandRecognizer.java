@@ -16,7 +16,7 @@ public final class CommandRecognizer {
     public static final long TIMEOUT_SAMPLES = 80_000;
 
     private static final int MAX_DIGITS = 4;
-    /** Keys before an opening, {@code #} among them, that are taken for an order whose opening was not heard. */
+    /** Least number of keys before an opening, {@code #} among them, that count as an order with a lost opening. */
     private static final int LEAST_STRAYS = 3;
 
     private StateMachine<Place, KeyClass, GrammarAction> machine;
@@ -28,7 +28,7 @@ public final class CommandRecognizer {
     private long silentSamples;
     /** Keys outside orders since the last order or answer. */
     private final StringBuilder strays = new StringBuilder();
-    /** Whether the keys outside orders are the rest of a broken order, which has been answered. */
+    /** True if the keys outside orders are the rest of a broken order, which has been answered. */
     private boolean isAnswered;
 
     /** A recogniser that has read no key. */

@@ -1,6 +1,6 @@
 package vericommand;
 
-/** What fits at the position of a fault. */
+/** The keys that fit at the position of a fault. */
 public enum ExpectedKeys {
     OPENING("**"),
     STAR("*"),

@@ -3,9 +3,9 @@ package vericommand;
 import java.util.Objects;
 
 /**
- * How one motion ended. {@link Robot#status()} has changed accordingly before the outcome is delivered.
+ * Outcome of one motion. {@link Robot#status()} has changed accordingly before the outcome is delivered.
  *
- * @param amountDone how far the robot got, 0 or more: centimetres of a forward, degrees of a turn
+ * @param amountDone distance or angle done, 0 or more: centimetres of a forward, degrees of a turn
  */
 public record MotionOutcome(Ending ending, double amountDone) {
     /** The ways in which a motion ends. */
@@ -16,7 +16,7 @@ public record MotionOutcome(Ending ending, double amountDone) {
         COLLISION,
         /** The watchdog ended it. */
         INFINITE_LOOP,
-        /** {@link Robot#brake()} ended it; the robot stands. */
+        /** {@link Robot#brake()} ended it; the robot has stopped. */
         BRAKED,
         /** Motors or power went off, as the robot's status says; in status Stopped: the world was changed. */
         ABORTED

@@ -26,7 +26,7 @@ public record Order(String received, List<Instruction> instructions) {
         return received.replaceFirst("^\\*+", "**");
     }
 
-    /** Whether an instruction moves the robot. */
+    /** True if an instruction moves the robot. */
     public boolean moves() {
         return instructions.stream().anyMatch(Order::moves);
     }
@@ -42,7 +42,7 @@ public record Order(String received, List<Instruction> instructions) {
                 : Optional.empty();
     }
 
-    /** Whether an instruction stops the robot. */
+    /** True if an instruction stops the robot. */
     public boolean stops() {
         return instructions.stream().anyMatch(Instruction.StopNow.class::isInstance);
     }

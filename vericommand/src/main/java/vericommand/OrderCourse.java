@@ -3,7 +3,7 @@ package vericommand;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What becomes of an order that has been accepted. */
+/** Course of an accepted order. */
 public enum OrderCourse {
     /** No order is accepted: none has come, or it is being keyed, or it is refused or not valid. */
     NONE(""),

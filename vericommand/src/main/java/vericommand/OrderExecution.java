@@ -52,7 +52,7 @@ final class OrderExecution {
         return stopOrdered;
     }
 
-    /** Whether no further instruction may start. */
+    /** True if no further instruction may start. */
     boolean isCancelled() {
         return stopOrdered || origin.isEnded();
     }

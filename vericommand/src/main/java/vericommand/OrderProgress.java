@@ -1,7 +1,7 @@
 package vericommand;
 
 /**
- * How far an order has got.
+ * Progress of an order.
  *
  * @param amountDone of the current motion, in its own unit
  * @param number of the current instruction, from 1

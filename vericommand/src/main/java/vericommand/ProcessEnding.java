@@ -1,6 +1,6 @@
 package vericommand;
 
-/** How a process ended. */
+/** Ending of a process. */
 public enum ProcessEnding {
     /** It has reached what it was for. */
     DONE,

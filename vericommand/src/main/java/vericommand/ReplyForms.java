@@ -32,7 +32,7 @@ final class ReplyForms {
         return List.of((tone.number() + " " + text).split(ARGUMENT));
     }
 
-    /** Whether a message is a reply: the tone's digit, then its text, whatever follows. */
+    /** True if a message is a reply: the tone's digit, then its text, whatever follows. */
     static boolean isReply(String message) {
         String text = message.strip();
         return FORMS.stream().anyMatch(parts -> fits(text, parts));

@@ -17,10 +17,10 @@ public interface Robot {
      */
     void start(Instruction.Motion motion, Consumer<MotionOutcome> ended);
 
-    /** Brakes with the robot's deceleration; the motion ends when the robot stands. No effect on a standing robot. */
+    /** Brakes with the robot's deceleration; the motion ends when the robot has stopped. No effect on a stopped robot. */
     void brake();
 
-    /** Whether an autonomous behaviour moves the robot; the status is then Moving, or Collision after a contact. */
+    /** True if an autonomous behaviour moves the robot; the status is then Moving, or Collision after a contact. */
     default boolean isAutonomous() {
         return false;
     }
@@ -28,7 +28,7 @@ public interface Robot {
     /**
      * Ends the autonomous behaviour; the robot brakes.
      *
-     * @param standing called once, on the owner thread, when the robot stands; possibly before this returns
+     * @param standing called once, on the owner thread, when the robot has stopped; possibly before this returns
      */
     default void endAutonomy(Runnable standing) {
         standing.run();
@@ -39,7 +39,7 @@ public interface Robot {
         return Optional.empty();
     }
 
-    /** Whether its battery is to be charged: each reply says so. */
+    /** True if the battery must be charged; each reply says so. */
     default boolean hasLowBattery() {
         return false;
     }

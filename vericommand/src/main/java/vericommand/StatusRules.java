@@ -1,8 +1,8 @@
 package vericommand;
 
-/** Which instruction is executed in which status: the paper's check before every command. */
+/** The paper's check before every command: instructions permitted in a status. */
 public final class StatusRules {
-    /** How an instruction is treated, and the tone that says so. */
+    /** Treatment of an instruction, and its tone. */
     public enum Treatment {
         EXECUTED(ReplyTone.EXECUTED),
         /** Not possible in this status. */

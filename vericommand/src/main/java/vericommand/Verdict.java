@@ -25,7 +25,7 @@ public sealed interface Verdict {
     /**
      * A valid order that the robot's status does not permit.
      *
-     * @param status in which the robot was
+     * @param status of the robot then
      * @param tone 8 not possible, 6 executing another, 2 robot off
      */
     record Refused(Order order, RobotStatus status, ReplyTone tone) implements Verdict {
@@ -56,7 +56,7 @@ public sealed interface Verdict {
             return order.received();
         }
 
-        /** Position of the process's number among the keys, from 1: it stands before the closing. */
+        /** Position of the process's number among the keys, from 1: it precedes the closing. */
         int position() {
             return keys().length() - 2;
         }

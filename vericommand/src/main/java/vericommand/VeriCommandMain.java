@@ -88,7 +88,7 @@ public final class VeriCommandMain {
                 return Optional.of("vericommand " + version() + "\n");
             }
             case "--diagram" -> {
-                // look.iuml lies in docs/uml only; the output is complete without it.
+                // look.iuml is in docs/uml only; the output is complete without it.
                 return Optional.of(StatusMachine.TABLE.plantUml().replace("!include look.iuml\n", ""));
             }
             case "--status" -> status = statusOf(value(word, value, args));

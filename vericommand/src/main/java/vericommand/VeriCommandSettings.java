@@ -20,7 +20,7 @@ public record VeriCommandSettings(Locale language, Set<String> operators, OnHang
         NONE
     }
 
-    /** What happens to the motion under way when the call that ordered it ends. */
+    /** Treatment of the motion under way at the end of the call that ordered it. */
     public enum OnHangup {
         /** The robot brakes: it must not run on without an operator. */
         STOP,

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Keys of a call, one at a time. What they lead to is written {@code ok:INSTRUCTIONS} or {@code POSITION:EXPECTED}. */
+/** Keys of a call, one at a time. The result is written {@code ok:INSTRUCTIONS} or {@code POSITION:EXPECTED}. */
 class CommandRecognizerTest {
     private final CommandRecognizer recognizer = new CommandRecognizer();
 

@@ -104,7 +104,7 @@ final class HandDrivenRobot implements Robot {
         end(StatusEvent.TOUCHED, MotionOutcome.Ending.COLLISION, amountDone);
     }
 
-    /** Braked, it stands. */
+    /** The brake stops it. */
     void stand(double amountDone) {
         end(StatusEvent.MOTION_ENDED, MotionOutcome.Ending.BRAKED, amountDone);
     }

@@ -1,6 +1,6 @@
 package simrobot.camera;
 
-/** The columns whose centres an upright face covers; empty if first is greater than last. */
+/** Columns with their centres covered by an upright face; empty if first is greater than last. */
 record ColumnRange(int first, int last) {
     private static final ColumnRange NONE = new ColumnRange(1, 0);
 

@@ -18,7 +18,7 @@ public final class PictureFile {
 
     private PictureFile() {}
 
-    /** Whether the file's ending selects PNG or JPEG. */
+    /** True if the file's ending selects PNG or JPEG. */
     public static boolean hasKnownEnding(Path file) {
         return isPng(file) || endsWith(file, ".jpg") || endsWith(file, ".jpeg");
     }

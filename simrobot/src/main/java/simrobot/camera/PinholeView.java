@@ -59,7 +59,7 @@ record PinholeView(double x, double y, double z, double cos, double sin, int wid
         return y + ahead * sin + left * cos;
     }
 
-    /** Whether a disc on the floor may be visible. */
+    /** True if a disc on the floor may be visible. */
     boolean mayShow(double px, double py, double radius, double range) {
         double ahead = ahead(px, py);
         double edge = (width / 2.0 / focal) * Math.max(0, ahead) + 2 * radius;

@@ -7,7 +7,7 @@ import simrobot.world.Segment;
 import simrobot.world.World;
 
 /**
- * Draws what one finds one's way by: posters on long walls, each with a pattern of its own; numbers beside doors, which are
+ * Draws landmarks: posters on long walls, each with a pattern of its own; numbers beside doors, which are
  * gaps between two walls in line; a flag on each goal, in one of eight colours. They follow from the world alone, so a place
  * looks the same in every run, and neither wheels nor sonars notice them.
  */
@@ -156,7 +156,7 @@ final class SignPainter {
         }
     }
 
-    /** Whether the other wall goes on in the same line behind a gap at this one's second end. */
+    /** True if the other wall goes on in the same line behind a gap at this one's second end. */
     private static boolean isDoor(Segment wall, Segment other) {
         double length = length(wall);
         double ux = (wall.x2Meters() - wall.x1Meters()) / length;

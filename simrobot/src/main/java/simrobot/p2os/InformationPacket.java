@@ -17,7 +17,7 @@ import simrobot.robot.Bumpers;
  *
  * {@link P2osReports} writes it; this record holds the fields that a client reads, in the robot's own units.
  *
- * @param movingId whether the id is 0x33
+ * @param movingId true if the id is 0x33
  * @param x with y in distance units, 15 bits, wrapping
  * @param heading 4096 units per turn, anticlockwise
  * @param leftWheel with rightWheel mm/s
@@ -51,7 +51,7 @@ public record InformationPacket(
     private static final int HEAD_LENGTH = 20;
     private static final int ECHO_LENGTH = 3;
 
-    /** Whether the packet is an information packet, by its id. @param data data of a packet, without its frame */
+    /** True if the packet is an information packet, by its id. @param data data of a packet, without its frame */
     public static boolean isOne(byte[] data) {
         int id = data[0] & 0xFF;
         return id == STOPPED_ID || id == MOVING_ID;
@@ -94,7 +94,7 @@ public record InformationPacket(
         return data[at] & 0xFF | (data[at + 1] & 0xFF) << 8;
     }
 
-    /** Whether the robot moves. MobileSim always sends the id of a robot at rest, so the wheel speeds count too. */
+    /** True if the robot moves. MobileSim always sends the id of a robot at rest, so the wheel speeds count too. */
     public boolean isMoving() {
         return movingId || leftWheel != 0 || rightWheel != 0;
     }

@@ -61,7 +61,7 @@ public final class P2osSession {
     private Repetition encoders = Repetition.NEVER;
     private Repetition simulator = Repetition.NEVER;
     private boolean silent;
-    /** Whether the packet before, in the same read, was a pulse. */
+    /** True if the packet before, in the same read, was a pulse. */
     private boolean pulsed;
 
     private long simulatedNanos;
@@ -133,7 +133,7 @@ public final class P2osSession {
         fire(P2osEvent.ABORTED);
     }
 
-    /** Whether the client controls the robot. Callable on any thread. */
+    /** True if the client controls the robot. Callable on any thread. */
     public boolean isOpen() {
         return open;
     }

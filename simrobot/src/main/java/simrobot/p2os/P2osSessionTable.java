@@ -42,7 +42,7 @@ public final class P2osSessionTable {
         ABORTED
     }
 
-    /** What a transition does. */
+    /** Action of a transition. */
     public enum Action {
         ECHO_PULSE,
         ECHO_OPEN,

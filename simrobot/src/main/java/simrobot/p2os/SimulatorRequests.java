@@ -1,6 +1,6 @@
 package simrobot.p2os;
 
-/** What a client asks of the simulator, not of its robot; called on the simulation's thread. */
+/** Requests of a client to the simulator, not to its robot; called on the simulation's thread. */
 public interface SimulatorRequests {
     /** Requests without effect. */
     SimulatorRequests IGNORED = new SimulatorRequests() {

@@ -20,7 +20,7 @@ import simrobot.world.WorldFormatException;
 /**
  * A recorded session that was opened: its contents and their places in the file. States are read on demand.
  *
- * <p>A file whose end is missing is read up to its last whole record ({@link #isTorn}), a damaged one up to the damage
+ * <p>A file without its end is read up to its last whole record ({@link #isTorn}), a damaged one up to the damage
  * ({@link #damage}).
  */
 public final class Recording implements AutoCloseable {
@@ -159,12 +159,12 @@ public final class Recording implements AutoCloseable {
         return markers;
     }
 
-    /** Whether the last record is incomplete, as after a kill; the records before it are whole. */
+    /** True if the last record is incomplete, as after a kill; the records before it are whole. */
     public boolean isTorn() {
         return torn;
     }
 
-    /** What is wrong within the file and at which octet; records after it are not read. */
+    /** The damage and its octet in the file; records after it are not read. */
     public Optional<String> damage() {
         return damage.isEmpty() ? Optional.empty() : Optional.of(path + ": " + damage);
     }

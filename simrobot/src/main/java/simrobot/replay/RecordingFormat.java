@@ -36,7 +36,7 @@ import vericommand.RobotStatus;
  *             status(1) behaviour(1): its index in {@link BehaviourKind#BUILT_IN}, or 255 name(text)
  * </pre>
  *
- * Records are only ever appended, so a file whose writer was killed is whole up to its last record but one.
+ * Records are only ever appended, so after a kill of the writer a file is whole up to its last record but one.
  */
 final class RecordingFormat {
     static final String MAGIC = "SimRobot";
@@ -63,7 +63,7 @@ final class RecordingFormat {
         EVENTS
     }
 
-    /** A record as it stands in the file, its content deflated. */
+    /** A record as stored in the file, its content deflated. */
     record StoredRecord(Kind kind, long beginNanos, long endNanos, byte[] deflated) {
         private static final int FRAME_OCTETS = 4 + 1 + 8 + 8 + 4;
 

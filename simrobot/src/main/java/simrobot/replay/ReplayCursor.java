@@ -157,7 +157,7 @@ public final class ReplayCursor {
         simulation.restoredAt(timeNanos);
     }
 
-    /** Whether the part is read to its end, and the next one begins by then. */
+    /** True if the part is read to its end, and the next one begins by then. */
     private boolean hasFurtherPartUntil(long target) {
         List<Recording.Part> parts = recording.parts();
         return nextEntryNanos == Long.MAX_VALUE

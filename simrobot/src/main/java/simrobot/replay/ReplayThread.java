@@ -22,7 +22,7 @@ public final class ReplayThread extends PacedThread {
     private volatile SimulationSnapshot newest;
     private double positionNanos;
 
-    /** What is done on the thread. */
+    /** A task of the thread. */
     private interface Act {
         void run() throws IOException;
     }

@@ -75,7 +75,7 @@ final class SessionEncoder {
         events.add(RecordedEvent.of(timeNanos, event));
     }
 
-    /** Passes on all changes and events so far. Time in which nothing changes is written with the next change. */
+    /** Passes on all changes and events so far. Time without changes is written with the next change. */
     void flush() {
         if (isSameScene()) {
             writeChanges();

@@ -8,7 +8,7 @@ package simrobot.replay;
  * @param line the line that the console prints
  */
 public record TimelineMarker(long timeNanos, Kind kind, String robot, String line) {
-    /** What happened. */
+    /** Kind of the marked event. */
     public enum Kind {
         /** An order was read and verified. */
         ORDER,

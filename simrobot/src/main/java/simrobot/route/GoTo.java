@@ -16,7 +16,7 @@ import simrobot.world.Position;
 import simrobot.world.World;
 
 /**
- * Drives to a place: plans a way, follows it, and plans anew when the world has changed, after a collision, and when another
+ * Drives to a place: plans a way, follows it, and plans again when the world has changed, after a collision, and when another
  * robot has stood in the way for 1 to 3 s. Gives up when there is no way, when the way has been blocked for 30 s, or when the
  * robot has come no nearer along it for 30 s, as on a treadmill.
  */
@@ -37,7 +37,7 @@ public final class GoTo implements RobotProcess {
     /** A way that comes nearer to another robot's middle is blocked: two robots, and 5 cm between them. */
     private static final double BLOCKING_METERS = 2 * 0.25 + 0.05;
 
-    /** How far ahead other robots are looked for. */
+    /** Range of the search for other robots ahead. */
     private static final double LOOK_METERS = 1.2;
 
     private static final int TICKS_PER_SECOND = (int) (1_000_000_000 / TICK_NANOS);
@@ -194,7 +194,7 @@ public final class GoTo implements RobotProcess {
         return false;
     }
 
-    /** Whether a leg, as far as it is looked at, comes nearer to the robot than now and than robots may. */
+    /** True if a leg, as far as it is looked at, comes nearer to the robot than now and than robots may. */
     private static boolean isNear(Position other, Position from, Position to, double look, Position here) {
         double length = distance(from, to);
         double end = length == 0 ? 0 : look / length;
@@ -259,7 +259,7 @@ public final class GoTo implements RobotProcess {
         return beyond >= 0 || distance(here, end) < 0.1;
     }
 
-    /** The place of the present leg that lies a little ahead of the robot. */
+    /** The point of the present leg a little ahead of the robot. */
     private Position target(Position here) {
         Position end = way.get(0);
         double length = distance(legStart, end);

@@ -29,7 +29,7 @@ public final class RoutePlanner {
     /** Two robots, and 20 cm between them. */
     private static final double ROBOT_DISTANCE_METERS = 2 * 0.25 + 0.2;
 
-    /** A robot that stands too near to an obstacle may leave it within this distance. */
+    /** A robot too near to an obstacle may leave it within this distance. */
     private static final double LEAVING_METERS = 0.6;
 
     private static final double DIAGONAL = Math.sqrt(2);
@@ -191,7 +191,7 @@ public final class RoutePlanner {
                             && clearance >= LEAST_CLEARANCE_METERS - cells.cellMeters();
         }
 
-        /** A robot that stands too near to another may pass or leave it, but not approach it. */
+        /** A robot too near to another may pass or leave it, but not approach it. */
         private boolean isTaken(int cell) {
             return taken.get(cell)
                     && robots.stream()

@@ -62,7 +62,7 @@ public final class FileErrors {
     }
 
     /**
-     * Fails if a file could not be written, before work is done whose result it takes; what is there stays as it is.
+     * Fails early if a file cannot be written; an existing file is not changed.
      *
      * @throws IOException naming the file
      */

@@ -52,7 +52,7 @@ public final class FileReplacement {
         if (!Files.isWritable(folder)) {
             throw new AccessDeniedException(file.toString(), null, "the folder is write-protected");
         }
-        // not Files.createTempFile, whose files only their owner may read
+        // not Files.createTempFile: only their owner may read its files
         Path fresh = folder.resolve("." + target.getFileName() + "." + UUID.randomUUID() + ".new");
         try {
             if (isPrivate) {

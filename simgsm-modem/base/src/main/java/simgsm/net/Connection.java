@@ -44,7 +44,7 @@ public abstract class Connection {
         this.endpoint = endpoint;
     }
 
-    // What a subclass defines.
+    // Defined by a subclass.
 
     /** The loop serves the connection from now on. If this throws, the socket is closed and {@link #lost} is not called. */
     protected void opened() {}
@@ -70,7 +70,7 @@ public abstract class Connection {
     /**
      * The peer sends nothing more; it may still read. Called once.
      *
-     * @return whether the connection stays open for output; the subclass ends it by {@link #fail}
+     * @return true if the connection stays open for output; the subclass ends it by {@link #fail}
      */
     protected boolean outlivesInput() {
         return false;
@@ -82,7 +82,7 @@ public abstract class Connection {
     /** The connection was ended by the peer, or by {@link #fail}; not called after {@link #close}. */
     protected void lost(String reason) {}
 
-    // What a subclass uses.
+    // Used by a subclass.
 
     /** False from the moment the connection is closed or has failed. */
     public final boolean isOpen() {
@@ -93,7 +93,7 @@ public abstract class Connection {
         return endpoint.address;
     }
 
-    /** Whether the peer runs on this machine. */
+    /** True if the peer runs on this machine. */
     public final boolean isLocal() {
         return endpoint.address.getAddress().isLoopbackAddress();
     }
@@ -215,7 +215,7 @@ public abstract class Connection {
         }
     }
 
-    // What the loop uses.
+    // Used by the loop.
 
     final void open() {
         endpoint.key.attach(this);

@@ -6,7 +6,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** How many connections a port may have, in all and from each remote address. */
+/** Most connections of a port, in all and from each remote address. */
 public final class ConnectionLimits {
     private static final int MOST_KNOWN = 10_000;
 

@@ -20,7 +20,7 @@ public final class Connector {
 
     private static final long CONNECT_NANOS = TimeUnit.SECONDS.toNanos(5);
 
-    /** What a connector reports. */
+    /** Receives the reports of a connector. */
     public interface Listener {
         /** Makes the connection of a connected socket. */
         Connection connected(Connection.Endpoint endpoint);
@@ -40,7 +40,7 @@ public final class Connector {
     private Timer timer;
 
     private long connectedNanos;
-    /** Of the pause that comes next. */
+    /** Length of the next pause. */
     private long leastPauseNanos;
 
     private boolean isClosed;

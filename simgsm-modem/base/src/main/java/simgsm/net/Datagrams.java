@@ -54,7 +54,7 @@ public final class Datagrams {
         throw new IOException("no even UDP port is free on " + local.getHostAddress());
     }
 
-    /** Where datagrams are received. */
+    /** Receives datagrams. */
     public InetSocketAddress localAddress() {
         return (InetSocketAddress) channel.socket().getLocalSocketAddress();
     }

@@ -13,7 +13,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** Address of a robot or a modem: {@code HOST:PORT}, or the device file of a serial line whose speed is already set. */
+/** Address of a robot or a modem: {@code HOST:PORT}, or the device file of a serial line with its speed already set. */
 public sealed interface LineAddress {
     /** A TCP port. */
     record Tcp(String host, int port) implements LineAddress {
@@ -87,7 +87,7 @@ public sealed interface LineAddress {
         }
     }
 
-    /** A TCP port, for texts: an IPv6 address stands in brackets. */
+    /** A TCP port, for texts: an IPv6 address is put in brackets. */
     static LineAddress of(InetSocketAddress address) {
         return new Tcp(address.getHostString(), address.getPort());
     }

@@ -86,7 +86,7 @@ public final class OutputQueue {
         }
     }
 
-    /** Whether a further droppable message replaces one that waits. */
+    /** True if a further droppable message replaces one that waits. */
     boolean dropsNext() {
         return droppable == mostDroppable;
     }

@@ -3,7 +3,7 @@ package simgsm.net;
 import java.io.IOException;
 import java.nio.channels.WritableByteChannel;
 
-/** A connection whose messages wait in an {@link OutputQueue} until the peer takes them. */
+/** A connection with an {@link OutputQueue}: messages wait in it until the peer takes them. */
 public abstract class QueuedConnection extends Connection {
     private final OutputQueue output;
 

@@ -108,7 +108,7 @@ public final class SelectorLoop implements AutoCloseable {
         thread.start();
     }
 
-    /** Whether the calling thread is the loop's own. */
+    /** True if the calling thread is the loop's own. */
     public boolean isOwner() {
         return Thread.currentThread() == thread;
     }

@@ -35,7 +35,7 @@ public class OctetReader<X extends Exception> {
         this(whole.octets, whole.take(count, what), whole.position, whole.error);
     }
 
-    /** Whether any octet is left. */
+    /** True if any octet is left. */
     public final boolean hasMore() {
         return position < end;
     }
@@ -101,7 +101,7 @@ public class OctetReader<X extends Exception> {
         throw error.apply("a number has over 10 octets");
     }
 
-    /** A number of items in LEB128, of which each has one octet or more. */
+    /** A number of items in LEB128; each item has one octet or more. */
     public final int count() throws X {
         long count = compact();
         if (count < 0 || count > remaining()) {

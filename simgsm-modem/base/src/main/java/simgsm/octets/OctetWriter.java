@@ -137,7 +137,7 @@ public final class OctetWriter {
         return Arrays.copyOf(octets, length);
     }
 
-    /** What was written. */
+    /** The octets written so far. */
     public OctetString toOctetString() {
         return OctetString.adopting(toArray());
     }

@@ -25,7 +25,7 @@ import java.util.stream.Collectors;
  * @param <A> actions
  */
 public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends Enum<A>> {
-    /** The action type of a table whose rows perform none. */
+    /** The action type of a table without actions. */
     public enum NoAction {}
 
     /** One row: in {@code state}, {@code event} leads to {@code next} and performs {@code actions}. */

@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.time.Instant;
 
 /**
- * Civil time beside the time of timers. Timers follow a monotonic clock; civil time follows the wall clock, which may be set
- * and goes on while the machine sleeps.
+ * Civil time. Timers follow a monotonic clock; civil time follows the wall clock, which may be set
+ * and advances while the machine sleeps.
  */
 public final class CivilTime {
     /** A smaller difference of the clocks needs no new timers. */
@@ -33,7 +33,7 @@ public final class CivilTime {
         return zero.plusNanos(nanos);
     }
 
-    /** The wall clock shows this now. @return whether times have jumped by 1 s since the last jump, or more */
+    /** The wall clock shows this now. @return true if times have jumped by 1 s or more since the last jump */
     public boolean isJump(Instant wall) {
         zero = wall.minusNanos(timers.nowNanos());
         boolean hasJumped = Duration.between(reportedZero, zero).abs().compareTo(JUMP) >= 0;

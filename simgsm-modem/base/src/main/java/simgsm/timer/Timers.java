@@ -68,7 +68,7 @@ public final class Timers {
     }
 
     /**
-     * Moves the time forward and runs the actions that fall due, each at its own deadline. Time never goes back: an earlier
+     * Moves the time forward and runs the actions that fall due, each at its own deadline. Time never decreases: an earlier
      * time counts as the current one.
      */
     public void advance(long toNanos) {

@@ -31,7 +31,7 @@ public final class Arguments {
         return new Arguments(more, rest);
     }
 
-    /** Whether the option was given. */
+    /** True if the option was given. */
     public boolean has(String name) {
         return given.containsKey(name);
     }

@@ -22,13 +22,13 @@ public final class Console implements AutoCloseable {
     public interface Commands {
         void perform(ConsoleCommand command) throws CommandException;
 
-        /** Whether a command may begin with {@code @NAME}, which wait and quit then ignore. */
+        /** True if a command may begin with {@code @NAME}, which wait and quit then ignore. */
         default boolean areAddressed() {
             return false;
         }
     }
 
-    /** Where command lines come from. */
+    /** Source of command lines. */
     interface Lines {
         /**
          * The next line; null at the end.

@@ -32,7 +32,7 @@ public record ConsoleCommand(String name, String rest) {
     /**
      * The rest as this many words.
      *
-     * @param usage how the command is written, for the error
+     * @param usage syntax of the command, for the error
      * @throws CommandException if there are more or fewer
      */
     public List<String> words(int count, String usage) throws CommandException {
@@ -60,7 +60,7 @@ public record ConsoleCommand(String name, String rest) {
                 String.format(Locale.ROOT, "%s: expected a number of %.0f to %.0f, found %s", name, least, most, word));
     }
 
-    /** Whether it begins with {@code @NAME}, the robot that the rest is for. */
+    /** True if it begins with {@code @NAME}, the robot that the rest is for. */
     public boolean isAddressed() {
         return name.startsWith("@");
     }

@@ -54,7 +54,7 @@ final class ConsoleQuoting {
         return at;
     }
 
-    /** Appends the string whose opening quote stands at {@code open}; returns the index after its closing quote. */
+    /** Appends the string with its opening quote at {@code open}; returns the index after its closing quote. */
     static int readQuoted(String line, int open, StringBuilder text) throws CommandException {
         int start = text.length();
         int at = open + 1;

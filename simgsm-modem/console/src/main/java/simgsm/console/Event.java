@@ -71,7 +71,7 @@ public record Event(String name, Map<String, String> fields) {
         return new Event(words.name(), fields);
     }
 
-    /** Whether name and all fields of {@code wanted} are equal to those here. */
+    /** True if name and all fields of {@code wanted} are equal to those here. */
     boolean matches(Event wanted) {
         return name.equals(wanted.name) && fields.entrySet().containsAll(wanted.fields.entrySet());
     }

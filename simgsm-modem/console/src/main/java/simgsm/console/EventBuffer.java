@@ -46,7 +46,7 @@ final class EventBuffer {
      * Waits for an event after the cursor with this name and at least these fields, and sets the cursor after it; at the
      * time-out, to the end.
      *
-     * @return whether the event came
+     * @return true if the event came
      */
     synchronized boolean await(Event wanted, long timeoutNanos) throws InterruptedException {
         long end = System.nanoTime() + timeoutNanos;

@@ -176,7 +176,7 @@ public final class Program {
         }
     }
 
-    /** The version of the jar, or of the image's module, that a class lies in. */
+    /** The version of the jar, or of the image's module, that contains a class. */
     public static String version(Class<?> member) {
         return Optional.ofNullable(member.getPackage().getImplementationVersion())
                 .or(() ->

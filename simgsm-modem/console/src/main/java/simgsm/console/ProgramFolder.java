@@ -16,20 +16,20 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Where the programs of the suite lie: as jars in one folder, or as modules of a runtime image.
+ * The programs of the suite: jars in one folder, or modules of a runtime image.
  *
  * @param path the jars' folder, or the runtime image's
- * @param isImage whether the programs are modules of the image, and no jars
+ * @param isImage true if the programs are modules of the image, not jars
  */
 public record ProgramFolder(Path path, boolean isImage) {
     private static final String IMAGE_SCHEME = "jrt";
-    /** The jar lies in target/dist of the source tree, or next to the suite's folders. */
+    /** The jar is in target/dist of the source tree, or next to the suite's folders. */
     private static final int FOLDERS_UPWARD = 3;
 
     /**
      * The folder of a program's own class.
      *
-     * @throws IOException if the class comes neither from a jar nor from an image
+     * @throws IOException if the class is neither in a jar nor in an image
      */
     public static ProgramFolder of(Class<?> member) throws IOException {
         Optional<URI> known = location(member);
@@ -57,7 +57,7 @@ public record ProgramFolder(Path path, boolean isImage) {
     }
 
     /**
-     * Finds a file that comes with the suite: as named, in a folder of that name, or upward from the files of a program's own
+     * Finds a file of the suite: as named, in a folder of that name, or upward from the files of a program's own
      * class, with or without the folder.
      *
      * @param folder as {@code worlds}
@@ -75,7 +75,7 @@ public record ProgramFolder(Path path, boolean isImage) {
     }
 
     /**
-     * The content of a file that comes with the suite, from the jar of a program's own class.
+     * The content of a file of the suite, from the jar of a program's own class.
      *
      * @param folder as for {@link #find}
      * @param resources the folder in the jar

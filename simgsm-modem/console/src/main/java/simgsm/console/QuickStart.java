@@ -10,7 +10,7 @@ import java.util.List;
 
 /**
  * Options of the Java machine with which a program starts in less CPU time: only the first compiler, on one thread, the
- * serial collector, and an archive of its classes. The archive is a file beside the jars, {@code PROGRAM-KEY.jsa}; the first
+ * serial collector, and an archive of its classes. The archive is a file in the jars' folder, {@code PROGRAM-KEY.jsa}; the first
  * run with a window writes it when it ends. The key is made of the Java machine and the jars, so an archive is never used after
  * either has changed. An image made by Java 25 or newer has a cache of linked classes for each window program,
  * {@code lib/PROGRAM.aot}; an older one has an archive in the place where the Java machine looks by itself.
@@ -46,7 +46,7 @@ public final class QuickStart {
      * For a program that uses its archive.
      *
      * @param jar its name in the folder
-     * @param mayWrite whether a program without an archive writes one when it ends
+     * @param mayWrite true if a program without an archive writes one when it ends
      */
     public static List<String> options(ProgramFolder programs, String jar, boolean mayWrite) {
         String program = jar.substring(0, jar.length() - JAR.length());
@@ -63,7 +63,7 @@ public final class QuickStart {
         return options;
     }
 
-    /** Whether a program with these options writes an archive at its end, which takes seconds. */
+    /** True if a program with these options writes an archive at its end, which takes seconds. */
     public static boolean writesAtEnd(List<String> options) {
         return options.stream().anyMatch(option -> option.startsWith(WRITE) || option.equals(RECORD));
     }
@@ -77,7 +77,7 @@ public final class QuickStart {
         return Files.isReadable(cache) ? List.of("-XX:AOTCache=" + cache, QUIET_CACHE) : List.of();
     }
 
-    /** Where the cache of a program lies. @param image the folder of the Java machine */
+    /** The cache of a program. @param image the folder of the Java machine */
     public static Path cacheOf(Path image, String program) {
         return image.resolve("lib").resolve(program + CACHE);
     }
@@ -95,7 +95,7 @@ public final class QuickStart {
                 QUIET_CACHE);
     }
 
-    /** What a program has recorded. */
+    /** The record of a program. */
     public static Path recordOf(Path folder, String program) {
         return folder.resolve(program + ".conf");
     }
@@ -118,7 +118,7 @@ public final class QuickStart {
         return List.of(WRITE + archive, QUIET);
     }
 
-    /** The Java machine writes the head last: that of an archive whose writing was ended is zero. */
+    /** The Java machine writes the head last: the head of an unfinished archive is zero. */
     private static boolean isComplete(Path archive) throws IOException {
         if (!Files.isReadable(archive)) {
             return false;

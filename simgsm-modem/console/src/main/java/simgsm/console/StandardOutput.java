@@ -11,7 +11,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 
 /** Standard output as UTF-8 whatever the locale. It knows whether and why something could not be written. */
 final class StandardOutput extends PrintStream {
-    /** One for the process, so that nothing which is lost goes unnoticed. */
+    /** One for the process, so that every lost line is noticed. */
     static final StandardOutput STREAM = new StandardOutput(new FileOutputStream(FileDescriptor.out));
 
     private final Sink sink;
@@ -33,7 +33,7 @@ final class StandardOutput extends PrintStream {
     }
 
     /**
-     * Whether something could not be written. The first call that finds so prints why, unless the reader of the output has
+     * True if something could not be written. The first call that finds so prints why, unless the reader of the output has
      * gone away.
      */
     boolean hasFailed(PrintStream err) {

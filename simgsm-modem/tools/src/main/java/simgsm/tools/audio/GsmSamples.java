@@ -27,7 +27,7 @@ final class GsmSamples implements SampleSource {
         left = dataOctets;
     }
 
-    /** Whether the octets are frames of 33 octets, each with its signature. */
+    /** True if the octets are frames of 33 octets, each with its signature. */
     static boolean begin(ByteBuffer head) {
         boolean frames = head.remaining() >= FRAME_OCTETS;
         for (int at = head.position(); frames && at < head.limit(); at += FRAME_OCTETS) {

@@ -35,7 +35,7 @@ public final class SpeechFile implements Closeable {
     private final ReadableByteChannel file;
     private final Path path;
     private final SampleSource samples;
-    /** Where the sound ends, as the header has it. */
+    /** End of the sound according to the header. */
     private long end;
 
     private SpeechFile(ReadableByteChannel file, Path path, Resampler.Slope slope) throws IOException {

@@ -35,7 +35,7 @@ final class UnconvertedSamples implements SampleSource {
         return at - from;
     }
 
-    /** @return whether the buffer has a sample */
+    /** @return true if the buffer has a sample */
     private boolean fill() throws IOException {
         octets.compact();
         octets.limit((int) Math.min(octets.capacity(), octets.position() + left));

@@ -82,7 +82,7 @@ record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
         return known || empty ? length : Long.MAX_VALUE;
     }
 
-    /** Whether an empty data chunk is followed by another chunk, not by samples of a length that was not filled in. */
+    /** True if an empty data chunk is followed by another chunk, not by samples of a length that was not filled in. */
     private static boolean beginsAChunk(ByteBuffer after) {
         if (after.remaining() < CHUNK_HEAD_OCTETS) {
             return false;

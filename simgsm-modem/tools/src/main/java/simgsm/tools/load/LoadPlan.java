@@ -12,7 +12,7 @@ import simgsm.console.HostPort;
  * @param calls calls to hold at the same time, each between two stations without another call
  * @param messages short messages to send in total
  * @param seconds duration of the calls, and least time that the stations stay attached
- * @param answerAfterMillis how long a called station rings
+ * @param answerAfterMillis ringing time of a called station
  */
 public record LoadPlan(
         HostPort center, long firstNumber, int phones, int calls, int messages, int seconds, int answerAfterMillis) {

@@ -21,7 +21,7 @@ public record LoadResult(
         DelayHistogram messageDelays,
         Optional<String> firstError) {
 
-    /** Whether every phone attached, every call was connected and held, and every message arrived. */
+    /** True if every phone attached, every call was connected and held, and every message arrived. */
     public boolean isComplete() {
         return attached.done() == attached.count()
                 && called.done() == called.count()

@@ -35,7 +35,7 @@ final class LoadStation implements SpeechSource {
 
         void messageFailed(int id, LoadStation from, RpCause cause);
 
-        /** Whether speech is counted now. */
+        /** True if speech is counted now. */
         boolean isCounting();
 
         /** A numbered frame is sent. */
@@ -55,7 +55,7 @@ final class LoadStation implements SpeechSource {
     /** The other end of a call of the generator; null otherwise. */
     private LoadStation partner;
 
-    /** @param answerAfterNanos how long it rings; 0 for not at all */
+    /** @param answerAfterNanos ringing time; 0 for none */
     LoadStation(int index, Msisdn number, long answerAfterNanos, Observer observer) {
         this.index = index;
         this.answerAfterNanos = answerAfterNanos;
