@@ -176,7 +176,7 @@ class RosbridgeTest {
     }
 
     @Test
-    void aPageOfAnotherHostReadsOnlyAndOtherPathsAreRefused() {
+    void aPageOfAnotherHostReadsOnlyAndOtherPathsAreRefused() throws IOException {
         try (Client page = new Client(port, "http://elsewhere.example");
                 Client file = new Client(port, "null");
                 Client own = new Client(port, "http://localhost:8000")) {
@@ -185,6 +185,7 @@ class RosbridgeTest {
                 assertTrue(stranger.error().startsWith("without --http-keys only programs of"));
                 stranger.tell("{'op':'subscribe','topic':'/clock'}").message("/clock");
             }
+            assertTrue(robot.log().contains("a ROS client at 127.0.0.1: without --http-keys only"));
             own.tell(ADVERTISE).tell(DRIVE);
             robot.expect("status", "value", "Moving");
             robot.expect("status", "value", "Stopped");

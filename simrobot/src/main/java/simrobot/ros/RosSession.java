@@ -1,5 +1,7 @@
 package simrobot.ros;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -16,6 +18,8 @@ import simgsm.web.WebSocketListener;
 
 /** One client's socket: performs its messages and answers each one that is refused. Owned by the sockets' thread. */
 final class RosSession implements WebSocketListener {
+    private static final Logger LOG = System.getLogger(RosSession.class.getName());
+
     static final int MOST_OCTETS = 64 * 1024;
 
     private static final int MOST_WISHES = 100;
@@ -51,6 +55,7 @@ final class RosSession implements WebSocketListener {
     private final Map<String, Subscription> subscriptions = new HashMap<>();
     private final Set<String> advertised = new HashSet<>();
     private Optional<String> operator = Optional.empty();
+    private boolean isRefusalLogged;
 
     RosSession(WebSocket socket, RosServer server) {
         this.socket = socket;
@@ -83,8 +88,14 @@ final class RosSession implements WebSocketListener {
         socket.send(text);
     }
 
+    /** Tells the client, and once the log, since pages seldom show status messages. */
     void refuse(RosRequest request, String reason) {
-        send(request.status(ERROR, RequestException.shortened(reason)));
+        String shown = RequestException.shortened(reason);
+        if (!isRefusalLogged) {
+            isRefusalLogged = true;
+            LOG.log(Level.WARNING, "a ROS client at {0}: {1}", socket.peer().getHostAddress(), shown);
+        }
+        send(request.status(ERROR, shown));
     }
 
     private void perform(RosRequest request) {
