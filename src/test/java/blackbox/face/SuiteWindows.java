@@ -239,7 +239,8 @@ final class SuiteWindows {
         List<ClassView.Row> rows = IntStream.range(0, 30)
                 .mapToObj(i -> new ClassView.Row(
                         List.of(String.valueOf(5550100 + i), String.valueOf(5550200 + i), "12", "108", "10", "1234.5"),
-                        i == 0))
+                        i == 0,
+                        ""))
                 .toList();
         panel.show(new ClassView(rows, ClassView.Phase.RUNNING, 754, Optional.empty()));
         return panel;

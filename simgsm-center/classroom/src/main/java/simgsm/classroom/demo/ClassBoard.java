@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
 import simgsm.classroom.ui.ClassView;
@@ -41,6 +42,7 @@ final class ClassBoard {
     static final class Result {
         final String phone;
         final String number;
+        private String name = "";
         private int keys;
         private int orders;
         private int collisions;
@@ -94,6 +96,15 @@ final class ClassBoard {
     /** @param robot name of the student's robot; @param phone the student's number; @param number the robot's */
     void add(String robot, String phone, String number) {
         results.put(robot, new Result(phone, number));
+    }
+
+    /** A browser has become a student's phone. @param name typed there, may be empty; @return whether a result has changed */
+    boolean joined(String phone, String name) {
+        Optional<Result> student = results.values().stream()
+                .filter(result -> result.phone.equals(phone) && !result.name.equals(name))
+                .findFirst();
+        student.ifPresent(result -> result.name = name);
+        return student.isPresent();
     }
 
     /** An event of SimRobot. What comes after the goal does not count. @return whether a result has changed */
@@ -174,7 +185,7 @@ final class ClassBoard {
     List<ClassView.Row> rows() {
         List<ClassView.Row> rows = new ArrayList<>();
         for (Result result : ranked()) {
-            rows.add(new ClassView.Row(result.cells(), rows.isEmpty() && result.isAtGoal()));
+            rows.add(new ClassView.Row(result.cells(), rows.isEmpty() && result.isAtGoal(), result.name));
         }
         return rows;
     }

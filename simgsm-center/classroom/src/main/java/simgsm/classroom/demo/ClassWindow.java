@@ -135,6 +135,12 @@ final class ClassWindow implements ClassActs, Consoles.Listener {
 
     @Override
     public void event(String source, Event event) {
+        if (source.equals(WebLink.GATEWAY) && event.name().equals("joined")) {
+            Map<String, String> fields = event.fields();
+            synchronized (demo.board) {
+                isChanged |= demo.board.joined(fields.get("number"), fields.getOrDefault("name", ""));
+            }
+        }
         if (!source.equals(ClassDemo.ROBOTS)) {
             return;
         }

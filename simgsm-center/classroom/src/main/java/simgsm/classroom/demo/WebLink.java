@@ -16,7 +16,9 @@ import simgsm.console.UsageException;
 /** {@code --web PORT}: a gateway beside the demo, so that browsers are phones of its network. */
 final class WebLink {
     private static final String OPTION = "web";
-    private static final String GATEWAY = "gateway";
+    /** The gateway's console. */
+    static final String GATEWAY = "gateway";
+
     private static final double START_SECONDS = 120;
 
     private WebLink() {}

@@ -137,14 +137,18 @@ public final class ClassPanel extends JPanel {
             Optional<String> chosen = chosenPhone();
             rows = view.rows();
             model.setRowCount(0);
-            rows.forEach(row -> model.addRow(row.cells().toArray()));
+            for (ClassView.Row row : rows) {
+                Object[] cells = row.cells().toArray();
+                cells[0] = row.student();
+                model.addRow(cells);
+            }
             chosen.ifPresent(this::choose);
             best.setText(rows.stream()
                     .filter(ClassView.Row::isBest)
                     .findFirst()
                     .map(row -> words.of(
                             "class.best",
-                            row.phone(),
+                            row.student(),
                             row.cells().get(5),
                             row.cells().get(3),
                             row.cells().get(4)))
@@ -265,7 +269,7 @@ public final class ClassPanel extends JPanel {
             boolean isBest = row < rows.size() && rows.get(row).isBest();
             setFont(isBest ? Theme.strong() : Theme.base());
             setBorder(Theme.padding(0, 6, 0, 2));
-            setToolTipText(String.valueOf(value));
+            setToolTipText(column == 0 && row < rows.size() ? rows.get(row).phone() : String.valueOf(value));
             if (!selected) {
                 setBackground(Theme.color(isBest ? Ink.ACCENT_WASH : Ink.CARD));
             }

@@ -24,10 +24,16 @@ public record ClassView(List<Row> rows, Phase phase, long seconds, Optional<Stri
      *
      * @param cells phone, robot, orders, keys, collisions, seconds
      * @param isBest whether it is the first and at the goal
+     * @param name that was typed in a browser; empty without one
      */
-    public record Row(List<String> cells, boolean isBest) {
+    public record Row(List<String> cells, boolean isBest, String name) {
         public String phone() {
             return cells.get(0);
+        }
+
+        /** The student's name, else the number of the phone. */
+        String student() {
+            return name.isEmpty() ? phone() : name;
         }
 
         /** As a line of a CSV file. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import simgsm.classroom.ui.ClassView;
 import simgsm.console.CommandException;
 import simgsm.console.Event;
 
@@ -40,6 +41,16 @@ class ClassBoardTest {
         event(5, "pose robot=a x=9.0 y=5.0");
         event(6.5, "pose robot=a x=9.7 y=5.2");
         assertEquals(List.of("100", "200", "1", "2", "0", "4.5"), first());
+    }
+
+    @Test
+    void theNameThatWasTypedInABrowserStandsForItsNumber() {
+        assertTrue(board.joined("101", "Ana"));
+        assertFalse(board.joined("101", "Ana"));
+        assertFalse(board.joined("5550300", "Eva"));
+        assertEquals(
+                List.of("", "Ana"),
+                board.rows().stream().map(ClassView.Row::name).toList());
     }
 
     @Test

@@ -84,6 +84,15 @@ class ClassPanelTest {
     }
 
     @Test
+    void aNameThatWasTypedInABrowserIsShownInPlaceOfTheNumber() {
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
+        panel.show(view(new ClassView.Row(row("5550100", true).cells(), true, "Ana"), row("5550101", false)));
+        JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
+        assertEquals("Ana", table.getValueAt(0, 0));
+        assertEquals("5550101", table.getValueAt(1, 0));
+    }
+
+    @Test
     void resultsThatCannotBeSavedSayWhereAndWhy() {
         ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), new ClassPanel.Frames() {
             @Override
@@ -107,7 +116,7 @@ class ClassPanelTest {
     }
 
     private static ClassView.Row row(String phone, boolean isBest) {
-        return new ClassView.Row(List.of(phone, "5550200", "1", "9", "0", "12.5"), isBest);
+        return new ClassView.Row(List.of(phone, "5550200", "1", "9", "0", "12.5"), isBest, "");
     }
 
     private static ClassView view(ClassView.Row... rows) {
