@@ -1,10 +1,7 @@
 package simgsm.ui;
 
-import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
-import java.util.Arrays;
 import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JFormattedTextField;
@@ -16,44 +13,23 @@ import simgsm.draw.Ink;
 
 /**
  * Paints one region of a Nimbus component in one set of states: a fill, a thin line, a ring for the focus, or a mark such as
- * an arrow or a tick.
+ * an arrow or a tick. Components that no window shows, such as trees and progress bars, keep Nimbus's painters.
  */
-record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent> {
+record FlatPainter(Look look, List<String> states) implements Painter<JComponent> {
     /** As much of a box lies outside its part of a spinner. */
     private static final double JOINT_UNITS = 8;
 
-    enum Kind {
-        BUTTON,
-        FIELD_FILL,
-        LINED_FIELD,
-        /** The upper half of the box at the right of a spinner's field. */
-        SPINNER_NEXT,
-        SPINNER_PREVIOUS,
-        FIELD,
-        AREA,
-        CHECK,
-        RADIO,
-        TICK_ITEM,
-        THUMB,
-        SLIDER_TRACK,
-        SLIDER_THUMB,
-        NOTHING,
-        ARROW_DOWN,
-        /** Rotated by Synth to the direction of the arrow button. */
-        ARROW_LEFT,
-        ARROW_UP,
-        TAB,
-        TAB_LINE,
-        HEADER,
-        ITEM,
-        POPUP,
-        BAR,
-        PROGRESS_TRACK,
-        PROGRESS,
-        RULE,
-        FRAME,
-        GRIP
+    /** The picture of a region, of a size in pixels; the painter knows the states. */
+    interface Look {
+        void paint(FlatPainter painter, Graphics2D g, double width, double height);
     }
+
+    private static final Look NOTHING = (painter, g, w, h) -> {};
+    private static final Look ARROW_DOWN = (painter, g, w, h) -> painter.arrow(g, w, h, 0);
+    /** Rotated by Synth to the direction of the arrow button. */
+    private static final Look ARROW_LEFT = (painter, g, w, h) -> painter.arrow(g, w, h, 1);
+
+    private static final Look ARROW_UP = (painter, g, w, h) -> painter.arrow(g, w, h, 2);
 
     /** Replaces Nimbus's painters by flat ones. Their keys have region, states and kind: {@code Button[Focused].backgroundPainter}. */
     static void replaceIn(UIDefaults defaults) {
@@ -62,55 +38,47 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             int states = name.indexOf('[');
             int kind = name.indexOf("].", states);
             if (states > 0 && kind > 0 && name.endsWith("Painter")) {
-                FlatPainter painter =
-                        of(name.substring(0, states), name.substring(states + 1, kind), name.substring(kind + 2));
-                if (painter != null) {
-                    defaults.put(key, painter);
+                Look look = look(name.substring(0, states), name.substring(kind + 2));
+                if (look != null) {
+                    defaults.put(key, new FlatPainter(look, List.of(name.substring(states + 1, kind).split("\\+"))));
                 }
             }
         }
     }
 
-    /** The painter for a region; null keeps Nimbus's own. */
-    private static FlatPainter of(String region, String states, String painter) {
-        Kind kind = kindOf(region, painter);
-        return kind == null ? null : new FlatPainter(kind, Arrays.asList(states.split("\\+")));
-    }
-
-    private static Kind kindOf(String region, String painter) {
+    /** The look of a region; null keeps Nimbus's own. */
+    private static Look look(String region, String painter) {
         boolean background = painter.equals("backgroundPainter");
         return switch (region) {
-            case "Button", "ToggleButton", "ComboBox", "ToolBar:Button", "ToolBar:ToggleButton" ->
-                background ? Kind.BUTTON : null;
-            case "ComboBox:\"ComboBox.arrowButton\"" -> background ? Kind.NOTHING : Kind.ARROW_LEFT;
-            case "Spinner:\"Spinner.nextButton\"" -> background ? Kind.SPINNER_NEXT : Kind.ARROW_UP;
-            case "Spinner:\"Spinner.previousButton\"" -> background ? Kind.SPINNER_PREVIOUS : Kind.ARROW_DOWN;
-            case "ComboBox:\"ComboBox.textField\"", "InternalFrame" -> Kind.NOTHING;
-            case "TextField", "FormattedTextField", "PasswordField" -> background ? Kind.FIELD_FILL : Kind.FIELD;
-            case "Spinner:Panel:\"Spinner.formattedTextField\"" -> background ? Kind.LINED_FIELD : null;
-            case "TextArea", "TextPane", "EditorPane" -> background ? Kind.AREA : Kind.NOTHING;
-            case "ScrollPane" -> Kind.FRAME;
-            case "CheckBox" -> Kind.CHECK;
-            case "RadioButton" -> Kind.RADIO;
-            case "ScrollBar:\"ScrollBar.button\"", "ScrollBar:ScrollBarTrack" -> Kind.NOTHING;
-            case "ScrollBar:ScrollBarThumb" -> Kind.THUMB;
-            case "Slider:SliderTrack" -> Kind.SLIDER_TRACK;
-            case "Slider:SliderThumb" -> Kind.SLIDER_THUMB;
-            case "TabbedPane:TabbedPaneTab" -> Kind.TAB;
-            case "TabbedPane:TabbedPaneTabArea" -> Kind.TAB_LINE;
-            case "TableHeader:\"TableHeader.renderer\"" -> background ? Kind.HEADER : null;
+            case "Button", "ToggleButton", "ComboBox" -> background ? FlatPainter::button : null;
+            case "ComboBox:\"ComboBox.arrowButton\"" -> background ? NOTHING : ARROW_LEFT;
+            case "Spinner:\"Spinner.nextButton\"" ->
+                background ? (painted, g, w, h) -> painted.spinnerButton(g, w, h, 0) : ARROW_UP;
+            case "Spinner:\"Spinner.previousButton\"" ->
+                background ? (painted, g, w, h) -> painted.spinnerButton(g, w, h, -h) : ARROW_DOWN;
+            case "ComboBox:\"ComboBox.textField\"" -> NOTHING;
+            case "TextField", "FormattedTextField" -> background ? FlatPainter::field : FlatPainter::fieldLine;
+            case "Spinner:Panel:\"Spinner.formattedTextField\"" -> background ? FlatPainter::linedField : null;
+            case "TextArea", "EditorPane" -> background ? FlatPainter::area : NOTHING;
+            case "ScrollPane" -> FlatPainter::frame;
+            case "CheckBox" -> FlatPainter::check;
+            case "ScrollBar:\"ScrollBar.button\"", "ScrollBar:ScrollBarTrack" -> NOTHING;
+            case "ScrollBar:ScrollBarThumb" -> FlatPainter::thumb;
+            case "TabbedPane:TabbedPaneTab" -> FlatPainter::tab;
+            case "TabbedPane:TabbedPaneTabArea" -> FlatPainter::header;
+            case "TableHeader:\"TableHeader.renderer\"" -> background ? FlatPainter::header : null;
             case "TableHeader" ->
                 painter.equals("ascendingSortIconPainter")
-                        ? Kind.ARROW_UP
-                        : painter.equals("descendingSortIconPainter") ? Kind.ARROW_DOWN : null;
-            case "MenuBar" -> Kind.BAR;
-            case "Menu", "MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem", "MenuBar:Menu" ->
-                background ? Kind.ITEM : painter.equals("checkIconPainter") ? Kind.TICK_ITEM : null;
-            case "PopupMenu", "ToolTip" -> Kind.POPUP;
-            case "ToolBar" -> painter.equals("handleIconPainter") ? null : Kind.BAR;
-            case "ProgressBar" -> background ? Kind.PROGRESS_TRACK : Kind.PROGRESS;
-            case "Separator", "PopupMenuSeparator" -> Kind.RULE;
-            case "SplitPane:SplitPaneDivider" -> background ? Kind.NOTHING : Kind.GRIP;
+                        ? ARROW_UP
+                        : painter.equals("descendingSortIconPainter") ? ARROW_DOWN : null;
+            case "Menu", "MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem" ->
+                background
+                        ? (painted, g, w, h) -> fill(g, w, h, Ink.ACCENT_WASH)
+                        : painter.equals("checkIconPainter")
+                                ? (painted, g, w, h) -> tick(g, w, h, Ink.ACCENT)
+                                : null;
+            case "PopupMenu", "ToolTip" -> FlatPainter::popup;
+            case "PopupMenuSeparator" -> FlatPainter::rule;
             default -> null;
         };
     }
@@ -126,48 +94,40 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             // The right edge of a spinner's field is the left one of its arrows.
             boolean joins = component instanceof JFormattedTextField
                     && SwingUtilities.getAncestorOfClass(JSpinner.class, component) != null;
-            paintKind(g, joins ? width + Theme.exact(JOINT_UNITS) : width, height);
+            look.paint(this, g, joins ? width + Theme.exact(JOINT_UNITS) : width, height);
         } finally {
             g.dispose();
         }
     }
 
-    private void paintKind(Graphics2D g, double w, double h) {
-        switch (kind) {
-            case BUTTON -> box(g, 2, w, h, buttonFill(), buttonLine(), Theme.CONTROL_RADIUS);
-            case FIELD_FILL -> box(g, 2, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD, null, 3);
-            case LINED_FIELD -> {
-                box(g, 2, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD, null, 3);
-                outline(g, 2, w, h, is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE);
-            }
-            case SPINNER_NEXT -> arrowBox(g, w, h, 0);
-            case SPINNER_PREVIOUS -> arrowBox(g, w, h, -h);
-            case FIELD -> outline(g, 2, w, h, is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE);
-            case AREA -> fill(g, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD);
-            case FRAME -> frame(g, w, h);
-            case CHECK -> check(g, w, h);
-            case RADIO -> radio(g, w, h);
-            case TICK_ITEM -> tick(g, 0, 0, w, h, Theme.color(Ink.ACCENT));
-            case THUMB -> box(g, 3, w, h, is("Enabled") ? Ink.LINE : Ink.CONTROL_LINE, null, 3);
-            case SLIDER_TRACK -> track(g, w, h);
-            case SLIDER_THUMB -> knob(g, w, h);
-            case ARROW_DOWN -> arrow(g, w, h, 0);
-            case ARROW_LEFT -> arrow(g, w, h, 1);
-            case ARROW_UP -> arrow(g, w, h, 2);
-            case TAB -> tab(g, w, h);
-            case TAB_LINE, HEADER -> header(g, w, h);
-            case ITEM -> fill(g, w, h, Ink.ACCENT_WASH);
-            case POPUP -> {
-                fill(g, w, h, Ink.CARD);
-                edge(g, w, h, Ink.LINE);
-            }
-            case BAR -> fill(g, w, h, Ink.SURFACE);
-            case PROGRESS_TRACK -> box(g, 1, w, h, Ink.ACCENT_WASH, null, 3);
-            case PROGRESS -> box(g, 1, w, h, Ink.ACCENT, null, 3);
-            case RULE -> rule(g, w, h);
-            case GRIP -> Drawing.grip(g, w, h);
-            case NOTHING -> {}
-        }
+    private void button(Graphics2D g, double w, double h) {
+        box(g, 2, w, h, buttonFill(), buttonLine(), Theme.CONTROL_RADIUS);
+    }
+
+    private void field(Graphics2D g, double w, double h) {
+        box(g, 2, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD, null, 3);
+    }
+
+    private void fieldLine(Graphics2D g, double w, double h) {
+        outline(g, w, h, is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE);
+    }
+
+    private void linedField(Graphics2D g, double w, double h) {
+        field(g, w, h);
+        fieldLine(g, w, h);
+    }
+
+    private void area(Graphics2D g, double w, double h) {
+        fill(g, w, h, is("Disabled") ? Ink.SURFACE : Ink.CARD);
+    }
+
+    private void thumb(Graphics2D g, double w, double h) {
+        box(g, 3, w, h, is("Enabled") ? Ink.LINE : Ink.CONTROL_LINE, null, 3);
+    }
+
+    private void popup(Graphics2D g, double w, double h) {
+        fill(g, w, h, Ink.CARD);
+        edge(g, w, h, Ink.LINE);
     }
 
     private Ink buttonFill() {
@@ -212,8 +172,8 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         }
     }
 
-    private void outline(Graphics2D g, double inset, double w, double h, Ink line) {
-        double i = Theme.exact(inset);
+    private void outline(Graphics2D g, double w, double h, Ink line) {
+        double i = Theme.exact(2);
         ring(g, w, h, i, 3);
         g.setColor(Theme.color(is("Disabled") ? Ink.LINE : line));
         g.setStroke(Theme.hairline());
@@ -221,7 +181,7 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
     }
 
     /** Half of a box of twice the height, with a line towards the field. @param top of the box */
-    private void arrowBox(Graphics2D g, double w, double h, double top) {
+    private void spinnerButton(Graphics2D g, double w, double h, double top) {
         double i = Theme.exact(2);
         double beyond = Theme.exact(JOINT_UNITS);
         var shape = Drawing.round(-beyond, top + i + 0.5, w + beyond - i - 0.5, 2 * h - 2 * i - 1, Theme.exact(3));
@@ -251,54 +211,23 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
         edge(g, w, h, is("Focused") ? Ink.ACCENT : Ink.LINE);
     }
 
-    private void check(Graphics2D g, double w, double h) {
+    void check(Graphics2D g, double w, double h) {
         boolean on = is("Selected");
         Ink line = is("Disabled") ? Ink.LINE : on || is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE;
         box(g, 2, w, h, on && !is("Disabled") ? Ink.ACCENT : Ink.CARD, line, 3);
         if (on) {
-            tick(g, 0, 0, w, h, Theme.color(is("Disabled") ? Ink.DISABLED : Ink.ON_ACCENT));
+            tick(g, w, h, is("Disabled") ? Ink.DISABLED : Ink.ON_ACCENT);
         }
     }
 
-    private static void tick(Graphics2D g, double x, double y, double w, double h, Color color) {
+    private static void tick(Graphics2D g, double w, double h, Ink ink) {
         var path = new Path2D.Double();
-        path.moveTo(x + w * 0.30, y + h * 0.52);
-        path.lineTo(x + w * 0.44, y + h * 0.66);
-        path.lineTo(x + w * 0.71, y + h * 0.36);
-        g.setColor(color);
+        path.moveTo(w * 0.30, h * 0.52);
+        path.lineTo(w * 0.44, h * 0.66);
+        path.lineTo(w * 0.71, h * 0.36);
+        g.setColor(Theme.color(ink));
         g.setStroke(Theme.line());
         g.draw(path);
-    }
-
-    private void radio(Graphics2D g, double w, double h) {
-        double i = Theme.exact(2);
-        boolean on = is("Selected");
-        Ink line = is("Disabled") ? Ink.LINE : on || is("Focused") ? Ink.ACCENT : Ink.CONTROL_LINE;
-        g.setColor(Theme.color(Ink.CARD));
-        g.fill(new Ellipse2D.Double(i, i, w - 2 * i, h - 2 * i));
-        g.setColor(Theme.color(line));
-        g.setStroke(Theme.stroke(is("Focused") ? 2 : 1));
-        g.draw(new Ellipse2D.Double(i + 0.5, i + 0.5, w - 2 * i - 1, h - 2 * i - 1));
-        if (on) {
-            double d = w * 0.36;
-            g.fill(new Ellipse2D.Double((w - d) / 2, (h - d) / 2, d, d));
-        }
-    }
-
-    private static void track(Graphics2D g, double w, double h) {
-        double thickness = Theme.exact(4);
-        g.setColor(Theme.color(Ink.LINE));
-        g.fill(Drawing.round(0, (h - thickness) / 2, w, thickness, thickness / 2));
-    }
-
-    private void knob(Graphics2D g, double w, double h) {
-        double d = Math.min(w, h) - 3;
-        var disc = new Ellipse2D.Double((w - d) / 2, (h - d) / 2, d, d);
-        g.setColor(Theme.color(is("Disabled") ? Ink.SURFACE : is("Pressed") ? Ink.ACCENT : Ink.CARD));
-        g.fill(disc);
-        g.setColor(Theme.color(is("Disabled") ? Ink.LINE : Ink.ACCENT));
-        g.setStroke(Theme.stroke(is("Focused") ? 2.5 : 1.5));
-        g.draw(disc);
     }
 
     private void arrow(Graphics2D g, double w, double h, int quarterTurns) {
@@ -323,22 +252,18 @@ record FlatPainter(Kind kind, List<String> states) implements Painter<JComponent
             Drawing.fillCrisp(g, 0, h - Theme.exact(2.5), w, Theme.exact(2.5));
         }
         if (is("Focused")) {
-            outline(g, 2, w, h, Ink.ACCENT);
+            outline(g, w, h, Ink.ACCENT);
         }
     }
 
-    private static void header(Graphics2D g, double w, double h) {
+    private void header(Graphics2D g, double w, double h) {
         fill(g, w, h, Ink.SURFACE);
         g.setColor(Theme.color(Ink.LINE));
         Drawing.fillCrisp(g, 0, h - Theme.exact(1), w, Theme.exact(1));
     }
 
-    private static void rule(Graphics2D g, double w, double h) {
+    private void rule(Graphics2D g, double w, double h) {
         g.setColor(Theme.color(Ink.LINE));
-        if (w >= h) {
-            Drawing.fillCrisp(g, 0, h / 2, w, Theme.exact(1));
-        } else {
-            Drawing.fillCrisp(g, w / 2, 0, Theme.exact(1), h);
-        }
+        Drawing.fillCrisp(g, 0, h / 2, w, Theme.exact(1));
     }
 }

@@ -43,7 +43,7 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         put(Ink.LINE, "nimbusBlueGrey nimbusBorder controlShadow Table.gridColor");
         put(Ink.CARD, """
                 nimbusLightBackground info menu controlHighlight controlLHighlight Table.alternateRowColor
-                Table.background List.background Tree.background ToolTip.background
+                Table.background List.background ToolTip.background
                 """);
         put(Ink.ACCENT_WASH, """
                 nimbusSelectionBackground textBackground textHighlight Table[Enabled+Selected].textBackground
@@ -52,13 +52,12 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         put(Ink.TEXT, """
                 nimbusSelectedText menuText text controlText infoText textForeground textHighlightText
                 Table[Enabled+Selected].textForeground List[Selected].textForeground
-                Menu[Enabled+Selected].textForeground MenuBar:Menu[Enabled].textForeground
-                MenuBar:Menu[Selected].textForeground CheckBoxMenuItem[Enabled+Selected].textForeground
+                Menu[Enabled+Selected].textForeground CheckBoxMenuItem[Enabled+Selected].textForeground
                 RadioButtonMenuItem[Enabled+Selected].textForeground
                 CheckBoxMenuItem[MouseOver+Selected].textForeground
                 RadioButtonMenuItem[MouseOver+Selected].textForeground
                 """);
-        put(Ink.DISABLED, "nimbusDisabledText textInactiveText MenuBar:Menu[Disabled].textForeground");
+        put(Ink.DISABLED, "nimbusDisabledText textInactiveText");
         put(Ink.DANGER, "nimbusRed");
         put(Ink.GOOD, "nimbusGreen");
         put(Ink.WARNING, "nimbusOrange nimbusAlertYellow");
@@ -116,19 +115,14 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
     }
 
     private void sizes() {
-        // four tabs side by side in the centre's window at 1280x720, in Spanish too
-        defaults.put("TabbedPane:TabbedPaneTab.contentMargins", new InsetsUIResource(2, 5, 3, 5));
         zoom();
         defaults.put("defaultFont", new FontUIResource(Theme.base()));
-        defaults.put("CheckBox.icon", new ToggleIcon(FlatPainter.Kind.CHECK));
-        defaults.put("RadioButton.icon", new ToggleIcon(FlatPainter.Kind.RADIO));
+        defaults.put("CheckBox.icon", new CheckBoxIcon());
         // the same antialiasing as in Drawing, independent of the desktop's setting
         defaults.put(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         defaults.put("Table.rowHeight", Theme.px(24));
-        defaults.put("Tree.rowHeight", Theme.px(24));
         defaults.put("ScrollBar.thickness", Theme.px(12));
         defaults.put("ScrollBar.minimumThumbSize", new Dimension(Theme.px(24), Theme.px(24)));
-        defaults.put("SplitPane.size", Theme.px(8));
         defaults.put(
                 "TabbedPane:TabbedPaneTab.contentMargins",
                 new InsetsUIResource(Theme.px(2), Theme.px(6), Theme.px(3), Theme.px(6)));

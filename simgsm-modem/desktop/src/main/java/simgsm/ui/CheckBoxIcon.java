@@ -11,15 +11,9 @@ import javax.swing.Icon;
 import javax.swing.JComponent;
 import javax.swing.plaf.UIResource;
 
-/** The box of a check box or radio button; unlike Nimbus's icon it follows the zoom. */
-final class ToggleIcon implements Icon, UIResource {
+/** The box of a check box; unlike Nimbus's icon it follows the zoom. */
+final class CheckBoxIcon implements Icon, UIResource {
     private static final double UNITS = 18;
-
-    private final FlatPainter.Kind kind;
-
-    ToggleIcon(FlatPainter.Kind kind) {
-        this.kind = kind;
-    }
 
     @Override
     public int getIconWidth() {
@@ -36,7 +30,7 @@ final class ToggleIcon implements Icon, UIResource {
         Graphics2D g = Drawing.on(graphics);
         try {
             g.translate(x, y);
-            new FlatPainter(kind, statesOf((AbstractButton) component))
+            new FlatPainter(FlatPainter::check, statesOf((AbstractButton) component))
                     .paint(g, (JComponent) component, getIconWidth(), getIconHeight());
         } finally {
             g.dispose();
