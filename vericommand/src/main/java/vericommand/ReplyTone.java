@@ -2,27 +2,16 @@ package vericommand;
 
 import java.util.Locale;
 
-/** The DTMF digit by which the robot replies in a call. */
+/** The DTMF digit by which the robot replies in a call: the paper's six, and two of this suite. */
 public enum ReplyTone {
-    CONNECTION_ACCEPTED(true),
-    CONNECTION_DENIED(true),
-    EXECUTED(true),
-    COLLISION(true),
-    INFINITE_LOOP(true),
-    EXECUTING(true),
-    NOT_VALID(false),
-    NOT_POSSIBLE(false);
-
-    private final boolean fromPaper;
-
-    ReplyTone(boolean fromPaper) {
-        this.fromPaper = fromPaper;
-    }
-
-    /** True for the paper's six tones, false for 7 and 8. */
-    public boolean fromPaper() {
-        return fromPaper;
-    }
+    CONNECTION_ACCEPTED,
+    CONNECTION_DENIED,
+    EXECUTED,
+    COLLISION,
+    INFINITE_LOOP,
+    EXECUTING,
+    NOT_VALID,
+    NOT_POSSIBLE;
 
     /** 1..8. */
     public int number() {

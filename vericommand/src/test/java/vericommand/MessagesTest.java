@@ -84,7 +84,6 @@ class MessagesTest {
         for (ReplyTone tone : ReplyTone.values()) {
             assertEquals(english[tone.number() - 1], tone.words(Locale.ENGLISH));
             assertEquals('0' + tone.number(), tone.key());
-            assertEquals(tone.number() <= 6, tone.fromPaper());
             assertTrue(!tone.words(Locale.forLanguageTag("es")).equals(tone.words(Locale.ENGLISH)));
         }
         assertEquals("choque", ReplyTone.COLLISION.words(Locale.forLanguageTag("es")));

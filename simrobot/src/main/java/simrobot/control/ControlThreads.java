@@ -1,6 +1,5 @@
 package simrobot.control;
 
-import java.util.Objects;
 import java.util.concurrent.Executor;
 import java.util.function.LongSupplier;
 
@@ -12,10 +11,4 @@ import java.util.function.LongSupplier;
  * @param simulation runs tasks in order on the thread that owns the robot
  * @param clockNanos clock for measurements and for the limit of replies to messages; it only goes forward
  */
-public record ControlThreads(Executor stations, Executor simulation, LongSupplier clockNanos) {
-    public ControlThreads {
-        Objects.requireNonNull(stations);
-        Objects.requireNonNull(simulation);
-        Objects.requireNonNull(clockNanos);
-    }
-}
+public record ControlThreads(Executor stations, Executor simulation, LongSupplier clockNanos) {}

@@ -119,11 +119,6 @@ public final class Fleet {
         this.kit = kit;
     }
 
-    /** Creates a robot before the start, on the first free home. */
-    public TelephoneRobot addFirst(RobotName name, Simulation simulation) throws IOException, UsageException {
-        return addFirst(name, simulation, Optional.empty());
-    }
-
     /** Creates a robot before the start, on the first free home. @param modem the real modem in M2's place */
     public TelephoneRobot addFirst(RobotName name, Simulation simulation, Optional<LineAddress> modem)
             throws IOException, UsageException {
@@ -179,17 +174,14 @@ public final class Fleet {
             throws RobotRefusal, IOException, InterruptedException {
         Optional<SimCard> card = card(name);
         CallAudioListener recorder = kit.recording().of(name.name());
-        Made made;
         try {
-            made = simRobot.onSimulation(() -> attempt(name, card, place, recorder));
-        } catch (IllegalStateException late) {
-            made = new Made(null, new RobotRefusal(Reason.NOT_DONE, late.getMessage()));
-        }
-        if (made.robot() == null) {
+            return simRobot.onSimulation(() -> attempt(name, card, place, recorder));
+        } catch (IllegalStateException failure) {
             recorder.close();
-            throw made.refusal();
+            throw failure.getCause() instanceof RobotRefusal refusal
+                    ? refusal
+                    : new RobotRefusal(Reason.NOT_DONE, failure.getMessage());
         }
-        return made.robot();
     }
 
     private Optional<SimCard> card(RobotName name) throws RobotRefusal {
@@ -201,25 +193,22 @@ public final class Fleet {
         }
     }
 
-    private record Made(TelephoneRobot robot, RobotRefusal refusal) {}
-
-    private Made attempt(RobotName name, Optional<SimCard> card, Optional<Pose> place, CallAudioListener recorder) {
+    private TelephoneRobot attempt(
+            RobotName name, Optional<SimCard> card, Optional<Pose> place, CallAudioListener recorder)
+            throws RobotRefusal {
+        if (simRobot.robots().stream().anyMatch(other -> other.number().equals(name.number()))) {
+            throw new RobotRefusal(Reason.NUMBER_TAKEN, "another robot has the number " + name.number());
+        }
         Simulation simulation = simRobot.simulation().owned();
         try {
-            if (simRobot.robots().stream().anyMatch(other -> other.number().equals(name.number()))) {
-                throw new IllegalArgumentException("another robot has the number " + name.number());
-            }
-            return new Made(make(name, card, simulation, place, recorder), null);
+            return join(placed(name, simulation, place), name, card, recorder);
         } catch (IllegalArgumentException | IllegalStateException refusal) {
-            return new Made(null, new RobotRefusal(reason(simulation, name, place), refusal.getMessage()));
+            throw new RobotRefusal(reason(simulation, name, place), refusal.getMessage());
         }
     }
 
-    /** Returns why the robot was refused; called in the same task as the attempt, so nothing has changed since. */
+    /** Returns why the robot was not placed; called in the same task as the attempt, so nothing has changed since. */
     private Reason reason(Simulation simulation, RobotName name, Optional<Pose> place) {
-        if (simRobot.robots().stream().anyMatch(other -> other.number().equals(name.number()))) {
-            return Reason.NUMBER_TAKEN;
-        }
         if (simulation.robot(name.name()).isPresent()) {
             return Reason.NAME_TAKEN;
         }
@@ -231,31 +220,22 @@ public final class Fleet {
         return inside ? Reason.PLACE_TAKEN : Reason.PLACE_OUTSIDE;
     }
 
-    private TelephoneRobot make(
-            RobotName name,
-            Optional<SimCard> card,
-            Simulation simulation,
-            Optional<Pose> place,
-            CallAudioListener recorder) {
-        return join(placed(name, simulation, place), name, card, recorder);
-    }
-
     private SimulatedRobot placed(RobotName name, Simulation simulation, Optional<Pose> place) {
-        place.filter(pose -> !simulation.world().ground().contains(pose.xMeters(), pose.yMeters()))
-                .ifPresent(pose -> {
-                    throw new IllegalArgumentException("no place for robot " + name.name() + " at " + pose.xMeters()
-                            + " " + pose.yMeters() + ": outside the world");
-                });
-        SimulatedRobot robot = place.isPresent()
-                ? simulation.addRobot(
-                        name.name(),
-                        new Position(place.get().xMeters(), place.get().yMeters()),
-                        Math.toRadians(place.get().headingDegrees()))
-                : simulation.addRobot(name.name());
+        SimulatedRobot robot =
+                place.isPresent() ? placed(name, simulation, place.get()) : simulation.addRobot(name.name());
         robot.setMotors(kit.motors());
         robot.setPower(kit.power());
         robot.autonomy().begin(newest(simulation));
         return robot;
+    }
+
+    private static SimulatedRobot placed(RobotName name, Simulation simulation, Pose pose) {
+        if (!simulation.world().ground().contains(pose.xMeters(), pose.yMeters())) {
+            throw new IllegalArgumentException("no place for robot " + name.name() + " at " + pose.xMeters() + " "
+                    + pose.yMeters() + ": outside the world");
+        }
+        return simulation.addRobot(
+                name.name(), new Position(pose.xMeters(), pose.yMeters()), Math.toRadians(pose.headingDegrees()));
     }
 
     /** The process of the kit in the version that the list has now; none if the list has it no more. */
@@ -290,9 +270,7 @@ public final class Fleet {
     /** Removes a robot and its modem. @return false if no robot has that name */
     public boolean remove(String name) throws InterruptedException {
         return simRobot.onSimulation(() -> {
-            Optional<TelephoneRobot> leaving = simRobot.robots().stream()
-                    .filter(robot -> robot.name().equals(name))
-                    .findFirst();
+            Optional<TelephoneRobot> leaving = simRobot.robot(name);
             leaving.ifPresent(simRobot::remove);
             return leaving.isPresent();
         });

@@ -123,22 +123,12 @@ public final class SimRobot implements AutoCloseable {
         ModemOptions heard =
                 new ModemOptions(new StationOptions(station.codec(), listener), options.answerAfterMillis());
         TelephoneRobot added = new TelephoneRobot(robot, identity, sim, heard, settings, drivers);
-        join(added, new ModemConnection() {
-            @Override
-            public void begin() {
-                stationThread.add(added.station(), center);
-            }
-
-            @Override
-            public void end() {
-                stationThread.remove(added.station(), station.recorder()::close);
-            }
-
-            @Override
-            public void close() {
-                station.recorder().close();
-            }
-        });
+        join(
+                added,
+                new ModemConnection(
+                        () -> stationThread.add(added.station(), center),
+                        () -> stationThread.remove(added.station(), station.recorder()::close),
+                        station.recorder()::close));
         return added;
     }
 
@@ -176,22 +166,7 @@ public final class SimRobot implements AutoCloseable {
                         new AttachedModem(number, answerAfterMillis, Instant.now(), line::send, admission, listener)),
                 settings,
                 new ControlThreads(line::execute, simulationThread, System::nanoTime));
-        join(added, new ModemConnection() {
-            @Override
-            public void begin() {
-                line.start();
-            }
-
-            @Override
-            public void end() {
-                line.end();
-            }
-
-            @Override
-            public void close() {
-                line.close();
-            }
-        });
+        join(added, new ModemConnection(line::start, line::end, line::close));
         return added;
     }
 
@@ -212,7 +187,7 @@ public final class SimRobot implements AutoCloseable {
         told.forEach(each -> each.accept(added));
         robots.add(added);
         if (started) {
-            connection.begin();
+            connection.begin().run();
         }
     }
 
@@ -222,7 +197,7 @@ public final class SimRobot implements AutoCloseable {
             robot.simulated().ifPresent(simulationThread.owned()::removeRobot);
             toldOfLeaving.forEach(each -> each.accept(robot));
             tracks.forget(robot.robot());
-            connections.remove(robot).end();
+            connections.remove(robot).end().run();
         }
     }
 
@@ -250,7 +225,7 @@ public final class SimRobot implements AutoCloseable {
         started = true;
         simulationThread.start();
         stationThread.start();
-        robots.forEach(robot -> connections.get(robot).begin());
+        robots.forEach(robot -> connections.get(robot).begin().run());
     }
 
     /** Returns the robots; the first is the default where none is named. */
@@ -321,7 +296,7 @@ public final class SimRobot implements AutoCloseable {
     public void close() {
         goodbyes.forEach(Runnable::run);
         stationThread.close();
-        connections.values().forEach(ModemConnection::close);
+        connections.values().forEach(connection -> connection.close().run());
         callMonitor.close();
         simulationThread.close();
         planning.shutdownNow();

@@ -44,8 +44,4 @@ public record Bumpers(int front, int rear) {
         int segment = (int) Math.floor((clockwise < 0 ? clockwise + 2 * Math.PI : clockwise) / SEGMENT_RADIANS);
         return 1 << Math.min(segment, 2 * COUNT_EACH - 1);
     }
-
-    public boolean isPressed() {
-        return front != 0 || rear != 0;
-    }
 }

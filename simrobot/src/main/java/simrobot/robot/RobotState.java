@@ -1,6 +1,5 @@
 package simrobot.robot;
 
-import java.util.Objects;
 import simrobot.process.BehaviourKind;
 import vericommand.RobotStatus;
 
@@ -35,10 +34,5 @@ public record RobotState(
                 robot.odometry().headingRadians(),
                 robot.status(),
                 robot.autonomy().kind());
-    }
-
-    public RobotState {
-        Objects.requireNonNull(status);
-        Objects.requireNonNull(behaviour);
     }
 }

@@ -33,4 +33,9 @@ public record RobotSnapshot(
         Trail.Points trail,
         BehaviourKind behaviour,
         List<Position> path,
-        boolean simulated) {}
+        boolean simulated) {
+    /** Whether the other robot has the same pose. */
+    public boolean isAtPoseOf(RobotSnapshot other) {
+        return xMeters == other.xMeters && yMeters == other.yMeters && headingRadians == other.headingRadians;
+    }
+}

@@ -1,8 +1,9 @@
 package simrobot.simulation;
 
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
+import java.util.function.BiPredicate;
+import java.util.stream.IntStream;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.world.World;
@@ -21,9 +22,14 @@ public record SimulationSnapshot(
         List<BehaviourKind> behaviours,
         List<BehaviourList.Fault> behaviourFaults) {
     public SimulationSnapshot {
-        Objects.requireNonNull(world);
         robots = List.copyOf(robots);
         behaviours = List.copyOf(behaviours);
+    }
+
+    /** Whether both snapshots have the same number of robots, and each pair of them is alike. */
+    public boolean hasRobotsAs(SimulationSnapshot other, BiPredicate<RobotSnapshot, RobotSnapshot> areAlike) {
+        return robots.size() == other.robots.size()
+                && IntStream.range(0, robots.size()).allMatch(i -> areAlike.test(robots.get(i), other.robots.get(i)));
     }
 
     public Optional<RobotSnapshot> robot(String name) {

@@ -1,16 +1,9 @@
 package simrobot.ui;
 
-import java.util.Objects;
-
 /**
  * A TCP port on which the program listens.
  *
  * @param protocol P2OS, HTTP or AT
  * @param robot that the port belongs to; empty for a port of the whole program
  */
-public record OpenPort(String protocol, String robot, int port) {
-    public OpenPort {
-        Objects.requireNonNull(protocol);
-        Objects.requireNonNull(robot);
-    }
-}
+public record OpenPort(String protocol, String robot, int port) {}

@@ -1,6 +1,5 @@
 package simrobot.ui;
 
-import java.util.Objects;
 import simgsm.dtmf.ToneTrace;
 import simgsm.station.StationSnapshot;
 import simgsm.station.call.MobileCallTable.MobileCallState;
@@ -22,15 +21,6 @@ public record TelephoneSnapshot(
         VeriCommandSnapshot orders,
         String tones,
         boolean audible) {
-    public TelephoneSnapshot {
-        Objects.requireNonNull(robot);
-        Objects.requireNonNull(number);
-        Objects.requireNonNull(modem);
-        Objects.requireNonNull(heard);
-        Objects.requireNonNull(orders);
-        Objects.requireNonNull(tones);
-    }
-
     /** Whether a call is active or being set up. */
     public boolean isInCall() {
         return modem.callState() != MobileCallState.NULL;

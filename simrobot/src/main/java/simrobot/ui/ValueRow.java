@@ -41,11 +41,6 @@ public final class ValueRow extends PaintedComponent {
     }
 
     @Override
-    public Dimension getMinimumSize() {
-        return getPreferredSize();
-    }
-
-    @Override
     protected void paint(Graphics2D g, double width, double height) {
         double base = height / 2 + Drawing.capHeight(g, Theme.base()) / 2;
         g.setFont(Theme.base());

@@ -2,7 +2,6 @@ package simrobot.ui;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import simrobot.control.LoggedEvent;
 import simrobot.simulation.SimulationSnapshot;
@@ -33,13 +32,8 @@ public record WindowSnapshot(
         Optional<Path> recording,
         boolean worldChanged) {
     public WindowSnapshot {
-        Objects.requireNonNull(simulation);
         lines = List.copyOf(lines);
-        Objects.requireNonNull(worldFile);
-        Objects.requireNonNull(notice);
         ports = List.copyOf(ports);
         events = List.copyOf(events);
-        Objects.requireNonNull(timeline);
-        Objects.requireNonNull(recording);
     }
 }

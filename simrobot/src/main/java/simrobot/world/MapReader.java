@@ -33,7 +33,7 @@ public final class MapReader {
      * @param source named in errors and as the world's name
      */
     public static World read(String source, String text) throws WorldFormatException {
-        List<String> lines = WorldReader.lines(text);
+        List<String> lines = text.lines().toList();
         if (lines.isEmpty() || !lines.get(0).strip().startsWith(MAGIC)) {
             String found = lines.isEmpty() ? "an empty file" : '"' + brief(lines.get(0)) + '"';
             throw new WorldFormatException(

@@ -42,7 +42,7 @@ public final class SaphiraReader {
      */
     public static World read(String source, String text) throws WorldFormatException {
         SaphiraReader reader = new SaphiraReader(source);
-        List<String> lines = WorldReader.lines(text);
+        List<String> lines = text.lines().toList();
         for (int i = 0; i < lines.size(); i++) {
             String line = lines.get(i);
             int comment = line.indexOf(';');

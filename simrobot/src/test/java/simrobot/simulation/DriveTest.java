@@ -172,7 +172,7 @@ class DriveTest {
         bench.seconds(5);
         assertEquals(0.55, bench.robot.xMeters(), 1e-6);
         assertEquals(List.of(RobotStatus.MOVING, RobotStatus.STOPPED), bench.statuses);
-        assertFalse(bench.robot.bumpers().isPressed());
+        assertEquals(new Bumpers(0, 0), bench.robot.bumpers());
     }
 
     @Test

@@ -2,7 +2,6 @@ package simrobot.simulation;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -107,7 +106,7 @@ class SensesTest {
         Simulation simulation = simulation(CORNER, 0, 1);
         SimulatedRobot robot = robot(simulation);
         robot.place(0, 0.7495, 0);
-        assertFalse(robot.bumpers().isPressed());
+        assertEquals(new Bumpers(0, 0), robot.bumpers());
     }
 
     @Test

@@ -40,7 +40,11 @@ record FlatPainter(Look look, List<String> states) implements Painter<JComponent
             if (states > 0 && kind > 0 && name.endsWith("Painter")) {
                 Look look = look(name.substring(0, states), name.substring(kind + 2));
                 if (look != null) {
-                    defaults.put(key, new FlatPainter(look, List.of(name.substring(states + 1, kind).split("\\+"))));
+                    defaults.put(
+                            key,
+                            new FlatPainter(
+                                    look,
+                                    List.of(name.substring(states + 1, kind).split("\\+"))));
                 }
             }
         }
@@ -74,9 +78,7 @@ record FlatPainter(Look look, List<String> states) implements Painter<JComponent
             case "Menu", "MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem" ->
                 background
                         ? (painted, g, w, h) -> fill(g, w, h, Ink.ACCENT_WASH)
-                        : painter.equals("checkIconPainter")
-                                ? (painted, g, w, h) -> tick(g, w, h, Ink.ACCENT)
-                                : null;
+                        : painter.equals("checkIconPainter") ? (painted, g, w, h) -> tick(g, w, h, Ink.ACCENT) : null;
             case "PopupMenu", "ToolTip" -> FlatPainter::popup;
             case "PopupMenuSeparator" -> FlatPainter::rule;
             default -> null;

@@ -117,11 +117,6 @@ public final class Lamp extends PaintedComponent {
     }
 
     @Override
-    public Dimension getMinimumSize() {
-        return getPreferredSize();
-    }
-
-    @Override
     protected void paint(Graphics2D g, double width, double height) {
         double r = Theme.exact(RADIUS_UNITS);
         double x = Theme.exact(TEXT_UNITS);

@@ -42,11 +42,6 @@ public final class NumberedLabel extends PaintedComponent {
     }
 
     @Override
-    public Dimension getMinimumSize() {
-        return getPreferredSize();
-    }
-
-    @Override
     public Dimension getMaximumSize() {
         return getPreferredSize();
     }

@@ -1,5 +1,6 @@
 package simgsm.ui;
 
+import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.FocusEvent;
@@ -64,6 +65,12 @@ public abstract class PaintedComponent extends JComponent implements Accessible 
                 component.repaint();
             }
         });
+    }
+
+    /** The preferred size, unless a component can be smaller. */
+    @Override
+    public Dimension getMinimumSize() {
+        return getPreferredSize();
     }
 
     @Override

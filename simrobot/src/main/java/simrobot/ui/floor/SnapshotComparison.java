@@ -1,7 +1,6 @@
 package simrobot.ui.floor;
 
 import java.util.Arrays;
-import java.util.List;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.Surface;
@@ -17,27 +16,13 @@ final class SnapshotComparison {
         return before.world() == now.world()
                 && now.world().surfaces().stream().noneMatch(Surface::isMoving)
                 && before.timeNanos() / FADE_NANOS == now.timeNanos() / FADE_NANOS
-                && sameRobots(before.robots(), now.robots());
+                && now.hasRobotsAs(before, SnapshotComparison::looksTheSame);
     }
 
-    private static boolean sameRobots(List<RobotSnapshot> before, List<RobotSnapshot> now) {
-        if (before.size() != now.size()) {
-            return false;
-        }
-        for (int i = 0; i < now.size(); i++) {
-            if (!same(before.get(i), now.get(i))) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private static boolean same(RobotSnapshot a, RobotSnapshot b) {
+    private static boolean looksTheSame(RobotSnapshot a, RobotSnapshot b) {
         return a.name().equals(b.name())
                 && a.status() == b.status()
-                && a.xMeters() == b.xMeters()
-                && a.yMeters() == b.yMeters()
-                && a.headingRadians() == b.headingRadians()
+                && a.isAtPoseOf(b)
                 && a.trail() == b.trail()
                 && Arrays.equals(a.sonarRangesMeters(), b.sonarRangesMeters());
     }

@@ -6,7 +6,6 @@ import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
-import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import javax.accessibility.AccessibleRole;
@@ -43,22 +42,11 @@ public final class CameraView extends PaintedComponent {
     private record CameraScene(SimulationSnapshot scene, RobotSnapshot robot) {
         /** Whether world and robots are in the same places. */
         boolean looksLike(CameraScene other) {
-            if (other == null || !robot.name().equals(other.robot.name()) || scene.world() != other.scene.world()) {
-                return false;
-            }
-            List<RobotSnapshot> here = scene.robots();
-            List<RobotSnapshot> there = other.scene.robots();
-            boolean same = here.size() == there.size() && robot.powered() == other.robot.powered();
-            for (int i = 0; same && i < here.size(); i++) {
-                same = isSamePose(here.get(i), there.get(i));
-            }
-            return same;
-        }
-
-        private static boolean isSamePose(RobotSnapshot one, RobotSnapshot other) {
-            return one.xMeters() == other.xMeters()
-                    && one.yMeters() == other.yMeters()
-                    && one.headingRadians() == other.headingRadians();
+            return other != null
+                    && robot.name().equals(other.robot.name())
+                    && robot.powered() == other.robot.powered()
+                    && scene.world() == other.scene.world()
+                    && scene.hasRobotsAs(other.scene, RobotSnapshot::isAtPoseOf);
         }
     }
 
@@ -141,11 +129,6 @@ public final class CameraView extends PaintedComponent {
     public Dimension getPreferredSize() {
         int width = Theme.px(Camera.WIDTH * LEAST_SHARE);
         return new Dimension(width, width * Camera.HEIGHT / Camera.WIDTH);
-    }
-
-    @Override
-    public Dimension getMinimumSize() {
-        return getPreferredSize();
     }
 
     @Override

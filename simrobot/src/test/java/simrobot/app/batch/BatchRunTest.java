@@ -76,7 +76,7 @@ class BatchRunTest {
                 new SimRobot(simulation, new InetSocketAddress("127.0.0.1", 1), settings, AudioOutput.SILENT)) {
             Fleet fleet = new Fleet(simRobot, kit);
             for (String robot : List.of("anna=5550201", "berta=5550202", "clara=5550203")) {
-                fleet.addFirst(RobotName.parse(robot), simulation);
+                fleet.addFirst(RobotName.parse(robot), simulation, Optional.empty());
             }
             for (int second = 0; second < SECONDS; second++) {
                 simulation.run(100);

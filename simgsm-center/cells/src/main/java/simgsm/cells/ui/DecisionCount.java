@@ -47,11 +47,6 @@ final class DecisionCount extends PaintedComponent {
     }
 
     @Override
-    public Dimension getMinimumSize() {
-        return getPreferredSize();
-    }
-
-    @Override
     protected void paint(Graphics2D g, double width, double height) {
         double x = 0;
         double radius = Theme.exact(4);

@@ -150,11 +150,6 @@ final class HexDump extends PaintedComponent {
     }
 
     @Override
-    public Dimension getMinimumSize() {
-        return getPreferredSize();
-    }
-
-    @Override
     protected void paint(Graphics2D g, double width, double height) {
         g.setColor(Theme.color(Ink.CARD));
         g.fillRect(0, 0, getWidth(), getHeight());
