@@ -32,23 +32,30 @@ final class LaserReports {
         this.robot = robot;
     }
 
-    /** Applies a setting; a field that no laser has is not sent. */
-    void set(P2osCommand.LaserCommand setting) {
-        switch (setting.part()) {
-            case MODE -> {
-                mode = setting.value();
-                robot.laser().setOn(mode != 0);
-            }
-            case START -> startDegrees = setting.value();
-            case END -> endDegrees = setting.value();
-            case STEP -> stepDegrees = setting.value() / 100.0;
-        }
+    /** Sets what is sent: 0 nothing, 1 plain packets, 2 extended ones. */
+    void setMode(int newMode) {
+        mode = newMode;
+        robot.laser().setOn(mode != 0);
+    }
+
+    /** Sets the direction of the first reading. Nothing is sent while the field is one that no laser has. */
+    void setStart(int degrees) {
+        startDegrees = degrees;
+    }
+
+    /** Sets the direction of the last reading. */
+    void setEnd(int degrees) {
+        endDegrees = degrees;
+    }
+
+    /** Sets the angle between readings. */
+    void setStep(int hundredthsOfDegree) {
+        stepDegrees = hundredthsOfDegree / 100.0;
     }
 
     /** The client has left. */
     void end() {
-        mode = 0;
-        robot.laser().setOn(false);
+        setMode(0);
     }
 
     /** The packets of one scan; none while the laser is off. */

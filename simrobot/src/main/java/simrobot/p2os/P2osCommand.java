@@ -1,104 +1,132 @@
 package simrobot.p2os;
 
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import simgsm.octets.Octets;
+import simrobot.robot.SonarRing;
+import vericommand.Pose;
 
-/** A client's command; one record per command that the robot supports, units as on the wire. */
-public sealed interface P2osCommand {
-    /** Number 0: the first step of the handshake, later the keep-alive. */
-    record Pulse() implements P2osCommand {}
+/**
+ * A client's command as packet data: a {@link P2osCommandNumber}, then nothing or one argument. A command whose argument is
+ * missing or of the wrong type has no effect.
+ */
+public final class P2osCommand {
+    private static final int POSITIVE = 0x3B;
+    private static final int NEGATIVE = 0x1B;
+    private static final int TEXT = 0x2B;
+    private static final int TEXT_HEAD = 3;
+    private static final int MAX_TEXT = 195;
+    private static final int SIM_CTRL_HEAD = 6;
+    private static final int POSE_LENGTH = 14;
 
-    /** Number 1: the second step of the handshake, later the opening of the session. */
-    record Open() implements P2osCommand {}
+    private final byte[] data;
 
-    /** Number 2: the last step of the handshake, later the session's end. */
-    record Close() implements P2osCommand {}
-
-    /**
-     * Selects the sonars to fire.
-     *
-     * @param sonars 0 to 15, no others; empty means all
-     */
-    record Polling(List<Integer> sonars) implements P2osCommand {}
-
-    record Enable(boolean motors) implements P2osCommand {}
-
-    /** Acceleration in mm/s2; negative values set the deceleration. */
-    record Acceleration(int millimetersPerSecond2) implements P2osCommand {}
-
-    /** Angular acceleration in degrees/s2; negative values set the deceleration. */
-    record TurnAcceleration(int degreesPerSecond2) implements P2osCommand {}
-
-    record TopSpeed(int millimetersPerSecond) implements P2osCommand {}
-
-    record TopTurnSpeed(int degreesPerSecond) implements P2osCommand {}
-
-    /** Sets the odometry to 0, 0, 0. */
-    record SetOrigin() implements P2osCommand {}
-
-    record Move(int millimeters) implements P2osCommand {}
-
-    record Rotate(int degreesPerSecond) implements P2osCommand {}
-
-    record Velocity(int millimetersPerSecond) implements P2osCommand {}
-
-    /** Each wheel's speed in units of 20 mm/s. */
-    record WheelVelocities(int left, int right) implements P2osCommand {}
-
-    /** Turns to an absolute heading of the odometry, through the smaller angle. */
-    record Heading(int degrees) implements P2osCommand {}
-
-    /** Turns relative to the current heading. */
-    record TurnBy(int degrees) implements P2osCommand {}
-
-    /** Turns relative to the heading that the robot is turning to. */
-    record TurnByFromTarget(int degrees) implements P2osCommand {}
-
-    record Configuration() implements P2osCommand {}
-
-    /** Selects when encoder packets are sent: 0 never, 1 once, 2 with every information packet. */
-    record Encoders(int mode) implements P2osCommand {}
-
-    record Sonar(boolean on) implements P2osCommand {}
-
-    record Stop() implements P2osCommand {}
-
-    /** Stops at once, without deceleration. */
-    record EmergencyStop() implements P2osCommand {}
-
-    /** Selects the bumpers that stall the wheels at once: 0 none, 1 front, 2 rear, 3 both. */
-    record BumpStall(boolean front, boolean rear) implements P2osCommand {}
-
-    /** Sets the true pose, in mm and degrees; the odometry is unchanged. */
-    record SimPose(int x, int y, int heading) implements P2osCommand {}
-
-    /** Returns the robot to its first pose and sets the odometry to 0. */
-    record SimReset() implements P2osCommand {}
-
-    /** Selects when the simulator's status is sent, as for the encoders. */
-    record SimStatus(int mode) implements P2osCommand {}
-
-    /** A setting of the simulated laser. */
-    enum LaserPart {
-        /** 0 off, 1 plain packets, 2 extended ones. */
-        MODE,
-        /** Degrees, of the first reading. */
-        START,
-        /** Degrees, of the last reading. */
-        END,
-        /** Hundredths of a degree between readings. */
-        STEP
+    /** @param data data of a packet, at least one byte */
+    P2osCommand(byte[] data) {
+        this.data = data;
     }
 
-    record LaserCommand(LaserPart part, int value) implements P2osCommand {}
+    // ---- encoding -----------------------------------------------------------------------------------------------
 
-    /** Loads a world. */
-    record SimLoad(String file) implements P2osCommand {}
+    /** Returns a framed command without argument. */
+    public static byte[] packet(int number) {
+        return P2osPacket.of(new byte[] {(byte) number});
+    }
 
-    /** A text for the operator. */
-    record SimMessage(String text) implements P2osCommand {}
+    /** Returns a framed command with an integer argument, -65535 to 65535. */
+    public static byte[] packet(int number, int argument) {
+        if (Math.abs(argument) > 0xFFFF) {
+            throw new IllegalArgumentException("an argument is -65535 to 65535, not " + argument);
+        }
+        int kind = argument < 0 ? NEGATIVE : POSITIVE;
+        return P2osPacket.of(P2osPacket.data()
+                .octet(number)
+                .octet(kind)
+                .twoOctets(Math.abs(argument))
+                .toArray());
+    }
 
-    record BatteryTest(int decivolts) implements P2osCommand {}
+    /** Returns a framed command with a byte-string argument. */
+    public static byte[] packet(int number, byte[] argument) {
+        if (argument.length > MAX_TEXT) {
+            throw new IllegalArgumentException("at most " + MAX_TEXT + " bytes, not " + argument.length);
+        }
+        return P2osPacket.of(P2osPacket.data()
+                .octet(number)
+                .octet(TEXT)
+                .octet(argument.length)
+                .bytes(argument)
+                .toArray());
+    }
 
-    /** A command without effect: unknown, equipment not fitted, or its argument missing or of the wrong type. */
-    record Unheeded(int number) implements P2osCommand {}
+    // ---- decoding -----------------------------------------------------------------------------------------------
+
+    int number() {
+        return data[0] & 0xFF;
+    }
+
+    /** Whether the argument is an integer. */
+    boolean hasInteger() {
+        return data.length >= 4 && (data[1] == POSITIVE || data[1] == NEGATIVE);
+    }
+
+    /** The integer argument; requires {@link #hasInteger}. */
+    int integer() {
+        int size = unsigned(2);
+        return data[1] == NEGATIVE ? -size : size;
+    }
+
+    /** The sonars that {@code POLLING} orders, sonar 0 for 1 on the wire; numbers that no sonar has are left out. */
+    Optional<List<Integer>> sonars() {
+        if (!hasText() || (data[2] & 0xFF) > data.length - TEXT_HEAD) {
+            return Optional.empty();
+        }
+        List<Integer> sonars = new ArrayList<>();
+        for (byte octet : Octets.range(data, TEXT_HEAD, TEXT_HEAD + (data[2] & 0xFF))) {
+            if (octet >= 1 && octet <= SonarRing.COUNT) {
+                sonars.add(octet - 1);
+            }
+        }
+        return Optional.of(sonars);
+    }
+
+    /** The file that {@code SIM_CTRL} asks to load: operation 1 or 2, a length, and the name. */
+    Optional<String> worldFile() {
+        boolean loads = hasInteger() && (integer() == 1 || integer() == 2) && data.length >= SIM_CTRL_HEAD;
+        return loads ? Optional.of(text(SIM_CTRL_HEAD, unsigned(SIM_CTRL_HEAD - 2))) : Optional.empty();
+    }
+
+    /** The text argument. */
+    Optional<String> text() {
+        return hasText() ? Optional.of(text(TEXT_HEAD, data[2] & 0xFF)) : Optional.empty();
+    }
+
+    /** The pose of {@code SIM_SET_POSE}: three integers of four octets, in mm and degrees. */
+    Optional<Pose> pose() {
+        return data.length < POSE_LENGTH
+                ? Optional.empty()
+                : Optional.of(new Pose(signed(2) / 1000.0, signed(6) / 1000.0, signed(10)));
+    }
+
+    private boolean hasText() {
+        return data.length >= TEXT_HEAD && data[1] == TEXT;
+    }
+
+    private String text(int from, int length) {
+        int end = from;
+        while (end < Math.min(data.length, from + length) && data[end] != 0) {
+            end++;
+        }
+        return new String(data, from, end - from, StandardCharsets.UTF_8);
+    }
+
+    private int unsigned(int at) {
+        return data[at] & 0xFF | (data[at + 1] & 0xFF) << 8;
+    }
+
+    private int signed(int at) {
+        return unsigned(at) | unsigned(at + 2) << 16;
+    }
 }

@@ -1,5 +1,6 @@
 package simrobot.p2os;
 
+import java.util.Optional;
 import simrobot.robot.DirectControl;
 import simrobot.robot.Drive;
 import simrobot.robot.Pioneer2Dx;
@@ -26,61 +27,50 @@ final class P2osMotionCommands {
     }
 
     /** Performs the command if it is a motion command. */
-    void perform(P2osCommand command) {
-        if (command instanceof P2osCommand.Stop) {
-            robot.brake();
-        } else if (command instanceof P2osCommand.EmergencyStop) {
-            robot.brakeAtOnce();
-        } else if (!limit(command) && control.take()) {
-            steer(command);
-        }
-    }
-
-    private void steer(P2osCommand command) {
-        if (command instanceof P2osCommand.Velocity velocity) {
-            drive.setSpeed(velocity.millimetersPerSecond() / 1000.0);
-        } else if (command instanceof P2osCommand.Rotate rotate) {
-            drive.setTurnSpeed(Math.toRadians(rotate.degreesPerSecond()));
-        } else if (command instanceof P2osCommand.WheelVelocities wheels) {
-            steerWheels(wheels);
-        } else if (command instanceof P2osCommand.Move move) {
-            drive.move(move.millimeters() / 1000.0);
-        } else if (command instanceof P2osCommand.Heading heading) {
-            double way = Math.toRadians(heading.degrees()) - robot.odometry().headingRadians();
-            drive.turn(Math.IEEEremainder(way, 2 * Math.PI));
-        } else if (command instanceof P2osCommand.TurnBy turn) {
-            drive.turn(Math.toRadians(turn.degrees()));
-        } else if (command instanceof P2osCommand.TurnByFromTarget turn) {
-            drive.turn(drive.remainingTurn() + Math.toRadians(turn.degrees()));
-        }
-    }
-
-    private void steerWheels(P2osCommand.WheelVelocities wheels) {
-        double unit = P3dxScale.WHEEL_UNIT_MILLIMETERS_PER_SECOND / 1000;
-        drive.setSpeed((wheels.left() + wheels.right()) * unit / 2);
-        drive.setTurnSpeed((wheels.right() - wheels.left()) * unit / Pioneer2Dx.EFFECTIVE_TRACK_METERS);
-    }
-
-    /** Applies a limit; limits of 0 are ignored. Returns true if the command sets a limit. */
-    private boolean limit(P2osCommand command) {
+    void perform(int number, int argument) {
         Trapezoid ahead = drive.aheadLimits();
         Trapezoid turn = drive.turnLimits();
-        if (command instanceof P2osCommand.Acceleration limit) {
-            ahead = withAcceleration(ahead, limit.millimetersPerSecond2(), 0.001);
-        } else if (command instanceof P2osCommand.TurnAcceleration limit) {
-            turn = withAcceleration(turn, limit.degreesPerSecond2(), Math.toRadians(1));
-        } else if (command instanceof P2osCommand.TopSpeed limit) {
-            int top = Math.min(limit.millimetersPerSecond(), P3dxScale.MOST_MILLIMETERS_PER_SECOND);
-            ahead = withTop(ahead, top / 1000.0);
-        } else if (command instanceof P2osCommand.TopTurnSpeed limit) {
-            turn = withTop(turn, Math.toRadians(Math.min(limit.degreesPerSecond(), P3dxScale.MOST_DEGREES_PER_SECOND)));
-        } else {
-            return false;
+        switch (number) {
+            case P2osCommandNumber.SETA -> drive.setLimits(withAcceleration(ahead, argument, 0.001), turn);
+            case P2osCommandNumber.SETRA -> drive.setLimits(ahead, withAcceleration(turn, argument, Math.toRadians(1)));
+            case P2osCommandNumber.SETV -> {
+                int top = Math.min(argument, P3dxScale.MOST_MILLIMETERS_PER_SECOND);
+                drive.setLimits(withTop(ahead, top / 1000.0), turn);
+            }
+            case P2osCommandNumber.SETRV -> {
+                int top = Math.min(argument, P3dxScale.MOST_DEGREES_PER_SECOND);
+                drive.setLimits(ahead, withTop(turn, Math.toRadians(top)));
+            }
+            default ->
+                steering(number, argument).filter(steering -> control.take()).ifPresent(Runnable::run);
         }
-        drive.setLimits(ahead, turn);
-        return true;
     }
 
+    private Optional<Runnable> steering(int number, int argument) {
+        Runnable steering = switch (number) {
+            case P2osCommandNumber.VEL -> () -> drive.setSpeed(argument / 1000.0);
+            case P2osCommandNumber.ROTATE, P2osCommandNumber.RVEL -> () -> drive.setTurnSpeed(Math.toRadians(argument));
+            case P2osCommandNumber.VEL2 -> () -> steerWheels((byte) (argument >> 8), (byte) argument);
+            case P2osCommandNumber.MOVE -> () -> drive.move(argument / 1000.0);
+            case P2osCommandNumber.HEAD -> () -> turnTo(Math.toRadians(argument));
+            case P2osCommandNumber.DHEAD -> () -> drive.turn(Math.toRadians(argument));
+            case P2osCommandNumber.DCHEAD -> () -> drive.turn(drive.remainingTurn() + Math.toRadians(argument));
+            default -> null;
+        };
+        return Optional.ofNullable(steering);
+    }
+
+    private void turnTo(double headingRadians) {
+        drive.turn(Math.IEEEremainder(headingRadians - robot.odometry().headingRadians(), 2 * Math.PI));
+    }
+
+    private void steerWheels(int left, int right) {
+        double unit = P3dxScale.WHEEL_UNIT_MILLIMETERS_PER_SECOND / 1000;
+        drive.setSpeed((left + right) * unit / 2);
+        drive.setTurnSpeed((right - left) * unit / Pioneer2Dx.EFFECTIVE_TRACK_METERS);
+    }
+
+    /** The limits with another acceleration, or deceleration if the number is negative; 0 changes nothing. */
     private static Trapezoid withAcceleration(Trapezoid limits, int signed, double unit) {
         double size = Math.min(Math.abs(signed), P3dxScale.MOST_ACCELERATION) * unit;
         if (size == 0) {

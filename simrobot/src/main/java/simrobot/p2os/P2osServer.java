@@ -22,9 +22,9 @@ public final class P2osServer implements AutoCloseable {
 
     /** A handshake, which changes nothing in the robot. */
     public static final byte[][] FIRST_REQUESTS = {
-        P2osCommandCodec.packet(P2osCommandNumber.PULSE),
-        P2osCommandCodec.packet(P2osCommandNumber.OPEN),
-        P2osCommandCodec.packet(P2osCommandNumber.CLOSE)
+        P2osCommand.packet(P2osCommandNumber.PULSE),
+        P2osCommand.packet(P2osCommandNumber.OPEN),
+        P2osCommand.packet(P2osCommandNumber.CLOSE)
     };
 
     /** Period of the ports' client checks, and of the sessions' ticks while the simulation makes no steps. */

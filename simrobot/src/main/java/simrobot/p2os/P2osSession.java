@@ -158,19 +158,22 @@ public final class P2osSession {
             silent = false;
             motion.control().setSuspended(false);
         }
-        P2osCommand command = P2osCommandCodec.decode(data);
+        P2osCommand command = new P2osCommand(data);
         boolean isRepeated = pulsed;
-        pulsed = command instanceof P2osCommand.Pulse;
-        if (pulsed) {
-            if (!isRepeated) {
-                fire(P2osEvent.PULSE_RECEIVED);
+        pulsed = command.number() == P2osCommandNumber.PULSE;
+        switch (command.number()) {
+            case P2osCommandNumber.PULSE -> {
+                if (!isRepeated) {
+                    fire(P2osEvent.PULSE_RECEIVED);
+                }
             }
-        } else if (command instanceof P2osCommand.Open) {
-            fire(P2osEvent.OPEN_RECEIVED);
-        } else if (command instanceof P2osCommand.Close) {
-            fire(P2osEvent.CLOSE_RECEIVED);
-        } else if (machine.state() == State.OPEN) {
-            perform(command);
+            case P2osCommandNumber.OPEN -> fire(P2osEvent.OPEN_RECEIVED);
+            case P2osCommandNumber.CLOSE -> fire(P2osEvent.CLOSE_RECEIVED);
+            default -> {
+                if (machine.state() == State.OPEN) {
+                    perform(command);
+                }
+            }
         }
     }
 
@@ -181,9 +184,9 @@ public final class P2osSession {
 
     private void perform(Action action) {
         switch (action) {
-            case ECHO_PULSE -> output.send(P2osCommandCodec.packet(P2osCommandNumber.PULSE));
-            case ECHO_OPEN -> output.send(P2osCommandCodec.packet(P2osCommandNumber.OPEN));
-            case SEND_OUT_OF_ORDER -> output.send(P2osCommandCodec.packet(P2osCommandNumber.OUT_OF_ORDER));
+            case ECHO_PULSE -> output.send(P2osCommand.packet(P2osCommandNumber.PULSE));
+            case ECHO_OPEN -> output.send(P2osCommand.packet(P2osCommandNumber.OPEN));
+            case SEND_OUT_OF_ORDER -> output.send(P2osCommand.packet(P2osCommandNumber.OUT_OF_ORDER));
             case SEND_NAMES -> output.send(reports.introduction());
             case BEGIN_CONTROL -> {
                 LOG.log(Level.INFO, robot.name() + ": a P2OS client takes control");
@@ -202,45 +205,49 @@ public final class P2osSession {
     // ---- commands ------------------------------------------------------------------------------------------------
 
     private void perform(P2osCommand command) {
-        if (command instanceof P2osCommand.Enable enable) {
-            robot.setMotors(enable.motors());
-        } else if (command instanceof P2osCommand.SetOrigin) {
-            robot.resetOdometry();
-        } else if (command instanceof P2osCommand.Configuration) {
-            output.send(ConfigurationPacket.of(reports.name()));
-        } else if (command instanceof P2osCommand.Encoders wanted) {
-            encoders = Repetition.of(wanted.mode());
-        } else if (command instanceof P2osCommand.SimStatus wanted) {
-            simulator = Repetition.of(wanted.mode());
-        } else if (command instanceof P2osCommand.Sonar sonar) {
-            reports.setSonar(sonar.on());
-        } else if (command instanceof P2osCommand.Polling polling) {
-            reports.setPolled(polling.sonars());
-        } else if (command instanceof P2osCommand.BumpStall sides) {
-            stall.setBumpers(sides);
-        } else if (command instanceof P2osCommand.BatteryTest battery) {
-            robot.battery().setVolts(Math.max(0, Math.min(0xFF, battery.decivolts())) / 10.0);
-        } else if (command instanceof P2osCommand.LaserCommand setting) {
-            laser.set(setting);
-        } else if (command instanceof P2osCommand.SimLoad load) {
-            requests.loadWorld(robot.name(), load.file());
-        } else if (command instanceof P2osCommand.SimMessage message) {
-            requests.show(robot.name(), message.text());
-        } else if (command instanceof P2osCommand.SimPose pose) {
-            place(pose.x() / 1000.0, pose.y() / 1000.0, Math.toRadians(pose.heading()));
-        } else if (command instanceof P2osCommand.SimReset) {
-            place(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
-            robot.resetOdometry();
-        } else {
-            motion.perform(command);
+        switch (command.number()) {
+            case P2osCommandNumber.SETO -> robot.resetOdometry();
+            case P2osCommandNumber.STOP -> robot.brake();
+            case P2osCommandNumber.E_STOP, P2osCommandNumber.E_STOP_OLD -> robot.brakeAtOnce();
+            case P2osCommandNumber.CONFIG -> output.send(ConfigurationPacket.of(reports.name()));
+            case P2osCommandNumber.POLLING -> command.sonars().ifPresent(reports::setPolled);
+            case P2osCommandNumber.SIM_SET_POSE -> command.pose().ifPresent(this::place);
+            case P2osCommandNumber.SIM_RESET -> {
+                place(start);
+                robot.resetOdometry();
+            }
+            case P2osCommandNumber.SIM_CTRL ->
+                command.worldFile().ifPresent(file -> requests.loadWorld(robot.name(), file));
+            case P2osCommandNumber.SIM_STAT -> simulator = Repetition.of(command.hasInteger() ? command.integer() : 1);
+            case P2osCommandNumber.SIM_MESSAGE -> command.text().ifPresent(text -> requests.show(robot.name(), text));
+            default -> {
+                if (command.hasInteger()) {
+                    perform(command.number(), command.integer());
+                }
+            }
+        }
+    }
+
+    private void perform(int number, int argument) {
+        switch (number) {
+            case P2osCommandNumber.ENABLE -> robot.setMotors(argument != 0);
+            case P2osCommandNumber.ENCODER -> encoders = Repetition.of(argument);
+            case P2osCommandNumber.SONAR -> reports.setSonar(argument != 0);
+            case P2osCommandNumber.BUMPSTALL -> stall.setBumpers((argument & 1) != 0, (argument & 2) != 0);
+            case P2osCommandNumber.BATTEST -> robot.battery().setVolts(Math.max(0, Math.min(0xFF, argument)) / 10.0);
+            case P2osCommandNumber.LASER, P2osCommandNumber.SIM_LRF_ENABLE -> laser.setMode(argument);
+            case P2osCommandNumber.LASER_START, P2osCommandNumber.SIM_LRF_START -> laser.setStart(argument);
+            case P2osCommandNumber.LASER_END, P2osCommandNumber.SIM_LRF_END -> laser.setEnd(argument);
+            case P2osCommandNumber.LASER_STEP, P2osCommandNumber.SIM_LRF_STEP -> laser.setStep(argument);
+            default -> motion.perform(number, argument);
         }
     }
 
     /** Moves the true pose, unless the robot executes an order by telephone. */
-    private void place(double x, double y, double heading) {
+    private void place(Pose pose) {
         if (!robot.isUnderOrder()) {
             robot.brakeAtOnce();
-            robot.place(x, y, heading);
+            robot.place(pose.xMeters(), pose.yMeters(), Math.toRadians(pose.headingDegrees()));
         }
     }
 

@@ -19,9 +19,10 @@ final class StallDetector {
         this.robot = robot;
     }
 
-    void setBumpers(P2osCommand.BumpStall sides) {
-        frontStalls = sides.front();
-        rearStalls = sides.rear();
+    /** Selects the bumpers that stall the wheels at once. */
+    void setBumpers(boolean front, boolean rear) {
+        frontStalls = front;
+        rearStalls = rear;
     }
 
     /** @param simulatedNanos the current simulated time */

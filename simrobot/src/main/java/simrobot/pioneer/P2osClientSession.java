@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simrobot.p2os.InformationPacket;
-import simrobot.p2os.P2osCommandCodec;
+import simrobot.p2os.P2osCommand;
 import simrobot.p2os.P2osCommandNumber;
 
 /**
@@ -102,7 +102,7 @@ final class P2osClientSession {
         if (++tries > MOST_TRIES) {
             giveUp("does not synchronise");
         } else {
-            line.send(P2osCommandCodec.packet(step));
+            line.send(P2osCommand.packet(step));
         }
     }
 
@@ -123,7 +123,7 @@ final class P2osClientSession {
             if (nanos - heardNanos > SILENCE_NANOS) {
                 giveUp("has fallen silent");
             } else if (nanos - sentNanos >= SIGN_OF_LIFE_NANOS) {
-                send(P2osCommandCodec.packet(P2osCommandNumber.PULSE), nanos);
+                send(P2osCommand.packet(P2osCommandNumber.PULSE), nanos);
             }
         }
     }
@@ -144,7 +144,7 @@ final class P2osClientSession {
         int id = data[0] & 0xFF;
         if (InformationPacket.isOne(data)) {
             // an earlier client's session is still open
-            line.send(P2osCommandCodec.packet(P2osCommandNumber.CLOSE));
+            line.send(P2osCommand.packet(P2osCommandNumber.CLOSE));
             ask(0, nanos);
         } else if (id == P2osCommandNumber.OUT_OF_ORDER) {
             ask(0, nanos);
@@ -165,7 +165,7 @@ final class P2osClientSession {
         LOG.log(Level.INFO, robot + ": talks with the Pioneer " + names[0] + ", a " + subclass);
         stage = Stage.OPEN;
         heardNanos = nanos;
-        send(P2osCommandCodec.packet(P2osCommandNumber.OPEN, 1), nanos);
+        send(P2osCommand.packet(P2osCommandNumber.OPEN, 1), nanos);
         opened.run();
     }
 

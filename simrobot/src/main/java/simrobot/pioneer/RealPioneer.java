@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import simrobot.behaviour.Steering;
 import simrobot.p2os.InformationPacket;
-import simrobot.p2os.P2osCommandCodec;
+import simrobot.p2os.P2osCommand;
 import simrobot.p2os.P2osCommandNumber;
 import simrobot.p2os.P2osPacketReader;
 import simrobot.process.Surroundings;
@@ -94,7 +94,7 @@ public final class RealPioneer extends Pioneer {
         reader = new P2osPacketReader(this::heard);
         if (lostUnderWay) {
             lostUnderWay = false;
-            line.send(P2osCommandCodec.packet(P2osCommandNumber.STOP));
+            line.send(P2osCommand.packet(P2osCommandNumber.STOP));
         }
         conversation.begin(nanos);
     }
@@ -148,11 +148,11 @@ public final class RealPioneer extends Pioneer {
     }
 
     private void tell(int command, int argument) {
-        conversation.send(P2osCommandCodec.packet(command, argument), nanos);
+        conversation.send(P2osCommand.packet(command, argument), nanos);
     }
 
     private void stop() {
-        conversation.send(P2osCommandCodec.packet(P2osCommandNumber.STOP), nanos);
+        conversation.send(P2osCommand.packet(P2osCommandNumber.STOP), nanos);
     }
 
     private void take(InformationPacket information) {
@@ -320,7 +320,7 @@ public final class RealPioneer extends Pioneer {
             line.call();
         } else {
             stop();
-            conversation.send(P2osCommandCodec.packet(P2osCommandNumber.CLOSE), nanos);
+            conversation.send(P2osCommand.packet(P2osCommandNumber.CLOSE), nanos);
             conversation.end();
             line.hangUp();
             lose();

@@ -43,18 +43,18 @@ final class HostileInput {
             if (number == P2osCommandNumber.CLOSE) {
                 continue;
             }
-            octets.bytes(P2osCommandCodec.packet(number, random.nextInt(0x1FFFF) - 0xFFFF));
+            octets.bytes(P2osCommand.packet(number, random.nextInt(0x1FFFF) - 0xFFFF));
         }
         return octets.toArray();
     }
 
     private static byte[] cutOff(Random random) {
-        byte[] whole = P2osCommandCodec.packet(P2osCommandNumber.MOVE, random.nextInt(1000));
+        byte[] whole = P2osCommand.packet(P2osCommandNumber.MOVE, random.nextInt(1000));
         return java.util.Arrays.copyOf(whole, random.nextInt(whole.length));
     }
 
     private static byte[] wrongChecksum(Random random) {
-        byte[] packet = P2osCommandCodec.packet(random.nextInt(256), random.nextInt(1000));
+        byte[] packet = P2osCommand.packet(random.nextInt(256), random.nextInt(1000));
         packet[packet.length - 1] ^= (byte) (1 + random.nextInt(255));
         return packet;
     }

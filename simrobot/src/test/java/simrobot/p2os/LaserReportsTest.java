@@ -2,12 +2,12 @@ package simrobot.p2os;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -122,13 +122,15 @@ class LaserReportsTest {
 
     @Test
     void aWorldIsLoadedByItsNameAndOtherOperationsAreNotServed() {
-        assertEquals(new P2osCommand.SimLoad("office.map"), P2osCommandCodec.decode(control(1, 11, "office.map\0")));
-        assertEquals(new P2osCommand.SimLoad("office"), P2osCommandCodec.decode(control(2, 6, "office.map")));
-        assertEquals(new P2osCommand.SimLoad("office.map"), P2osCommandCodec.decode(control(1, 60_000, "office.map")));
-        assertInstanceOf(P2osCommand.Unheeded.class, P2osCommandCodec.decode(control(5, 0, "")));
-        assertInstanceOf(
-                P2osCommand.Unheeded.class,
-                P2osCommandCodec.decode(new byte[] {(byte) P2osCommandNumber.SIM_CTRL, 0x3B, 1, 0}));
+        assertEquals(Optional.of("office.map"), worldFile(control(1, 11, "office.map\0")));
+        assertEquals(Optional.of("office"), worldFile(control(2, 6, "office.map")));
+        assertEquals(Optional.of("office.map"), worldFile(control(1, 60_000, "office.map")));
+        assertEquals(Optional.empty(), worldFile(control(5, 0, "")));
+        assertEquals(Optional.empty(), worldFile(new byte[] {(byte) P2osCommandNumber.SIM_CTRL, 0x3B, 1, 0}));
+    }
+
+    private static Optional<String> worldFile(byte[] data) {
+        return new P2osCommand(data).worldFile();
     }
 
     @Test
@@ -152,11 +154,11 @@ class LaserReportsTest {
                 },
                 bench.nanos);
         for (int command : new int[] {0, 1, 2, 1}) {
-            session.received(P2osCommandCodec.packet(command), 0, bench.nanos);
+            session.received(P2osCommand.packet(command), 0, bench.nanos);
         }
         session.received(P2osPacket.of(control(1, 10, "office.map")), 0, bench.nanos);
         byte[] hello = "hello".getBytes(StandardCharsets.UTF_8);
-        session.received(P2osCommandCodec.packet(P2osCommandNumber.SIM_MESSAGE, hello), 0, bench.nanos);
+        session.received(P2osCommand.packet(P2osCommandNumber.SIM_MESSAGE, hello), 0, bench.nanos);
         assertEquals(List.of("robot loads office.map", "robot says hello"), asked);
     }
 }

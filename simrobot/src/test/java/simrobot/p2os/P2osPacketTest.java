@@ -30,7 +30,7 @@ class P2osPacketTest {
     @ParameterizedTest
     @CsvSource({"0, fa fb 03 00 00 00", "1, fa fb 03 01 00 01", "2, fa fb 03 02 00 02", "29, fa fb 03 1d 00 1d"})
     void commandsWithoutArgumentAreWrittenAsTheyAreSeenOnTheWire(int number, String octets) {
-        assertEquals(octets.replace(" ", ""), HEX.formatHex(P2osCommandCodec.packet(number)));
+        assertEquals(octets.replace(" ", ""), HEX.formatHex(P2osCommand.packet(number)));
     }
 
     @ParameterizedTest
@@ -44,7 +44,7 @@ class P2osPacketTest {
         "11, 200, fa fb 06 0b 3b c8 00 d3 3b"
     })
     void commandsWithANumberAreWrittenAndReadAsTheyAreSeenOnTheWire(int number, int argument, String octets) {
-        assertEquals(octets.replace(" ", ""), HEX.formatHex(P2osCommandCodec.packet(number, argument)));
+        assertEquals(octets.replace(" ", ""), HEX.formatHex(P2osCommand.packet(number, argument)));
         read(octets);
         assertEquals(1, packets.size());
         assertEquals(0, reader.rejected());

@@ -50,7 +50,7 @@ class P2osServerTest {
     void eachRobotHasItsOwnPort() throws IOException {
         try (SocketClient one = SocketClient.opened(port);
                 SocketClient two = SocketClient.opened(secondPort)) {
-            one.send(P2osCommandCodec.packet(P2osCommandNumber.MOVE, 20));
+            one.send(P2osCommand.packet(P2osCommandNumber.MOVE, 20));
             Sip sip = one.sip();
             for (int i = 0; i < 300 && sip.x() == 0; i++) {
                 sip = one.sip();
@@ -66,7 +66,7 @@ class P2osServerTest {
             try (SocketClient client = SocketClient.opened(port)) {
                 assertEquals(16, client.sip().sonars().size());
                 if (i % 2 == 0) {
-                    client.send(P2osCommandCodec.packet(P2osCommandNumber.CLOSE));
+                    client.send(P2osCommand.packet(P2osCommandNumber.CLOSE));
                     if (i % 4 == 0) {
                         assertTrue(client.isHungUp());
                     }
@@ -82,7 +82,7 @@ class P2osServerTest {
                 try {
                     while (!Thread.currentThread().isInterrupted()) {
                         first.sip();
-                        first.send(P2osCommandCodec.packet(P2osCommandNumber.PULSE));
+                        first.send(P2osCommand.packet(P2osCommandNumber.PULSE));
                     }
                 } catch (IOException | AssertionError ended) {
                     // the test is over
@@ -90,7 +90,7 @@ class P2osServerTest {
             });
             alive.start();
             try (SocketClient second = new SocketClient(port)) {
-                second.send(P2osCommandCodec.packet(P2osCommandNumber.PULSE));
+                second.send(P2osCommand.packet(P2osCommandNumber.PULSE));
                 assertNull(second.packet());
             }
             alive.interrupt();

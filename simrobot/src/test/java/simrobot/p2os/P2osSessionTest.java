@@ -191,11 +191,10 @@ class P2osSessionTest {
     @Test
     void onlyThePolledSonarsAreFired() {
         SessionBench bench = SessionBench.opened();
-        bench.say(P2osCommandCodec.packet(P2osCommandNumber.POLLING, new byte[] {4, 1}))
+        bench.say(P2osCommand.packet(P2osCommandNumber.POLLING, new byte[] {4, 1}))
                 .seconds(0.1);
         assertEquals(List.of(0, 3), new ArrayList<>(bench.sip().sonars().keySet()));
-        bench.say(P2osCommandCodec.packet(P2osCommandNumber.POLLING, new byte[0]))
-                .seconds(0.1);
+        bench.say(P2osCommand.packet(P2osCommandNumber.POLLING, new byte[0])).seconds(0.1);
         assertEquals(16, bench.sip().sonars().size());
     }
 

@@ -63,11 +63,11 @@ final class SessionBench implements PacketOutput {
     }
 
     SessionBench say(int number) {
-        return say(P2osCommandCodec.packet(number));
+        return say(P2osCommand.packet(number));
     }
 
     SessionBench say(int number, int argument) {
-        return say(P2osCommandCodec.packet(number, argument));
+        return say(P2osCommand.packet(number, argument));
     }
 
     SessionBench say(byte[] bytes) {

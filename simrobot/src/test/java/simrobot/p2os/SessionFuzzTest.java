@@ -15,10 +15,9 @@ class SessionFuzzTest {
         for (int i = 0; i < 300; i++) {
             P2osSession hostile = new P2osSession(bench.robot, bench.robot.pose(), new Nowhere(), bench.nanos);
             for (int step = 0; step <= 2; step++) {
-                hostile.received(P2osCommandCodec.packet(step), bench.simulation.timeNanos(), bench.nanos);
+                hostile.received(P2osCommand.packet(step), bench.simulation.timeNanos(), bench.nanos);
             }
-            hostile.received(
-                    P2osCommandCodec.packet(P2osCommandNumber.OPEN, 1), bench.simulation.timeNanos(), bench.nanos);
+            hostile.received(P2osCommand.packet(P2osCommandNumber.OPEN, 1), bench.simulation.timeNanos(), bench.nanos);
             for (int j = 0; j < 4; j++) {
                 hostile.received(HostileInput.next(random), bench.simulation.timeNanos(), bench.nanos);
                 bench.simulation.run(5);

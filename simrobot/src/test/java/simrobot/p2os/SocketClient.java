@@ -29,13 +29,13 @@ final class SocketClient implements AutoCloseable {
 
     void open() throws IOException {
         for (int step = 0; step <= 2; step++) {
-            send(P2osCommandCodec.packet(step));
+            send(P2osCommand.packet(step));
             byte[] answer = packet();
             if (answer[0] != step) {
                 throw new AssertionError("step " + step + " answered by " + answer[0]);
             }
         }
-        send(P2osCommandCodec.packet(P2osCommandNumber.OPEN, 1));
+        send(P2osCommand.packet(P2osCommandNumber.OPEN, 1));
     }
 
     void send(byte[] bytes) throws IOException {

@@ -12,7 +12,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import simrobot.p2os.P2osCommandCodec;
+import simrobot.p2os.P2osCommand;
 import simrobot.p2os.P2osCommandNumber;
 import simrobot.p2os.P2osPacket;
 import simrobot.robot.Bumpers;
@@ -108,7 +108,7 @@ class RealPioneerTest {
         assertEquals(RobotStatus.DISCONNECTED, bench.robot.status());
         assertEquals(MotionOutcome.Ending.ABORTED, bench.outcomes.get(0).ending());
         byte[] last = bench.sent.get(bench.sent.size() - 1);
-        assertArrayEquals(P2osCommandCodec.packet(P2osCommandNumber.CLOSE), last);
+        assertArrayEquals(P2osCommand.packet(P2osCommandNumber.CLOSE), last);
         assertFalse(bench.wanted);
         bench.robot.setPower(true);
         assertTrue(bench.wanted);

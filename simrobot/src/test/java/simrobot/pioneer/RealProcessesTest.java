@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import simrobot.behaviour.Steering;
-import simrobot.p2os.P2osCommandCodec;
+import simrobot.p2os.P2osCommand;
 import simrobot.p2os.P2osCommandNumber;
 import simrobot.process.BehaviourKind;
 import simrobot.process.Decision;
@@ -152,7 +152,7 @@ class RealProcessesTest {
         bench.robot.autonomy().begin(steering(0.2, 0.5));
         bench.seconds(1);
         bench.sent.clear();
-        byte[] stop = P2osCommandCodec.packet(P2osCommandNumber.STOP);
+        byte[] stop = P2osCommand.packet(P2osCommandNumber.STOP);
         bench.deaf = true;
         bench.seconds(1);
         assertEquals(
