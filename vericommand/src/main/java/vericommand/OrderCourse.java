@@ -36,6 +36,14 @@ public enum OrderCourse {
         this.tone = tone;
     }
 
+    static OrderCourse of(ProcessEnding ending) {
+        return switch (ending) {
+            case DONE -> EXECUTED;
+            case COLLISION -> COLLISION;
+            case FAILED, REPLACED -> BROKEN_OFF;
+        };
+    }
+
     /** The tone that reports it to the operator, if there is one. */
     public Optional<ReplyTone> tone() {
         return Optional.ofNullable(tone);

@@ -19,17 +19,16 @@ public final class VeriCommand {
     private final ReplyTexts texts;
     private final CommandRecognizer recognizer = new CommandRecognizer();
     private final OrderDisplay display;
+    private final ReplySender replies;
     private final AnswerLimit answerLimit = new AnswerLimit();
     /** Stop orders, answered when the robot stands. */
     private final List<OrderExecution> stops = new ArrayList<>();
-
     /** Null when no call is up. */
     private OrderOrigin call;
     /** Verified once the autonomous behaviour that it ended has stopped the robot; null if none. */
     private OrderExecution deferred;
     /** The order that moves the robot; null if none. */
     private OrderExecution running;
-
     /** The order that started the process of the robot; null if none did. */
     private OrderExecution process;
 
@@ -41,6 +40,7 @@ public final class VeriCommand {
         this.listener = listener;
         texts = new ReplyTexts(settings.language(), robot::unknownType);
         display = new OrderDisplay(texts);
+        replies = new ReplySender(robot, settings, listener, texts, display, this::hasProcessOf);
     }
 
     /** An accepted call is up; a previous one ends. @param caller empty when the network does not say */
@@ -235,7 +235,7 @@ public final class VeriCommand {
         if (execution.isStopOrdered() && execution.order().moves()) {
             report(verdict, execution.origin());
             display.course(execution.order(), OrderCourse.STOPPED);
-            answer(execution.origin(), texts.stopped(execution.initialProgress()), false);
+            replies.send(execution.origin(), texts.stopped(execution.initialProgress()), false);
         } else if (!execution.origin().isEnded()) {
             settle(verdict, execution.origin());
         }
@@ -246,11 +246,11 @@ public final class VeriCommand {
     private void settle(Verdict verdict, OrderOrigin origin) {
         report(verdict, origin);
         if (verdict instanceof Verdict.Invalid invalid) {
-            answer(origin, texts.invalid(invalid.fault()));
+            replies.send(origin, texts.invalid(invalid.fault()));
         } else if (verdict instanceof Verdict.NoProcess none) {
-            answer(origin, texts.noProcess(none));
+            replies.send(origin, texts.noProcess(none));
         } else if (verdict instanceof Verdict.Refused refused) {
-            answer(origin, texts.refused(refused.tone(), refused.status()));
+            replies.send(origin, texts.refused(refused.tone(), refused.status()));
         } else {
             begin(new OrderExecution(((Verdict.Accepted) verdict).order(), origin));
         }
@@ -264,7 +264,7 @@ public final class VeriCommand {
         } else if (!execution.order().stops()) {
             endInstructions(execution);
             display.course(execution.order(), OrderCourse.EXECUTED);
-            answer(execution.origin(), texts.report(execution.order(), robot.status(), robot.pose()));
+            replies.send(execution.origin(), texts.report(execution.order(), robot.status(), robot.pose()));
         } else {
             stops.add(execution);
             reportUnderWay();
@@ -343,15 +343,14 @@ public final class VeriCommand {
         OrderExecution ended = process;
         process = null;
         if (ended != null) {
-            display.course(ended.order(), courseOf(ending));
+            display.course(ended.order(), OrderCourse.of(ending));
         }
         if (ending != ProcessEnding.REPLACED) {
             Reply reply = texts.processEnded(ending, name, detail, robot.status(), robot.pose());
             if (ended != null) {
-                answer(ended.origin(), reply);
+                replies.send(ended.origin(), reply);
             } else if (ending != ProcessEnding.DONE) {
-                display.reply(reply);
-                listener.outcome(reply);
+                replies.show(reply);
             }
         } else if (ended != null) {
             ended.origin().replaced();
@@ -381,19 +380,11 @@ public final class VeriCommand {
         }
     }
 
-    private static OrderCourse courseOf(ProcessEnding ending) {
-        return switch (ending) {
-            case DONE -> OrderCourse.EXECUTED;
-            case COLLISION -> OrderCourse.COLLISION;
-            case FAILED, REPLACED -> OrderCourse.BROKEN_OFF;
-        };
-    }
-
     private void end(Reply reply, OrderCourse course) {
         OrderExecution ended = running;
         running = null;
         display.course(ended.order(), course);
-        answer(ended.origin(), reply, !ended.isStopOrdered() || ended.isComplete());
+        replies.send(ended.origin(), reply, !ended.isStopOrdered() || ended.isComplete());
         answerStops();
         listener.changed();
     }
@@ -404,13 +395,12 @@ public final class VeriCommand {
         for (OrderExecution stop : ended) {
             endInstructions(stop);
             RobotStatus status = robot.status();
-            display.course(
-                    stop.order(), status == RobotStatus.DISCONNECTED ? OrderCourse.NOT_POSSIBLE : OrderCourse.EXECUTED);
-            answer(
-                    stop.origin(),
-                    status == RobotStatus.DISCONNECTED
-                            ? texts.refused(ReplyTone.CONNECTION_DENIED, status)
-                            : texts.done(stop.order(), status, robot.pose()));
+            boolean isOff = status == RobotStatus.DISCONNECTED;
+            display.course(stop.order(), isOff ? OrderCourse.NOT_POSSIBLE : OrderCourse.EXECUTED);
+            Reply reply = isOff
+                    ? texts.refused(ReplyTone.CONNECTION_DENIED, status)
+                    : texts.done(stop.order(), status, robot.pose());
+            replies.send(stop.origin(), reply);
         }
         reportUnderWay();
     }
@@ -419,30 +409,8 @@ public final class VeriCommand {
         execution.order().instructions().forEach(listener::instructionEnded);
     }
 
-    private void answer(OrderOrigin origin, Reply reply) {
-        answer(origin, reply, true);
-    }
-
-    /** @param byTone false for an order that {@code ###} stopped before its goal: it has no tone in a call */
-    private void answer(OrderOrigin origin, Reply outcome, boolean byTone) {
-        if (origin.isEnded()) {
-            return;
-        }
-        Reply reply = robot.hasLowBattery() ? texts.withLowBattery(outcome) : outcome;
-        display.reply(reply);
-        listener.outcome(reply);
-        if (origin.source() == OrderSource.PROGRAM) {
-            origin.answered(reply, process == null || process.origin() != origin);
-        } else if (origin.source() == OrderSource.MESSAGE) {
-            if (settings.answered() != VeriCommandSettings.Answered.NONE) {
-                listener.message(origin.from(), reply.message());
-            }
-        } else if (byTone) {
-            listener.tone(reply.tone());
-            if (reply.tone() == ReplyTone.CONNECTION_DENIED) {
-                listener.clearCall();
-            }
-        }
+    private boolean hasProcessOf(OrderOrigin origin) {
+        return process != null && process.origin() == origin;
     }
 
     private void reportUnderWay() {

@@ -44,7 +44,6 @@ public final class RealPioneer extends Pioneer {
     private VelocityLoop travel;
     /** What a process wants, commanded with every information packet; null while none steers. */
     private Steering steering;
-
     /** Whether the newest command makes the robot turn. */
     private boolean turns;
 
@@ -321,9 +320,8 @@ public final class RealPioneer extends Pioneer {
         } else {
             stop();
             conversation.send(P2osCommand.packet(P2osCommandNumber.CLOSE), nanos);
-            conversation.end();
             line.hangUp();
-            lose();
+            disconnected();
         }
     }
 
@@ -355,10 +353,7 @@ public final class RealPioneer extends Pioneer {
     }
 
     @Override
-    public Placement place(double xMeters, double yMeters, double headingRadians) {
-        if (status() == RobotStatus.MOVING) {
-            return Placement.MOVING;
-        }
+    protected Placement put(double xMeters, double yMeters, double headingRadians) {
         readings.setPose(xMeters, yMeters, headingRadians);
         return Placement.DONE;
     }
@@ -396,11 +391,6 @@ public final class RealPioneer extends Pioneer {
     @Override
     public double sonarMeters(int sonar) {
         return readings.sonarMeters(sonar);
-    }
-
-    @Override
-    public double laserMeters(int reading) {
-        throw new UnsupportedOperationException("a real robot has no laser here, expected sonarMeters");
     }
 
     /** Returns the state that windows and the web show beside the simulated robots. */

@@ -112,7 +112,12 @@ public abstract class Pioneer implements Robot {
     }
 
     /** Moves the robot there by hand; of a real robot, records that it has been moved there. */
-    public abstract Placement place(double xMeters, double yMeters, double headingRadians);
+    public final Placement place(double xMeters, double yMeters, double headingRadians) {
+        return status() == RobotStatus.MOVING ? Placement.MOVING : put(xMeters, yMeters, headingRadians);
+    }
+
+    /** Places the robot, which stands. */
+    protected abstract Placement put(double xMeters, double yMeters, double headingRadians);
 
     // ---- processes -----------------------------------------------------------------------------------------------
 
@@ -179,8 +184,10 @@ public abstract class Pioneer implements Robot {
     /** What one sonar measured when it last fired, 0.1 to 5 m, noise included. */
     public abstract double sonarMeters(int sonar);
 
-    /** What the laser measures now: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */
-    public abstract double laserMeters(int reading);
+    /** What the laser of a simulated robot measures now: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */
+    public double laserMeters(int reading) {
+        throw new UnsupportedOperationException("a real robot has no laser here, expected sonarMeters");
+    }
 
     /** The ranges of the sixteen sonars, sonar 0 first. */
     public final double[] sonarRangesMeters() {

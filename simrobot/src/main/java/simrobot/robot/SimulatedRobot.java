@@ -259,10 +259,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
      * Moves the robot there by hand. In Collision it becomes Stopped if the path ahead is free there, by the rule for turns.
      */
     @Override
-    public Placement place(double xMeters, double yMeters, double headingRadians) {
-        if (status() == RobotStatus.MOVING) {
-            return Placement.MOVING;
-        }
+    protected Placement put(double xMeters, double yMeters, double headingRadians) {
         if (!floor.isInside(xMeters, yMeters)) {
             return Placement.OUTSIDE;
         }
