@@ -1,12 +1,8 @@
 package simgsm.ui;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.Insets;
 import java.awt.LayoutManager;
-import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 
@@ -21,12 +17,12 @@ public final class Arrange {
 
     /** A row. @param gap in units */
     public static JPanel row(int gap, Component... children) {
-        return panel(new Line(true, gap), children);
+        return panel(new LineLayout(true, gap), children);
     }
 
     /** A column. @param gap in units */
     public static JPanel column(int gap, Component... children) {
-        return panel(new Line(false, gap), children);
+        return panel(new LineLayout(false, gap), children);
     }
 
     /** Marks a component as one that shares the remaining length. */
@@ -60,72 +56,6 @@ public final class Arrange {
 
     static boolean grows(Component component) {
         return component instanceof JComponent c && c.getClientProperty(GROWS) != null;
-    }
-
-    private record Line(boolean across, int gap) implements FixedLayout {
-        @Override
-        public Dimension preferredLayoutSize(Container parent) {
-            return size(parent, false);
-        }
-
-        @Override
-        public Dimension minimumLayoutSize(Container parent) {
-            return size(parent, true);
-        }
-
-        private Dimension size(Container parent, boolean minimum) {
-            int along = -Theme.px(gap);
-            int other = 0;
-            for (Component child : visible(parent)) {
-                Dimension size = minimum && grows(child) ? child.getMinimumSize() : child.getPreferredSize();
-                along += (across ? size.width : size.height) + Theme.px(gap);
-                other = Math.max(other, across ? size.height : size.width);
-            }
-            Insets in = parent.getInsets();
-            int width = (across ? Math.max(0, along) : other) + in.left + in.right;
-            int height = (across ? other : Math.max(0, along)) + in.top + in.bottom;
-            return new Dimension(width, height);
-        }
-
-        @Override
-        public void layoutContainer(Container parent) {
-            List<Component> children = visible(parent);
-            Insets in = parent.getInsets();
-            int width = parent.getWidth() - in.left - in.right;
-            int height = parent.getHeight() - in.top - in.bottom;
-            int spare = (across ? width : height) + Theme.px(gap);
-            int growing = 0;
-            for (Component child : children) {
-                spare -= Theme.px(gap) + (grows(child) ? 0 : length(child));
-                growing += grows(child) ? 1 : 0;
-            }
-            int at = across ? in.left : in.top;
-            for (Component child : children) {
-                int part = length(child);
-                if (grows(child)) {
-                    part = Math.max(0, spare / growing);
-                    spare -= part;
-                    growing--;
-                }
-                if (across) {
-                    child.setBounds(at, in.top, part, height);
-                } else {
-                    child.setBounds(in.left, at, width, part);
-                }
-                at += part + Theme.px(gap);
-            }
-        }
-
-        private int length(Component child) {
-            Dimension size = child.getPreferredSize();
-            return across ? size.width : size.height;
-        }
-
-        private static List<Component> visible(Container parent) {
-            return Stream.of(parent.getComponents())
-                    .filter(Component::isVisible)
-                    .toList();
-        }
     }
 
     /** A layout that ignores the adding and removing of components. */

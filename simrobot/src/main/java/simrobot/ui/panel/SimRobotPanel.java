@@ -82,14 +82,10 @@ public final class SimRobotPanel extends JPanel {
         noticeRow = new Card(notice);
         noticeRow.setVisible(false);
         busyNotice = new BusyRobotNotice(texts, this::select);
-        JPanel floor = new JPanel(new BorderLayout());
-        floor.add(world);
-        floor.setBorder(Theme.padding(1));
-        Theme.styled(floor, frame -> frame.setBackground(Theme.color(Ink.LINE)));
         timeline = new TimelinePanel(texts, operator);
         presentation = new PresentationView(language);
         runningPage = new RunningPage(
-                texts, tools, noticeRow, floor, busyNotice, modem, orders, timeline, inspector, presentation);
+                texts, tools, noticeRow, framed(world), busyNotice, modem, orders, timeline, inspector, presentation);
         page.setOpaque(false);
         page.setBorder(Theme.padding(Theme.GRID));
         running.setOpaque(false);
@@ -103,6 +99,13 @@ public final class SimRobotPanel extends JPanel {
         endPresentation = presentationKey("presentation.end", KeyEvent.VK_ESCAPE);
         endPresentation.setEnabled(false);
         show(first);
+    }
+
+    private static JPanel framed(WorldView world) {
+        JPanel frame = new JPanel(new BorderLayout());
+        frame.add(world);
+        frame.setBorder(Theme.padding(1));
+        return Theme.styled(frame, panel -> panel.setBackground(Theme.color(Ink.LINE)));
     }
 
     private UserAction presentationKey(String id, int key) {

@@ -30,6 +30,10 @@ public final class UnreadEvents<E> {
         return isEnded;
     }
 
+    public synchronized void clear() {
+        unread.clear();
+    }
+
     /** Waits for the next wanted event and removes it with those before it; empty if the time or the source ends first. */
     public synchronized Optional<E> await(Predicate<E> wanted, double seconds) throws InterruptedException {
         long deadline = System.nanoTime() + (long) (seconds * TimeUnit.SECONDS.toNanos(1));
