@@ -1,7 +1,5 @@
 package vericommand;
 
-import java.util.Objects;
-
 /**
  * Outcome of one motion. {@link Robot#status()} has changed accordingly before the outcome is delivered.
  *
@@ -23,7 +21,6 @@ public record MotionOutcome(Ending ending, double amountDone) {
     }
 
     public MotionOutcome {
-        Objects.requireNonNull(ending);
         if (!(amountDone >= 0 && amountDone < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException("a motion's amount done is 0 or more, not " + amountDone);
         }

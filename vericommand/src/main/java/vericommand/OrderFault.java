@@ -1,7 +1,5 @@
 package vericommand;
 
-import java.util.Objects;
-
 /**
  * Why a sequence of keys is not a valid order.
  *
@@ -30,9 +28,6 @@ public record OrderFault(String keys, int position, ExpectedKeys expected, Limit
     }
 
     public OrderFault {
-        Objects.requireNonNull(keys);
-        Objects.requireNonNull(expected);
-        Objects.requireNonNull(limit);
         if (position < 1) {
             throw new IllegalArgumentException("positions count from 1, not " + position);
         }

@@ -1,7 +1,6 @@
 package vericommand;
 
 import java.util.Locale;
-import java.util.Objects;
 import java.util.Set;
 
 /**
@@ -32,8 +31,6 @@ public record VeriCommandSettings(Locale language, Set<String> operators, OnHang
     public static final VeriCommandSettings DEFAULT = new VeriCommandSettings(Locale.ENGLISH, Set.of(), OnHangup.STOP);
 
     public VeriCommandSettings {
-        Objects.requireNonNull(language);
-        Objects.requireNonNull(onHangup);
         operators = Set.copyOf(operators);
     }
 

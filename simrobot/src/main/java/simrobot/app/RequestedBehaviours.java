@@ -38,7 +38,8 @@ public final class RequestedBehaviours implements AutoCloseable {
         // what a process prints must not come between the console's events
         System.setOut(System.err);
         try {
-            return new RequestedBehaviours(list, Optional.of(new BehaviourFolder(place.get(), list, new Ignored())));
+            return new RequestedBehaviours(
+                    list, Optional.of(new BehaviourFolder(place.get(), list, new BehaviourFolder.Listener() {})));
         } catch (NotDirectoryException e) {
             throw new UsageException("--behaviours: expected a folder, found " + place.get());
         }
@@ -96,18 +97,6 @@ public final class RequestedBehaviours implements AutoCloseable {
     @Override
     public void close() {
         folder.ifPresent(BehaviourFolder::close);
-    }
-
-    /** The first look is reported by {@link #start}. */
-    private static final class Ignored implements BehaviourFolder.Listener {
-        @Override
-        public void loaded(BehaviourKind kind) {}
-
-        @Override
-        public void failed(String name, int line, String text) {}
-
-        @Override
-        public void removed(String name) {}
     }
 
     private record Reports(SimRobot simRobot, Consumer<Event> out) implements BehaviourFolder.Listener {

@@ -1,6 +1,5 @@
 package simrobot.control;
 
-import java.util.Objects;
 import simgsm.air.Msisdn;
 
 /**
@@ -10,7 +9,6 @@ import simgsm.air.Msisdn;
  */
 public record RobotName(String name, Msisdn number) {
     public RobotName {
-        Objects.requireNonNull(number);
         if (!name.matches("[\\p{L}\\p{N}_.+-]+")) {
             throw new IllegalArgumentException(
                     "expected a robot's name of letters, digits and _ . + -, found \"" + name + "\"");

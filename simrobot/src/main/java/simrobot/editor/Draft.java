@@ -2,7 +2,6 @@ package simrobot.editor;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.Objects;
 import java.util.Optional;
 import simrobot.world.ItemKind;
 import simrobot.world.ItemKinds;
@@ -27,7 +26,7 @@ public final class Draft {
     private Item backgroundWithout;
 
     public Draft(World world) {
-        this.world = Objects.requireNonNull(world);
+        this.world = world;
         saved = world;
     }
 

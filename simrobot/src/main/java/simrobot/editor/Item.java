@@ -1,6 +1,5 @@
 package simrobot.editor;
 
-import java.util.Objects;
 import simrobot.world.ItemKind;
 
 /**
@@ -10,7 +9,6 @@ import simrobot.world.ItemKind;
  */
 public record Item(ItemKind<?> kind, int index) {
     public Item {
-        Objects.requireNonNull(kind);
         if (index < 0) {
             throw new IllegalArgumentException("item " + index + ", expected 0 or more");
         }

@@ -76,11 +76,6 @@ public final class P2osSession {
      * @param start the robot's pose after the client resets the simulator
      * @param nanos real time now
      */
-    public P2osSession(SimulatedRobot robot, Pose start, PacketOutput output, long nanos) {
-        this(robot, start, output, SimulatorRequests.IGNORED, nanos);
-    }
-
-    /** The same with a receiver of requests to the simulator. */
     public P2osSession(SimulatedRobot robot, Pose start, PacketOutput output, SimulatorRequests requests, long nanos) {
         this.requests = requests;
         this.robot = robot;

@@ -1,7 +1,6 @@
 package simrobot.process;
 
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -32,7 +31,7 @@ public final class BehaviourKind {
 
     /** @param start null for a kind that is only shown */
     public BehaviourKind(String text, Start start) {
-        this.text = Objects.requireNonNull(text);
+        this.text = text;
         this.start = start;
     }
 

@@ -1,16 +1,11 @@
 package simrobot.process;
 
-import java.util.Objects;
 import simrobot.behaviour.Steering;
 
 /** What a process has decided. */
 public sealed interface Decision {
     /** The speeds until the next decision. */
-    record Go(Steering steering) implements Decision {
-        public Go {
-            Objects.requireNonNull(steering);
-        }
-    }
+    record Go(Steering steering) implements Decision {}
 
     /** A decision that ends the process: the robot brakes. */
     sealed interface End extends Decision {}

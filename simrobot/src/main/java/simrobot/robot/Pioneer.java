@@ -1,7 +1,6 @@
 package simrobot.robot;
 
 import java.util.List;
-import java.util.Objects;
 import java.util.SortedMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
@@ -30,7 +29,7 @@ public abstract class Pioneer implements Robot {
     private StatusMachine machine;
 
     protected Pioneer(String name, RobotStatus status) {
-        this.name = Objects.requireNonNull(name);
+        this.name = name;
         setStatus(status);
     }
 
@@ -92,7 +91,6 @@ public abstract class Pioneer implements Robot {
 
     @Override
     public final void start(Instruction.Motion motion, Consumer<MotionOutcome> ended) {
-        Objects.requireNonNull(ended);
         if (StatusRules.treatment(status(), motion) != StatusRules.Treatment.EXECUTED) {
             throw new IllegalStateException(motion.keys() + " is not possible in " + status().text());
         }

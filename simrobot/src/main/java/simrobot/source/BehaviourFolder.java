@@ -38,12 +38,12 @@ public final class BehaviourFolder implements AutoCloseable {
     /** Learns what has changed; called on the thread that looks. */
     public interface Listener {
         /** A process is new or changed. */
-        void loaded(BehaviourKind kind);
+        default void loaded(BehaviourKind kind) {}
 
         /** A file makes no process. @param line 0 if the fault belongs to none */
-        void failed(String name, int line, String text);
+        default void failed(String name, int line, String text) {}
 
-        void removed(String name);
+        default void removed(String name) {}
     }
 
     private static final Logger LOG = System.getLogger(BehaviourFolder.class.getName());

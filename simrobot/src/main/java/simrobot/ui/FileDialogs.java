@@ -37,19 +37,6 @@ public final class FileDialogs {
         return name.replaceFirst("(?i)\\.(wld|yaml|yml|png|pgm)$", "");
     }
 
-    /** @return the index of the chosen answer, or -1 */
-    private static int choose(Component owner, String question, String title, int proposed, Object... answers) {
-        return JOptionPane.showOptionDialog(
-                owner,
-                question,
-                title,
-                JOptionPane.DEFAULT_OPTION,
-                JOptionPane.PLAIN_MESSAGE,
-                null,
-                answers,
-                answers[proposed]);
-    }
-
     /** What happens to unsaved changes of the editor. */
     public enum UnsavedChoice {
         SAVE,
@@ -59,14 +46,16 @@ public final class FileDialogs {
 
     /** Asks what happens to unsaved changes; a closed dialog is STAY. */
     public static UnsavedChoice askAboutChanges(TextBundle texts, Component owner, String world) {
-        int answer = choose(
+        Object[] answers = {texts.of("editor.save"), texts.of("editor.drop"), texts.of("editor.cancel")};
+        int answer = JOptionPane.showOptionDialog(
                 owner,
                 texts.of("editor.unsaved", world),
                 texts.of("editor.title"),
-                0,
-                texts.of("editor.save"),
-                texts.of("editor.drop"),
-                texts.of("editor.cancel"));
+                JOptionPane.DEFAULT_OPTION,
+                JOptionPane.PLAIN_MESSAGE,
+                null,
+                answers,
+                answers[0]);
         return answer < 0 ? UnsavedChoice.STAY : UnsavedChoice.values()[answer];
     }
 }

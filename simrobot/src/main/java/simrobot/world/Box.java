@@ -1,7 +1,6 @@
 package simrobot.world;
 
 import java.util.List;
-import java.util.Objects;
 import java.util.Set;
 
 /** A piece of furniture: its four sides are obstacles (MobileSim's {@code Sim.BoxObstacle}). */
@@ -18,11 +17,6 @@ public record Box(String name, Area area) implements AreaItem {
                     ItemKind.Shape.AREA,
                     values -> new Box((String) values.get("name"), ItemKind.area(values)),
                     (world, from, to) -> new Box("", Area.between(from, to)));
-
-    public Box {
-        Objects.requireNonNull(name);
-        Objects.requireNonNull(area);
-    }
 
     @Override
     public ItemKind<Box> kind() {

@@ -1,6 +1,5 @@
 package simrobot.world;
 
-import java.util.Objects;
 import java.util.Set;
 
 /** An area that planners do not enter; wheels can. */
@@ -12,10 +11,6 @@ public record ForbiddenArea(Area area) implements AreaItem {
                     Set.of("forbiddenarea"),
                     cairn -> new ForbiddenArea(cairn.requiredArea()),
                     item -> new Cairn("ForbiddenArea", item.area, ""));
-
-    public ForbiddenArea {
-        Objects.requireNonNull(area);
-    }
 
     @Override
     public ItemKind<ForbiddenArea> kind() {

@@ -1,7 +1,6 @@
 package simrobot.world;
 
 import java.util.List;
-import java.util.Objects;
 import java.util.Set;
 
 /** A line that planners do not cross; wheels can. */
@@ -12,10 +11,6 @@ public record ForbiddenLine(Segment line) implements WorldItem {
                     Set.of("forbiddenline"),
                     cairn -> new ForbiddenLine(cairn.requiredLine()),
                     item -> new Cairn("ForbiddenLine", item.line.middle(), 0, "", item.line.ends()));
-
-    public ForbiddenLine {
-        Objects.requireNonNull(line);
-    }
 
     @Override
     public ItemKind<ForbiddenLine> kind() {

@@ -1,7 +1,6 @@
 package simrobot.world;
 
 import java.util.List;
-import java.util.Objects;
 import java.util.Set;
 
 /**
@@ -23,9 +22,6 @@ public record Goal(String type, String name, Position position, double headingRa
                     goal -> new Cairn(goal.type, goal.position, goal.headingRadians, goal.name));
 
     public Goal {
-        Objects.requireNonNull(type);
-        Objects.requireNonNull(name);
-        Objects.requireNonNull(position);
         FiniteCheck.check("heading", headingRadians);
     }
 

@@ -1,7 +1,6 @@
 package simrobot.world;
 
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 
@@ -31,9 +30,6 @@ public record Home(String name, Position position, double headingRadians, Option
                     (world, from, to) -> new Home(freeName(world), from, towards(from, to)));
 
     public Home {
-        Objects.requireNonNull(name);
-        Objects.requireNonNull(position);
-        Objects.requireNonNull(area);
         FiniteCheck.check("heading", headingRadians);
     }
 

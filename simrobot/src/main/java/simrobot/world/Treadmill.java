@@ -1,6 +1,5 @@
 package simrobot.world;
 
-import java.util.Objects;
 import java.util.Set;
 
 /**
@@ -34,7 +33,6 @@ public record Treadmill(Area area, double speedMetersPerSecond, double direction
                     (world, from, to) -> new Treadmill(Area.between(from, to), DRAWN_METERS_PER_SECOND, 0));
 
     public Treadmill {
-        Objects.requireNonNull(area);
         FiniteCheck.check("belt speed", speedMetersPerSecond);
         FiniteCheck.check("direction", directionRadians);
     }

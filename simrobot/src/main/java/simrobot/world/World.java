@@ -26,7 +26,7 @@ public final class World {
      * @param pointDiameterMeters diameter of each {@link Point} to a single ray
      */
     World(String name, double pointDiameterMeters, Map<Class<?>, List<WorldItem>> contents) {
-        this.name = Objects.requireNonNull(name);
+        this.name = name;
         this.pointDiameterMeters = pointDiameterMeters;
         if (!(pointDiameterMeters >= 0)) {
             throw new IllegalArgumentException("a point's diameter is " + pointDiameterMeters + ", expected 0 or more");

@@ -32,7 +32,7 @@ class P2osServerTest {
     void twoRobots() throws IOException {
         Simulation floor = new Simulation(World.bare(), 1);
         simulation = new SimulationThread(floor);
-        server = new P2osServer(simulation, InetAddress.getLoopbackAddress(), SimulatorRequests.IGNORED);
+        server = new P2osServer(simulation, InetAddress.getLoopbackAddress(), new SimulatorRequests() {});
         port = server.add(floor.addRobot("one"), 0);
         secondPort = server.add(floor.addRobot("two"), 0);
         simulation.start();
@@ -112,7 +112,7 @@ class P2osServerTest {
     @Test
     void aPortThatIsTakenIsNamed() {
         IOException refused = assertThrows(IOException.class, () -> {
-            P2osServer other = new P2osServer(simulation, InetAddress.getLoopbackAddress(), SimulatorRequests.IGNORED);
+            P2osServer other = new P2osServer(simulation, InetAddress.getLoopbackAddress(), new SimulatorRequests() {});
             try (other) {
                 other.add(anotherRobot(), port);
             }
@@ -132,7 +132,7 @@ class P2osServerTest {
         client.close();
         Simulation floor = new Simulation(World.bare(), 1);
         try (P2osServer again =
-                new P2osServer(simulation, InetAddress.getLoopbackAddress(), SimulatorRequests.IGNORED)) {
+                new P2osServer(simulation, InetAddress.getLoopbackAddress(), new SimulatorRequests() {})) {
             assertEquals(port, again.add(floor.addRobot("one"), port));
         }
     }

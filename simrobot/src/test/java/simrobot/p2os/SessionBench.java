@@ -29,7 +29,7 @@ final class SessionBench implements PacketOutput {
     SessionBench(World world) {
         simulation = new Simulation(world, 1);
         robot = simulation.addRobot("robot", new Position(0, 0), 0);
-        session = new P2osSession(robot, robot.pose(), this, nanos);
+        session = new P2osSession(robot, robot.pose(), this, new SimulatorRequests() {}, nanos);
     }
 
     static SessionBench opened() {

@@ -13,7 +13,8 @@ class SessionFuzzTest {
         Random random = new Random(7);
         SessionBench bench = new SessionBench();
         for (int i = 0; i < 300; i++) {
-            P2osSession hostile = new P2osSession(bench.robot, bench.robot.pose(), new Nowhere(), bench.nanos);
+            P2osSession hostile = new P2osSession(
+                    bench.robot, bench.robot.pose(), new Nowhere(), new SimulatorRequests() {}, bench.nanos);
             for (int step = 0; step <= 2; step++) {
                 hostile.received(P2osCommand.packet(step), bench.simulation.timeNanos(), bench.nanos);
             }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import simrobot.p2os.P2osSession;
 import simrobot.p2os.PacketOutput;
+import simrobot.p2os.SimulatorRequests;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
@@ -93,6 +94,7 @@ final class LineBench {
                         closedByRobot = true;
                     }
                 },
+                new SimulatorRequests() {},
                 nanos);
         robot.connected(nanos);
     }

@@ -2,7 +2,6 @@ package simgsm.ui.scope;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import javax.accessibility.AccessibleRole;
@@ -106,23 +105,9 @@ final class CandidateLane extends PaintedComponent {
         g.setFont(font);
         double line = g.getFontMetrics().getHeight();
         int most = Math.max(1, (int) (height / line));
-        List<String> lines = wrapped(spoken(), width, most);
+        List<String> lines = Drawing.wrapped(font, spoken(), width, most);
         for (int i = 0; i < lines.size(); i++) {
-            g.drawString(Drawing.fitted(font, lines.get(i), width), (float) x, (float) (line * (i + 0.8)));
+            g.drawString(lines.get(i), (float) x, (float) (line * (i + 0.8)));
         }
-    }
-
-    private static List<String> wrapped(String text, double width, int most) {
-        List<String> lines = new ArrayList<>(List.of(""));
-        for (String word : text.split(" ")) {
-            String last = lines.get(lines.size() - 1);
-            String longer = last.isEmpty() ? word : last + " " + word;
-            if (last.isEmpty() || lines.size() == most || Drawing.width(Theme.small(), longer) <= width) {
-                lines.set(lines.size() - 1, longer);
-            } else {
-                lines.add(word);
-            }
-        }
-        return lines;
     }
 }
