@@ -1,19 +1,17 @@
 package simrobot.ui;
 
 import java.awt.Dimension;
-import javax.swing.JTextArea;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 
 /** A text that breaks into as many lines as it needs; it can be selected and copied. */
-public final class WrappedText extends JTextArea {
+public final class WrappedText extends ReadingArea {
     /** @param name for tests; @param spoken what the text is about */
     public WrappedText(String name, String spoken, Ink ink) {
+        super("");
         ComponentNames.name(this, name, spoken);
-        setEditable(false);
-        setLineWrap(true);
-        setWrapStyleWord(true);
         setOpaque(false);
         setVisible(false);
         Theme.styled(this, area -> {

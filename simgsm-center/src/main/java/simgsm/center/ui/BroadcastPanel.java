@@ -29,6 +29,7 @@ import simgsm.ui.DressedPanel;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.pane.ScrolledColumn;
 
 /**
@@ -100,7 +101,7 @@ final class BroadcastPanel extends DressedPanel {
         outcome = Arrange.row(8, Arrange.growing(result), stopButton);
         outcome.setVisible(false);
         form = form();
-        add(scrolled(form), BorderLayout.CENTER);
+        add(new VerticalScrollPane(new ScrolledColumn(form)).bare(), BorderLayout.CENTER);
         text.getDocument().addDocumentListener(new DocumentChanges(this::count));
         dress();
     }
@@ -177,16 +178,6 @@ final class BroadcastPanel extends DressedPanel {
             form.revalidate();
         }
         super.doLayout();
-    }
-
-    private static JScrollPane scrolled(JPanel content) {
-        JScrollPane all = new JScrollPane(new ScrolledColumn(content));
-        all.setBorder(null);
-        all.setViewportBorder(null);
-        all.setOpaque(false);
-        all.getViewport().setOpaque(false);
-        all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        return all;
     }
 
     private JLabel labelled(String key, JComponent field) {

@@ -1,6 +1,5 @@
 package simgsm.center.ui;
 
-import java.awt.KeyboardFocusManager;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.JScrollPane;
@@ -10,6 +9,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DressedPanel;
+import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 import simgsm.ui.pane.DividedPanel;
 import simgsm.ui.pane.Divider;
@@ -26,7 +26,7 @@ final class MessagesPanel extends DressedPanel {
 
     private final TextBundle texts;
     private final RowsPanel<MessageRow> rows;
-    private final JTextArea history = new JTextArea();
+    private final JTextArea history = new ReadingArea("");
     private final JScrollPane scroll = new JScrollPane(history);
 
     MessagesPanel(TextBundle texts) {
@@ -34,11 +34,6 @@ final class MessagesPanel extends DressedPanel {
         setOpaque(false);
         rows = Tables.messages(texts).onChoice(this::tell);
         ComponentNames.name(history, "message.history", texts.of("window.history"));
-        history.setEditable(false);
-        history.setLineWrap(true);
-        history.setWrapStyleWord(true);
-        history.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
-        history.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         history.setText(texts.of("window.history.none"));
         Divider divider = new Divider(
                 "divider.history",

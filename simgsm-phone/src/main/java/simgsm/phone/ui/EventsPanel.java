@@ -17,6 +17,7 @@ import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetLog;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
+import simgsm.ui.VerticalScrollPane;
 
 /**
  * The log of events, a line each, which the arrow keys read and which can be copied. Digits, Enter and Escape remain keys of
@@ -52,8 +53,7 @@ final class EventsPanel extends JPanel {
         for (int key : new int[] {KeyEvent.VK_ENTER, KeyEvent.VK_ESCAPE, KeyEvent.VK_BACK_SPACE}) {
             area.getInputMap().put(KeyStroke.getKeyStroke(key, 0), "none");
         }
-        JScrollPane pane = new JScrollPane(area);
-        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        JScrollPane pane = new VerticalScrollPane(area);
         ComponentAdapter follower = new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent event) {

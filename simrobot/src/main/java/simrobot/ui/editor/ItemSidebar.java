@@ -14,7 +14,6 @@ import javax.swing.DefaultListModel;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
@@ -25,6 +24,7 @@ import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.VerticalScrollPane;
 import simrobot.editor.Draft;
 import simrobot.editor.Edits;
 import simrobot.editor.Item;
@@ -61,13 +61,11 @@ final class ItemSidebar extends JPanel {
                 floor.fireChanged();
             }
         });
-        JScrollPane pane = new JScrollPane(list);
-        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         JPanel properties = Arrange.column(6, form, problem);
         add(Arrange.column(
                 Theme.GRID,
                 new Card(texts.of("editor.properties"), properties),
-                Arrange.growing(new Card(texts.of("editor.items"), pane))));
+                Arrange.growing(new Card(texts.of("editor.items"), new VerticalScrollPane(list)))));
     }
 
     @Override

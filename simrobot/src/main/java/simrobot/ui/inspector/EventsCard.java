@@ -29,6 +29,7 @@ import simgsm.ui.Drawing;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.VerticalScrollPane;
 import simrobot.control.LoggedEvent;
 import simrobot.drawing.NumberTexts;
 import simrobot.ui.ToolButtons;
@@ -50,7 +51,7 @@ public final class EventsCard extends JPanel {
     /** The chosen event whole; a row of the list is cut where it does not fit. */
     private final WrappedText whole;
 
-    private final JScrollPane pane = new JScrollPane(list);
+    private final JScrollPane pane = new VerticalScrollPane(list);
     private final JCheckBox onlySelected;
     private List<LoggedEvent> events = List.of();
     private String selected = "";
@@ -68,7 +69,6 @@ public final class EventsCard extends JPanel {
         whole = new WrappedText("events.whole", texts.of("log.whole"), Ink.TEXT);
         list.addListSelectionListener(chosen -> whole.show(
                 list.isSelectionEmpty() ? "" : words.of(list.getSelectedValue().line())));
-        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         onlySelected = new JCheckBox(texts.of("log.only"));
         onlySelected.setOpaque(false);
         onlySelected.addActionListener(event -> filter());

@@ -20,6 +20,7 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.pane.ScrolledColumn;
 import simrobot.drawing.NumberTexts;
 import simrobot.simulation.RobotSnapshot;
@@ -109,17 +110,9 @@ public final class Inspector extends JPanel {
     }
 
     private static JScrollPane scrolled(JPanel content) {
-        JScrollPane all = new ColumnScrollPane(new ScrolledColumn(content));
-        Theme.styled(all, pane -> {
-            pane.setBorder(null);
-            pane.setViewportBorder(null);
-        });
-        // The arrow and page keys scroll it.
+        JScrollPane all = new ColumnScrollPane(new ScrolledColumn(content)).bare();
         all.setFocusable(true);
         PaintedComponent.repaintOnFocus(all);
-        all.setOpaque(false);
-        all.getViewport().setOpaque(false);
-        all.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         return all;
     }
 
@@ -167,7 +160,7 @@ public final class Inspector extends JPanel {
     }
 
     /** Prefers the width of its view and its scroll bar, so that the view does not become narrower when the bar appears. */
-    private static final class ColumnScrollPane extends JScrollPane {
+    private static final class ColumnScrollPane extends VerticalScrollPane {
         ColumnScrollPane(ScrolledColumn column) {
             super(column);
         }

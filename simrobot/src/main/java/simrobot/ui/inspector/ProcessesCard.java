@@ -11,7 +11,6 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import simgsm.console.TextBundle;
@@ -21,6 +20,7 @@ import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.VerticalScrollPane;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.simulation.RobotSnapshot;
@@ -59,9 +59,9 @@ final class ProcessesCard extends JPanel {
                 ToolButtons.named(new JButton(), start),
                 ToolButtons.named(new JButton(), stop),
                 Arrange.spring());
-        JScrollPane pane = new JScrollPane(list);
-        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        add(new Card(texts.of("processes.title"), Arrange.column(Theme.GRID, buttons, Arrange.growing(pane), faults)));
+        add(new Card(
+                texts.of("processes.title"),
+                Arrange.column(Theme.GRID, buttons, Arrange.growing(new VerticalScrollPane(list)), faults)));
     }
 
     private void start(OperatorActions operator) {

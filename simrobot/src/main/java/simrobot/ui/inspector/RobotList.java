@@ -19,6 +19,7 @@ import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
+import simgsm.ui.VerticalScrollPane;
 import simrobot.drawing.StatusLook;
 import simrobot.ui.StatusLamps;
 import vericommand.RobotStatus;
@@ -37,7 +38,7 @@ public final class RobotList {
 
     private final DefaultListModel<Row> model = new DefaultListModel<>();
     private final JList<Row> list = new JList<>(model);
-    private final JScrollPane pane = new JScrollPane(list);
+    private final JScrollPane pane = new VerticalScrollPane(list);
 
     RobotList(TextBundle texts, Consumer<String> selection) {
         ComponentNames.name(list, "robots", texts.of("robots.name"));
@@ -49,7 +50,6 @@ public final class RobotList {
                 selection.accept(list.getSelectedValue().name());
             }
         });
-        pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
     }
 
     JList<Row> list() {

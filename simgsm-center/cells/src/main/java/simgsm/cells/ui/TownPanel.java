@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
 import simgsm.cells.radio.Propagation;
 import simgsm.cells.snapshot.MobileState;
 import simgsm.cells.snapshot.TownActions;
@@ -21,6 +20,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.DressedPanel;
 import simgsm.ui.Theme;
+import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.pane.DividedPanel;
 import simgsm.ui.pane.Divider;
 import simgsm.ui.pane.ScrolledColumn;
@@ -88,17 +88,7 @@ public final class TownPanel extends DressedPanel {
                 new Card(texts.of("towers.title"), Arrange.column(Theme.HALF, rows.toArray(JComponent[]::new)));
         JComponent column =
                 Arrange.column(MARGIN_UNITS, new Card(texts.of("mobile.title"), mobile), towerCard, Arrange.spring());
-        JScrollPane scroll = new JScrollPane(
-                new ScrolledColumn(column),
-                JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED,
-                JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
-        Theme.styled(scroll, pane -> {
-            pane.setBorder(null);
-            pane.setViewportBorder(null);
-        });
-        scroll.setOpaque(false);
-        scroll.getViewport().setOpaque(false);
-        return scroll;
+        return new VerticalScrollPane(new ScrolledColumn(column)).bare();
     }
 
     private static int sideWidth(int room) {

@@ -2,13 +2,13 @@ package simgsm.classroom.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.awt.KeyboardFocusManager;
 import java.util.List;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 
 /** What the students' machines start, in letters as large as the window has room for. Needs no display. */
@@ -17,7 +17,7 @@ final class ClassCommands extends JPanel {
     private static final int MOST_UNITS = 56;
     private static final int LEAST_UNITS = 13;
 
-    private final JTextArea text = new JTextArea();
+    private final JTextArea text = new ReadingArea("");
 
     /** @param rows phones and their robots */
     ClassCommands(TextBundle words, String pattern, List<ClassView.Row> rows) {
@@ -29,11 +29,6 @@ final class ClassCommands extends JPanel {
                                 "class.number", row.phone(), row.cells().get(1)))
                         .append('\n'));
         text.setText(all.toString().strip());
-        text.setEditable(false);
-        text.setLineWrap(true);
-        text.setWrapStyleWord(true);
-        text.setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
-        text.setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         ComponentNames.name(text, "class.large.text", words.of("class.commands"));
         setBorder(Theme.padding(MARGIN_UNITS));
         add(text, BorderLayout.CENTER);

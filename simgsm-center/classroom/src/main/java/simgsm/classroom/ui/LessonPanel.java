@@ -32,6 +32,7 @@ import simgsm.ui.Lamp;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.file.OpenDialog;
 import simgsm.ui.glossary.Glossary;
 import simgsm.ui.glossary.GlossaryText;
@@ -116,9 +117,7 @@ public final class LessonPanel extends JPanel {
     }
 
     private static JScrollPane scrolled(JPanel column) {
-        JScrollPane scroll = new JScrollPane(new WrappedColumn(column));
-        scroll.setBorder(null);
-        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        JScrollPane scroll = new VerticalScrollPane(new WrappedColumn(column)).bare();
         // A disappearing scroll bar would re-wrap the text.
         scroll.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
         return scroll;
@@ -128,13 +127,12 @@ public final class LessonPanel extends JPanel {
     private JComponent notices() {
         JPanel texts = Arrange.column(Theme.HALF, notice, term);
         texts.setBorder(Theme.padding(8, 12, 8, 12));
-        JScrollPane place = new JScrollPane(new WrappedColumn(texts)) {
+        JScrollPane place = new VerticalScrollPane(new WrappedColumn(texts)) {
             @Override
             public Dimension getPreferredSize() {
                 return new Dimension(0, Theme.px(NOTICES_UNITS));
             }
         };
-        place.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         place.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
         JButton close = ComponentNames.name(new JButton(closeNotices), "lesson.notice.close", closeNotices.name());
         close.setHideActionText(true);

@@ -10,13 +10,13 @@ import java.util.Locale;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.ScrollPaneConstants;
 import simgsm.console.TextBundle;
 import simgsm.trace.MessageText;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DressedPanel;
 import simgsm.ui.Theme;
+import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.glossary.GlossaryNote;
 import simgsm.ui.pane.ScrolledColumn;
 
@@ -49,8 +49,7 @@ public final class MessageDetail extends DressedPanel {
         language = Locale.forLanguageTag(texts.of("window.language"));
         note = new GlossaryNote(language);
         octets = new HexDump(texts, this::octetChosen);
-        octetPane = new JScrollPane(new ScrolledColumn(octets));
-        octetPane.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        octetPane = new VerticalScrollPane(new ScrolledColumn(octets));
         fields.getAccessibleContext().setAccessibleName(texts.of("window.ladder.detail"));
         fields.getSelectionModel().addListSelectionListener(event -> fieldChosen());
         JPanel parts = new JPanel(new Parts());

@@ -6,13 +6,13 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
-import javax.swing.ScrollPaneConstants;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.DocumentChanges;
 import simgsm.ui.Theme;
+import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.pane.WrappedColumn;
 
 /** All terms with their explanations; a field selects those that contain a word. Needs no display. */
@@ -28,9 +28,7 @@ public final class GlossaryList extends JPanel {
         wanted.setToolTipText(DesktopTexts.in(language).of("glossary.find"));
         wanted.getDocument().addDocumentListener(new DocumentChanges(() -> show(wanted.getText())));
         JPanel column = Arrange.column(Theme.GRID, text);
-        JScrollPane scroll = new JScrollPane(new WrappedColumn(column));
-        scroll.setBorder(null);
-        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        JScrollPane scroll = new VerticalScrollPane(new WrappedColumn(column)).bare();
         JLabel label = Theme.label(DesktopTexts.in(language).of("glossary.find"), Theme::base, Ink.TEXT);
         label.setLabelFor(wanted);
         JPanel find = Arrange.row(Theme.GRID, label, Arrange.growing(wanted));

@@ -7,8 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
-import javax.swing.ScrollPaneConstants;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.lesson.Lesson;
@@ -20,6 +18,7 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.glossary.GlossaryText;
 import simgsm.ui.pane.WrappedColumn;
 
@@ -50,10 +49,7 @@ public final class LessonList extends JPanel {
         }
         JPanel column = Arrange.column(Theme.GRID, rows.toArray(Component[]::new));
         column.setBorder(Theme.padding(12));
-        JScrollPane scroll = new JScrollPane(new WrappedColumn(column));
-        scroll.setBorder(null);
-        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        add(scroll, BorderLayout.CENTER);
+        add(new VerticalScrollPane(new WrappedColumn(column)).bare(), BorderLayout.CENTER);
         setBackground(Theme.color(Ink.SURFACE));
     }
 

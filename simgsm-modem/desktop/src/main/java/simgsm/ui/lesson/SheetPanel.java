@@ -4,11 +4,10 @@ import java.awt.BorderLayout;
 import java.awt.KeyboardFocusManager;
 import javax.swing.JEditorPane;
 import javax.swing.JPanel;
-import javax.swing.JScrollPane;
-import javax.swing.ScrollPaneConstants;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
+import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.glossary.GlossaryText;
 
 /** A teacher's sheet of a lesson: time, course, steps, answers, what goes wrong. Needs no display. */
@@ -38,12 +37,7 @@ public final class SheetPanel extends JPanel {
         text.updateUI();
         fill();
         text.setBorder(Theme.padding(12));
-        JScrollPane scroll = new JScrollPane(ComponentNames.name(text, "sheet.text", name));
-        scroll.setBorder(null);
-        scroll.getViewport().setOpaque(false);
-        scroll.setOpaque(false);
-        scroll.setHorizontalScrollBarPolicy(ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        add(scroll, BorderLayout.CENTER);
+        add(new VerticalScrollPane(ComponentNames.name(text, "sheet.text", name)).bare(), BorderLayout.CENTER);
         setBackground(Theme.color(Ink.SURFACE));
     }
 

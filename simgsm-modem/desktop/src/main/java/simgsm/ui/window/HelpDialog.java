@@ -35,6 +35,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Drawing;
+import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.glossary.GlossaryList;
@@ -185,10 +186,7 @@ final class HelpDialog {
     }
 
     private static JTextArea wrapped(String text) {
-        JTextArea lines = new JTextArea(text);
-        lines.setEditable(false);
-        lines.setLineWrap(true);
-        lines.setWrapStyleWord(true);
+        JTextArea lines = new ReadingArea(text);
         lines.setFont(Theme.base());
         return lines;
     }

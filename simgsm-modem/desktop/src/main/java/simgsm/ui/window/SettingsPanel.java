@@ -18,6 +18,7 @@ import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
@@ -115,10 +116,7 @@ final class SettingsPanel extends JPanel {
     }
 
     private static JTextArea note(String key, TextBundle texts, Object... values) {
-        JTextArea note = new JTextArea(texts.of(key, values));
-        note.setEditable(false);
-        note.setLineWrap(true);
-        note.setWrapStyleWord(true);
+        JTextArea note = new ReadingArea(texts.of(key, values));
         note.setFont(Theme.base());
         note.setOpaque(false);
         return ComponentNames.name(note, key, note.getText());

@@ -23,6 +23,7 @@ import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
+import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
@@ -81,10 +82,9 @@ public final class StartErrorWindow {
     /** What the window shows: the program, the error's text, which can be copied, and a button. */
     static JPanel content(String program, String text, TextBundle texts, Runnable close) {
         String title = texts.of("window.failed.title", program);
-        JTextArea words = new JTextArea(text, ROWS, COLUMNS);
-        words.setEditable(false);
-        words.setLineWrap(true);
-        words.setWrapStyleWord(true);
+        JTextArea words = new ReadingArea(text);
+        words.setRows(ROWS);
+        words.setColumns(COLUMNS);
         words.setFont(Theme.base());
         words.setOpaque(false);
         UserAction action = new UserAction("failed.close", texts.of("window.failed.close"), close);
