@@ -32,10 +32,10 @@ import simgsm.center.ui.CenterActions;
 import simgsm.center.ui.MonitorPanel;
 import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.NetworkAccess;
-import simgsm.classroom.ui.ClassActs;
+import simgsm.classroom.ui.ClassActions;
 import simgsm.classroom.ui.ClassPanel;
 import simgsm.classroom.ui.ClassView;
-import simgsm.classroom.ui.LessonActs;
+import simgsm.classroom.ui.LessonActions;
 import simgsm.classroom.ui.LessonPanel;
 import simgsm.classroom.ui.LessonView;
 import simgsm.console.TextBundle;
@@ -162,7 +162,7 @@ final class SuiteWindows {
                         Runnable::run);
             case CLASS -> classPanel(locale);
             case SCOPE -> scope(locale);
-            case LESSONS -> new LessonList(LessonLibrary.ofSuite(), locale, nothing(LessonList.Acts.class));
+            case LESSONS -> new LessonList(LessonLibrary.ofSuite(), locale, nothing(LessonList.Actions.class));
             case LESSON -> lesson(form, locale);
             case SHEET -> sheet(form, locale);
             default -> program(which, language);
@@ -180,7 +180,7 @@ final class SuiteWindows {
                     library.names(),
                     locale,
                     text -> text,
-                    nothing(LessonActs.class));
+                    nothing(LessonActions.class));
             List<LessonView.StepView> steps = lesson.steps().stream()
                     .map(step -> new LessonView.StepView(step.name(), LessonView.StepState.DONE, true))
                     .toList();
@@ -226,16 +226,16 @@ final class SuiteWindows {
     }
 
     private static ClassPanel classPanel(Locale locale) {
-        ClassActs acts = (ClassActs) Proxy.newProxyInstance(
-                ClassActs.class.getClassLoader(),
-                new Class<?>[] {ClassActs.class},
+        ClassActions actions = (ClassActions) Proxy.newProxyInstance(
+                ClassActions.class.getClassLoader(),
+                new Class<?>[] {ClassActions.class},
                 (proxy, method, arguments) -> switch (method.getName()) {
                     case "commands" -> List.of();
                     case "pattern" -> "java -jar simgsm-phone.jar --number N --center 192.168.178.112:34709";
                     case "warning" -> Optional.of("The centre listens to this machine only.");
                     default -> null;
                 });
-        ClassPanel panel = new ClassPanel(locale, acts, nothing(ClassPanel.Frames.class));
+        ClassPanel panel = new ClassPanel(locale, actions, nothing(ClassPanel.Frames.class));
         List<ClassView.Row> rows = IntStream.range(0, 30)
                 .mapToObj(i -> new ClassView.Row(
                         List.of(String.valueOf(5550100 + i), String.valueOf(5550200 + i), "12", "108", "10", "1234.5"),

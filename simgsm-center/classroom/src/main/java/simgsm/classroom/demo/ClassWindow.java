@@ -23,7 +23,7 @@ import simgsm.center.app.DataDirectory;
 import simgsm.classroom.session.Consoles;
 import simgsm.classroom.session.Session;
 import simgsm.classroom.session.SessionFailure;
-import simgsm.classroom.ui.ClassActs;
+import simgsm.classroom.ui.ClassActions;
 import simgsm.classroom.ui.ClassFrame;
 import simgsm.classroom.ui.ClassView;
 import simgsm.classroom.ui.ClassroomTexts;
@@ -36,7 +36,7 @@ import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.WindowPlace;
 
 /** The teacher's windows of a class: centre, robots, a phone, and the results at the right. */
-final class ClassWindow implements ClassActs, Consoles.Listener {
+final class ClassWindow implements ClassActions, Consoles.Listener {
     private static final double SHARE_OF_SCREEN = 0.26;
 
     private final ClassDemo demo;

@@ -19,7 +19,7 @@ import simgsm.classroom.demo.DemoLayout;
 import simgsm.classroom.session.Session;
 import simgsm.classroom.session.SessionFailure;
 import simgsm.classroom.ui.ClassroomTexts;
-import simgsm.classroom.ui.LessonActs;
+import simgsm.classroom.ui.LessonActions;
 import simgsm.classroom.ui.LessonFrame;
 import simgsm.classroom.ui.LessonPanel;
 import simgsm.classroom.ui.LessonView;
@@ -40,7 +40,7 @@ import simgsm.ui.window.WindowIcon;
 import simgsm.ui.window.WindowPlace;
 
 /** {@code --demo --lesson NAME}: the suite with the lesson's panel at its right. */
-public final class WindowedLesson implements LessonActs, LessonSession.Watcher {
+public final class WindowedLesson implements LessonActions, LessonSession.Watcher {
     private static final double SHARE_OF_SCREEN = 0.24;
     private static final int LEAST_WIDTH = 270;
     private static final int MOST_WIDTH = 460;
@@ -58,7 +58,7 @@ public final class WindowedLesson implements LessonActs, LessonSession.Watcher {
     private final LessonRun run;
     private final LessonSession session;
     private final ProgramWindow window;
-    /** Performs acts in their order; the first one starts the programs. */
+    /** Performs actions in their order; the first one starts the programs. */
     private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> {
         Thread thread = new Thread(task, "lesson");
         thread.setDaemon(true);

@@ -27,18 +27,18 @@ import simgsm.ui.window.WindowKeys;
 /** The window of a class. */
 public final class ClassFrame {
     private final JFrame frame = new JFrame();
-    private final ClassActs acts;
+    private final ClassActions actions;
     private ClassPanel panel;
     private Optional<ClassView> newest = Optional.empty();
 
-    private ClassFrame(ClassActs acts) {
-        this.acts = acts;
+    private ClassFrame(ClassActions actions) {
+        this.actions = actions;
     }
 
     /** Opens the window, which is closed with the program's other windows only; on the event thread. The place is in pixels of the screen. */
     public static ClassFrame open(
-            Locale language, int x, int y, int width, int height, ClassActs acts, Supplier<ClassView> source) {
-        ClassFrame opened = new ClassFrame(acts);
+            Locale language, int x, int y, int width, int height, ClassActions actions, Supplier<ClassView> source) {
+        ClassFrame opened = new ClassFrame(actions);
         JFrame frame = opened.frame;
         opened.speak(language);
         // The results last as long as the class: there is no other way back to them.
@@ -63,7 +63,7 @@ public final class ClassFrame {
 
     /** Shows the class in a language; on the event thread. */
     public void speak(Locale language) {
-        panel = new ClassPanel(language, acts, new Frames(ClassroomTexts.in(language)));
+        panel = new ClassPanel(language, actions, new Frames(ClassroomTexts.in(language)));
         frame.setTitle(ClassroomTexts.in(language).of("class.title"));
         frame.setContentPane(panel);
         WindowKeys.install(frame.getRootPane(), language);

@@ -45,7 +45,7 @@ public final class ClassPanel extends JPanel {
 
     private final Locale language;
     private final TextBundle words;
-    private final ClassActs acts;
+    private final ClassActions actions;
     private final Frames frames;
     private final DefaultTableModel model;
     private final JTable table;
@@ -67,10 +67,10 @@ public final class ClassPanel extends JPanel {
         void openLarge(Component beside, String title, JComponent content);
     }
 
-    public ClassPanel(Locale language, ClassActs acts, Frames frames) {
+    public ClassPanel(Locale language, ClassActions actions, Frames frames) {
         super(new BorderLayout());
         this.language = language;
-        this.acts = acts;
+        this.actions = actions;
         this.frames = frames;
         words = ClassroomTexts.in(language);
         model = new DefaultTableModel(
@@ -80,15 +80,15 @@ public final class ClassPanel extends JPanel {
         table.setDefaultRenderer(Object.class, new Cell());
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.getSelectionModel().addListSelectionListener(event -> chosen());
-        start = action("start", Symbol.PLAY, acts::start);
-        stop = action("stop", Symbol.BRAKE, acts::stop);
+        start = action("start", Symbol.PLAY, actions::start);
+        stop = action("stop", Symbol.BRAKE, actions::stop);
         replay = action("replay", Symbol.PLAY, this::replay);
         ComponentNames.name(clock, "class.clock", words.of("class.clock"));
         ComponentNames.name(best, "class.best", words.of("class.best.name"));
-        command = ComponentNames.name(new ReadingArea(acts.pattern()), "class.command", words.of("class.commands"));
+        command = ComponentNames.name(new ReadingArea(actions.pattern()), "class.command", words.of("class.commands"));
         add(content(), BorderLayout.CENTER);
-        acts.warning().ifPresent(notice::show);
-        notice.setVisible(acts.warning().isPresent());
+        actions.warning().ifPresent(notice::show);
+        notice.setVisible(actions.warning().isPresent());
         dress();
         show(new ClassView(List.of(), ClassView.Phase.FREE, 0, Optional.empty()));
     }
@@ -173,10 +173,10 @@ public final class ClassPanel extends JPanel {
     private void chosen() {
         Optional<String> phone = chosenPhone();
         replay.setEnabled(phone.isPresent());
-        String shown = phone.flatMap(number -> acts.commands().stream()
+        String shown = phone.flatMap(number -> actions.commands().stream()
                         .filter(line -> line.contains("--number " + number + " "))
                         .findFirst())
-                .orElse(acts.pattern());
+                .orElse(actions.pattern());
         if (!shown.equals(command.getText())) {
             command.setText(shown);
             revalidate();
@@ -186,7 +186,7 @@ public final class ClassPanel extends JPanel {
     private void replay() {
         chosenPhone().ifPresent(phone -> {
             try {
-                acts.replay(phone);
+                actions.replay(phone);
             } catch (IOException e) {
                 tell(words.of("class.replay.failed", e.getMessage()));
             }
@@ -201,10 +201,10 @@ public final class ClassPanel extends JPanel {
 
     /** All commands, a line each. */
     private void copy() {
-        boolean isCopied = CopiedText.copy(String.join("\n", acts.commands()) + "\n");
+        boolean isCopied = CopiedText.copy(String.join("\n", actions.commands()) + "\n");
         tell(
                 isCopied
-                        ? words.of("class.copied", acts.commands().size())
+                        ? words.of("class.copied", actions.commands().size())
                         : DesktopTexts.in(language).of("clipboard.busy"));
     }
 
@@ -213,7 +213,7 @@ public final class ClassPanel extends JPanel {
     }
 
     ClassCommands large() {
-        return new ClassCommands(words, acts.pattern(), rows);
+        return new ClassCommands(words, actions.pattern(), rows);
     }
 
     private void save() {

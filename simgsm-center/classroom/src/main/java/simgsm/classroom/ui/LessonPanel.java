@@ -51,7 +51,7 @@ public final class LessonPanel extends JPanel {
     private final TextBundle words;
     private final UnaryOperator<String> numbers;
     private final Glossary glossary;
-    private final LessonActs acts;
+    private final LessonActions actions;
     private final GlossaryText task;
     private final GlossaryText term;
     private final GlossaryText question;
@@ -67,7 +67,7 @@ public final class LessonPanel extends JPanel {
     /**
      * @param all names of all lessons in their order
      * @param numbers replaces names in braces by the student's own numbers
-     * @param acts performs what the student does
+     * @param actions performs what the student does
      */
     public LessonPanel(
             Lesson lesson,
@@ -75,13 +75,13 @@ public final class LessonPanel extends JPanel {
             List<String> all,
             Locale language,
             UnaryOperator<String> numbers,
-            LessonActs acts) {
+            LessonActions actions) {
         super(new BorderLayout());
         this.lesson = lesson;
         this.texts = texts;
         this.all = all;
         this.numbers = numbers;
-        this.acts = acts;
+        this.actions = actions;
         words = ClassroomTexts.in(language);
         closeNotices = new UserAction("lesson.notice.close", words.of("lesson.notice.close"), this::closeNotices)
                 .with(Symbol.CLOSE.icon());
@@ -184,7 +184,7 @@ public final class LessonPanel extends JPanel {
     }
 
     private JButton other(String key, String name) {
-        UserAction action = new UserAction(key, words.of(key), () -> acts.open(name));
+        UserAction action = new UserAction(key, words.of(key), () -> actions.open(name));
         JButton button = ComponentNames.name(new JButton(action), key, words.of(key + ".why"));
         button.setToolTipText(words.of(key + ".why"));
         button.setEnabled(!name.isEmpty());
@@ -206,7 +206,7 @@ public final class LessonPanel extends JPanel {
     private JComponent prediction() {
         GlossaryText asked = text("lesson.predict.text");
         asked.show(words.of("lesson.predict") + " " + numbers.apply(texts.of("predict")));
-        return Arrange.column(Theme.HALF, asked, field("lesson.predict", words.of("lesson.predict"), acts::predict));
+        return Arrange.column(Theme.HALF, asked, field("lesson.predict", words.of("lesson.predict"), actions::predict));
     }
 
     /** A field with a button; Enter does the same. */
@@ -242,7 +242,7 @@ public final class LessonPanel extends JPanel {
         UserAction save = new UserAction(
                 "lesson.save",
                 words.of("lesson.save"),
-                () -> acts.save(student.getText().strip()));
+                () -> actions.save(student.getText().strip()));
         parts.add(small(words.of("lesson.student")));
         parts.add(Arrange.row(
                 Theme.HALF,
@@ -264,13 +264,13 @@ public final class LessonPanel extends JPanel {
         if (action.input() instanceof LessonAction.Text || action.input() instanceof LessonAction.Range) {
             GlossaryText label = text(id + ".text");
             label.show(name);
-            return Arrange.column(Theme.HALF, label, field(id, name, input -> acts.act(action.name(), input)));
+            return Arrange.column(Theme.HALF, label, field(id, name, input -> actions.act(action.name(), input)));
         }
         UserAction press = new UserAction(id, name, () -> {
             if (action.input() instanceof LessonAction.File file) {
                 choose(action.name(), chooser(name, file.ending()));
             } else {
-                acts.act(action.name(), "");
+                actions.act(action.name(), "");
             }
         });
         return ComponentNames.name(new WrappingButton(press), id, name);
@@ -286,7 +286,7 @@ public final class LessonPanel extends JPanel {
 
     private void choose(String action, JFileChooser chooser) {
         OpenDialog.ask(this, chooser)
-                .ifPresent(file -> acts.act(action, file.toAbsolutePath().toString()));
+                .ifPresent(file -> actions.act(action, file.toAbsolutePath().toString()));
     }
 
     /** Shows the newest state; called on the event thread. */
@@ -330,9 +330,9 @@ public final class LessonPanel extends JPanel {
             isLater = program.isLater();
             button = new WrappingButton(new UserAction("lesson.program." + name, "", () -> {
                 if (isRunning) {
-                    acts.stopProgram(name);
+                    actions.stopProgram(name);
                 } else {
-                    acts.startProgram(name);
+                    actions.startProgram(name);
                 }
             }));
             show(false);
@@ -373,7 +373,7 @@ public final class LessonPanel extends JPanel {
             List<Component> parts = new ArrayList<>(List.of(shown));
             step.answer()
                     .ifPresent(answer ->
-                            parts.add(field("lesson.answer." + answer, text, typed -> acts.answer(answer, typed))));
+                            parts.add(field("lesson.answer." + answer, text, typed -> actions.answer(answer, typed))));
             parts.add(Arrange.row(Theme.HALF, lamp, Arrange.spring(), button));
             parts.add(hint);
             component = Arrange.column(Theme.HALF, parts.toArray(Component[]::new));

@@ -123,8 +123,8 @@ class ClassPanelTest {
         return new ClassView(List.of(rows), ClassView.Phase.RUNNING, 75, Optional.empty());
     }
 
-    private ClassActs students() {
-        return new ClassActs() {
+    private ClassActions students() {
+        return new ClassActions() {
             @Override
             public void start() {
                 done.add("start");

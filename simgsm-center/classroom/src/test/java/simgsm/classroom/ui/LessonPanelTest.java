@@ -36,7 +36,7 @@ import simgsm.ui.glossary.GlossaryText;
 class LessonPanelTest {
     private final List<String> done = new ArrayList<>();
 
-    private final LessonActs acts = new LessonActs() {
+    private final LessonActions actions = new LessonActions() {
         @Override
         public void predict(String text) {
             done.add("predict " + text);
@@ -83,7 +83,7 @@ class LessonPanelTest {
     private LessonPanel panel(String name, String language) throws Exception {
         Locale locale = Locale.forLanguageTag(language);
         Lesson lesson = library.lesson(name);
-        return new LessonPanel(lesson, library.texts(lesson, locale), library.names(), locale, text -> text, acts);
+        return new LessonPanel(lesson, library.texts(lesson, locale), library.names(), locale, text -> text, actions);
     }
 
     private static LessonView view(String name, LessonView.StepState state) throws Exception {

@@ -25,7 +25,7 @@ import simgsm.ui.pane.WrappedColumn;
 /** All lessons with title, minutes, subject, a button that opens one, and one that shows the teacher's sheet. Needs no display. */
 public final class LessonList extends JPanel {
     /** What the user may do with a lesson. */
-    public interface Acts {
+    public interface Actions {
         void open(String name);
 
         /** @param markdown the teacher's sheet */
@@ -35,13 +35,13 @@ public final class LessonList extends JPanel {
     private final LessonLibrary library;
     private final Locale language;
     private final TextBundle words;
-    private final Acts acts;
+    private final Actions actions;
 
-    public LessonList(LessonLibrary library, Locale language, Acts acts) {
+    public LessonList(LessonLibrary library, Locale language, Actions actions) {
         super(new BorderLayout());
         this.library = library;
         this.language = language;
-        this.acts = acts;
+        this.actions = actions;
         words = DesktopTexts.in(language);
         List<Component> rows = new ArrayList<>();
         for (String name : library.names()) {
@@ -63,8 +63,8 @@ public final class LessonList extends JPanel {
             List<Component> parts = new ArrayList<>(List.of(Arrange.growing(Arrange.column(0, text))));
             library.sheet(name, language)
                     .ifPresent(sheet ->
-                            parts.add(button("lessons.sheet", name, title, () -> acts.showSheet(title, sheet))));
-            parts.add(button("lessons.open", name, title, () -> acts.open(name)));
+                            parts.add(button("lessons.sheet", name, title, () -> actions.showSheet(title, sheet))));
+            parts.add(button("lessons.open", name, title, () -> actions.open(name)));
             Component row = Arrange.row(Theme.GRID, parts.toArray(Component[]::new));
             return texts.find("about").map(about -> withLine(row, name, about)).orElse(row);
         } catch (LessonException e) {

@@ -133,13 +133,13 @@ final class HelpDialog {
             String version,
             Locale language,
             Lessons lessons,
-            SettingsPanel.Acts settings,
+            SettingsPanel.Actions settings,
             String first) {
         TextBundle texts = DesktopTexts.in(language);
         JDialog dialog = new JDialog(frame, texts.of("window.help"));
         JTabbedPane tabs = ComponentNames.name(new JTabbedPane(), "help.tabs", texts.of("window.help"));
         tabs.addTab(texts.of("window.help"), content(frame.getRootPane(), about, version, texts));
-        tabs.addTab(texts.of("lessons.title"), new LessonList(lessons.library(), language, new LessonList.Acts() {
+        tabs.addTab(texts.of("lessons.title"), new LessonList(lessons.library(), language, new LessonList.Actions() {
             @Override
             public void open(String name) {
                 begin(dialog, name, texts, lessons);
@@ -151,7 +151,7 @@ final class HelpDialog {
             }
         }));
         tabs.addTab(texts.of("glossary.title"), new GlossaryList(language));
-        SettingsPanel.Acts closing = settings.beforeLanguage(dialog::dispose);
+        SettingsPanel.Actions closing = settings.beforeLanguage(dialog::dispose);
         tabs.addTab(texts.of("settings.title"), new SettingsPanel(language, texts, closing));
         tabs.addTab(texts.of("about.title"), versions(frame.getTitle(), version, texts));
         tabs.setSelectedIndex(tabs.indexOfTab(texts.of(first)));

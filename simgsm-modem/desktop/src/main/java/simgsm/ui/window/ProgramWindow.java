@@ -287,7 +287,7 @@ public final class ProgramWindow {
                 Program.version(content.panel().getClass()),
                 language,
                 new HelpDialog.Lessons(lessons, lessonChosen),
-                new SettingsPanel.Acts(speak, this::dress, this::zoomTo, memory),
+                new SettingsPanel.Actions(speak, this::dress, this::zoomTo, memory),
                 tab);
     }
 

@@ -32,35 +32,35 @@ final class SettingsPanel extends JPanel {
      *
      * @param language shows the window in another language; empty where its program has a setting of its own
      */
-    record Acts(
+    record Actions(
             Optional<Consumer<Locale>> language,
             Consumer<Appearance> appearance,
             Consumer<Integer> zoomPercent,
             Optional<WindowMemory> memory) {
         /** The same, with an act before another language is shown. */
-        Acts beforeLanguage(Runnable first) {
+        Actions beforeLanguage(Runnable first) {
             Optional<Consumer<Locale>> both = language.map(speak -> chosen -> {
                 first.run();
                 speak.accept(chosen);
             });
-            return new Acts(both, appearance, zoomPercent, memory);
+            return new Actions(both, appearance, zoomPercent, memory);
         }
     }
 
-    SettingsPanel(Locale language, TextBundle texts, Acts acts) {
+    SettingsPanel(Locale language, TextBundle texts, Actions actions) {
         super(new BorderLayout());
         setBorder(Theme.padding(12));
         Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
         JPanel column = Arrange.column(
                 Theme.GRID,
-                acts.language().isPresent()
+                actions.language().isPresent()
                         ? choice(
                                 "settings.language",
                                 texts,
                                 LANGUAGES,
                                 Locale.forLanguageTag(language.getLanguage()),
                                 each -> each.getDisplayLanguage(each),
-                                acts.language().get())
+                                actions.language().get())
                         : note("settings.language.own", texts),
                 choice(
                         "settings.theme",
@@ -68,15 +68,15 @@ final class SettingsPanel extends JPanel {
                         List.of(Appearance.values()),
                         Theme.appearance(),
                         each -> texts.of("theme." + each.word()),
-                        acts.appearance()),
+                        actions.appearance()),
                 choice(
                         "settings.zoom",
                         texts,
                         zooms(),
                         (int) Math.round(Theme.zoom() * 100),
                         each -> each + " %",
-                        acts.zoomPercent()),
-                memory(texts, acts.memory()),
+                        actions.zoomPercent()),
+                memory(texts, actions.memory()),
                 Arrange.spring());
         add(column);
     }

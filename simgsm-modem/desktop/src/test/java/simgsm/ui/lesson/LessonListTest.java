@@ -36,7 +36,7 @@ class LessonListTest {
     private final LessonLibrary library = LessonLibrary.ofSuite();
 
     private LessonList list(LessonLibrary lessons) {
-        return new LessonList(lessons, Locale.ENGLISH, new LessonList.Acts() {
+        return new LessonList(lessons, Locale.ENGLISH, new LessonList.Actions() {
             @Override
             public void open(String name) {
                 done.add(name);

@@ -36,8 +36,8 @@ class SettingsPanelTest {
 
     @Test
     void theHelpClosesBeforeAnotherLanguageIsShown() {
-        SettingsPanel.Acts acts = acts(true).beforeLanguage(() -> done.add("closed"));
-        acts.language().orElseThrow().accept(Locale.forLanguageTag("es"));
+        SettingsPanel.Actions actions = actions(true).beforeLanguage(() -> done.add("closed"));
+        actions.language().orElseThrow().accept(Locale.forLanguageTag("es"));
         assertEquals(List.of("closed", "es"), done);
     }
 
@@ -65,11 +65,11 @@ class SettingsPanelTest {
     }
 
     private SettingsPanel panel(boolean speaks) {
-        return new SettingsPanel(Locale.ENGLISH, DesktopTexts.in(Locale.ENGLISH), acts(speaks));
+        return new SettingsPanel(Locale.ENGLISH, DesktopTexts.in(Locale.ENGLISH), actions(speaks));
     }
 
-    private SettingsPanel.Acts acts(boolean speaks) {
-        return new SettingsPanel.Acts(
+    private SettingsPanel.Actions actions(boolean speaks) {
+        return new SettingsPanel.Actions(
                 speaks ? Optional.of(chosen -> done.add(chosen.getLanguage())) : Optional.empty(),
                 chosen -> done.add(chosen.name()),
                 chosen -> done.add(chosen.toString()),

@@ -1,7 +1,7 @@
 package simgsm.classroom.ui;
 
 /** What the student does in a lesson's window; called on the event thread, and returns at once. */
-public interface LessonActs {
+public interface LessonActions {
     void predict(String text);
 
     void answer(String name, String text);

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** What the window of a class does. The event thread calls these methods. */
-public interface ClassActs {
+public interface ClassActions {
     /** Sets all results back, puts the robots where they began, and starts the clock. */
     void start();
 
