@@ -43,7 +43,7 @@ public final class RosServer implements AutoCloseable {
     /** A message that a client is due. */
     record Wanted(String name, RosTopic.Source source, RosGeneration generation) {}
 
-    /** Nothing but the WebSocket is here. */
+    /** Every request but the handshake of the WebSocket is answered with 404. */
     private static final class NoPages extends WebPages {
         NoPages() {
             super("default-src 'none'");

@@ -8,7 +8,7 @@ import simrobot.robot.DirectControl;
 import simrobot.robot.SimulatedRobot;
 
 /**
- * The velocities that ROS clients command. A robot brakes 0.5 s after the last one, and when the client that sent it has gone.
+ * The velocities that ROS clients command. A robot brakes 0.5 s after the last one, and when the client that sent it disconnects.
  * Owned by the simulation's thread; times are those of {@link System#nanoTime}, since the limit guards the connection.
  */
 final class VelocityCommands {
