@@ -11,7 +11,7 @@ class CallWaitingTest {
     private static final String THIRD = "5550102";
 
     @Test
-    void theSecondCallRingsWhenTheFirstHasEnded() throws Exception {
+    void theSecondCallRingsWhenTheFirstHasEndedUnlessItGivesUpAndARobotStaysBusy() throws Exception {
         try (Scenario scenario = new Scenario("a call that waits")) {
             RunningProgram center = scenario.center("--call-waiting", "on");
             RunningProgram phone = scenario.phone(Scenario.PHONE);
@@ -22,11 +22,20 @@ class CallWaitingTest {
             second.say("answer");
             phone.expect("connected");
             second.expect("connected");
+
+            scenario.tell("a caller who waits gives up");
+            third.say("dial " + SECOND);
+            second.expect("waiting", "from", THIRD);
+            third.expectBefore(Set.of("released"), "alerting");
+            third.say("hangup");
+            second.expectBefore(Set.of("released"), "waiting-over");
+            third.expect("released");
+
+            scenario.tell("the next one waits; the first call ends, the second rings");
             third.say("dial " + SECOND);
             second.expect("waiting", "from", THIRD);
             third.expectBefore(Set.of("released"), "alerting");
             center.expect("call", "from", THIRD, "state", "alerting");
-            scenario.tell("the first call ends, the second rings");
             second.say("hangup");
             phone.expect("released", "cause", "16");
             second.expect("ringing", "from", THIRD);
@@ -34,42 +43,17 @@ class CallWaitingTest {
             third.expectBefore(Set.of("released"), "connected");
             third.say("hangup");
             second.expect("released", "cause", "16");
-            for (RunningProgram each : new RunningProgram[] {phone, second, third, center}) {
-                assertEquals(0, each.quit());
-            }
-        }
-    }
 
-    @Test
-    void whoWaitsMayGiveUp() throws Exception {
-        try (Scenario scenario = new Scenario("a call that waited")) {
-            scenario.center("--call-waiting=on");
-            RunningProgram phone = scenario.phone(Scenario.PHONE);
-            RunningProgram second = scenario.phone(SECOND);
-            RunningProgram third = scenario.phone(THIRD);
-            phone.say("dial " + SECOND);
-            second.expect("ringing", "from", Scenario.PHONE);
-            second.say("answer");
-            second.expect("connected");
-            third.say("dial " + SECOND);
-            second.expect("waiting", "from", THIRD);
-            third.expect("alerting");
-            third.say("hangup");
-            second.expectBefore(Set.of("released"), "waiting-over");
-        }
-    }
-
-    @Test
-    void aRobotStaysBusy() throws Exception {
-        try (Scenario scenario = new Scenario("a robot without call waiting")) {
-            scenario.center("--call-waiting", "on");
+            scenario.tell("a robot stays busy");
             RunningProgram robot = scenario.robot("empty.map");
-            RunningProgram phone = scenario.phone(Scenario.PHONE);
-            RunningProgram second = scenario.phone(SECOND);
             scenario.call(phone);
             second.say("dial " + Scenario.ROBOT);
             second.expect("released", "cause", "17");
-            assertEquals(0, robot.quit());
+            phone.say("hangup");
+            robot.expect("released", "cause", "16");
+            for (RunningProgram each : new RunningProgram[] {robot, phone, second, third, center}) {
+                assertEquals(0, each.quit());
+            }
         }
     }
 }

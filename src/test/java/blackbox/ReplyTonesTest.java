@@ -13,10 +13,10 @@ class ReplyTonesTest {
     }
 
     @Test
-    void acceptedExecutingExecutedCollisionAndRefused() throws Exception {
-        try (Scenario scenario = scenario("tones 1, 6, 3, 4 and 8 in one call")) {
+    void oneCallHearsTonesOneSixThreeFourEightAndSevenAndNothingBetweenOrders() throws Exception {
+        try (Scenario scenario = scenario("tones 1, 6, 3, 4, 8 and 7 in one call")) {
             scenario.center();
-            RunningProgram robot = scenario.robot("empty.map", "--speed", "4");
+            RunningProgram robot = scenario.robot("empty.map", "--speed", "8");
             RunningProgram phone = scenario.phone(Scenario.PHONE);
             scenario.call(phone);
             robot.ask("place 9.5 0 0", "pose");
@@ -41,35 +41,18 @@ class ReplyTonesTest {
             phone.say("press **#*#180#**20**");
             phone.expectNext("tone", "key", "6");
             phone.expectNext("tone", "key", "3");
-        }
-    }
 
-    @Test
-    void aBrokenOrderGetsOneSevenAtTheOffendingKeyAndTheNextOrderIsReadRight() throws Exception {
-        try (Scenario scenario = scenario("tone 7")) {
-            scenario.center();
-            RunningProgram robot = scenario.robot("empty.map", "--speed", "10");
-            RunningProgram phone = scenario.phone(Scenario.PHONE);
-            scenario.call(phone);
             for (String broken :
                     List.of("**20**", "**#5#**20**", "**#**0**", "**#**12345**", "**#*#361**", "**#**2A**")) {
-                scenario.tell(broken + " and then a good order");
+                scenario.tell(broken + " gets one seven at the offending key, the good order after it is read right");
                 phone.say("press " + broken + " **#*#5**");
                 robot.expect("order", "verdict", "invalid");
                 phone.expectNext("tone", "key", "7", "meaning", "not a valid command");
                 phone.expectNext("tone", "key", "6");
                 phone.expectNext("tone", "key", "3");
             }
-        }
-    }
 
-    @Test
-    void keysBeforeAnOrderAndEmptyOrdersGetNoReply() throws Exception {
-        try (Scenario scenario = scenario("silence")) {
-            scenario.center();
-            scenario.robot("empty.map", "--speed", "10");
-            RunningProgram phone = scenario.phone(Scenario.PHONE);
-            scenario.call(phone);
+            scenario.tell("keys before an order and empty orders get no reply");
             phone.say("press 12#45*6 ** ***#*#5** 9 ****#*#5**");
             for (String tone : List.of("6", "3", "6", "3")) {
                 phone.expectNext("tone", "key", tone);
