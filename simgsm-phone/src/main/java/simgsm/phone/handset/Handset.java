@@ -1,13 +1,12 @@
 package simgsm.phone.handset;
 
 import java.time.InstantSource;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Queue;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.CallPhase;
@@ -16,15 +15,11 @@ import simgsm.phone.screen.KeyMode;
 import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.screen.ScreenNavigation;
 import simgsm.phone.screen.UserSettings;
-import simgsm.phone.screen.Words;
 import simgsm.phone.store.MessageFolder;
 import simgsm.phone.store.StoredMessage;
 import simgsm.sim.SimPhoneBook;
 import simgsm.speech.AudioOutput;
-import simgsm.ss.ServiceCode;
-import simgsm.ss.UssdText;
 import simgsm.station.StationCommands;
-import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationEvent;
 import simgsm.tone.ToneExperiment;
 import simgsm.tone.ToneSet;
@@ -37,7 +32,6 @@ public final class Handset {
     private static final int KEY_MILLIS = 100;
     private static final int SAMPLES_PER_MILLI = 8;
     private final Msisdn own;
-
     private final Consumer<StationEvent> listener;
     private final HandsetAudio audio;
     private final PhoneCall call = new PhoneCall();
@@ -48,12 +42,10 @@ public final class Handset {
     private final HomeKeys home;
     private final KeySender keysInBand;
     private final SignalledKeySender keysSignalled;
-    /** Events that arrive while a message is being submitted, before the mailbox has it. */
-    private final Queue<StationEvent> deferred = new ArrayDeque<>();
-
-    private boolean submitting;
+    private final MessageSubmission submission;
+    private final SettledAction settled = new SettledAction(this::isSettled);
+    private final ServiceCodes codes = new ServiceCodes(this);
     private StationCommands station;
-    private Runnable whenSettled;
     private UserSettings settings;
     private volatile HandsetSnapshot snapshot;
 
@@ -79,35 +71,21 @@ public final class Handset {
         Consumer<String> sent = run -> report(new HandsetEvent.KeysSent(run));
         keysInBand = new KeySender(sent);
         keysSignalled = new SignalledKeySender(() -> station, sent);
-        audio = new HandsetAudio(output, this::keySender, tones, this::toneHeard);
+        Supplier<KeySender> keys = () -> this.settings.keyMode() == KeyMode.SIGNALLED ? keysSignalled : keysInBand;
+        audio = new HandsetAudio(output, keys, tones, this::toneHeard);
         audio.setSound(settings.ringTone(), settings.volume());
         store = new HandsetStore(phoneBook, wallClock);
+        submission = new MessageSubmission(store.mailbox());
         history = new CallHistory(store.log(), wallClock);
         events = new HandsetLog(wallClock, store.contacts()::nameOf);
         phoneBook.whenChanged(this::changed);
-        screens =
-                new ScreenNavigation(store.mailbox(), store.log(), store.contacts(), () -> this.settings, this::about);
+        screens = new ScreenNavigation(
+                store.mailbox(),
+                store.log(),
+                store.contacts(),
+                () -> this.settings,
+                () -> AboutPhone.lines(own, station, store.contacts()));
         home = new HomeKeys(screens);
-    }
-
-    private KeySender keySender() {
-        return settings.keyMode() == KeyMode.SIGNALLED ? keysSignalled : keysInBand;
-    }
-
-    private List<Words> about() {
-        StationSnapshot now = station.snapshot();
-        List<Words> lines = new ArrayList<>();
-        lines.add(Words.of("about.own", own.digits()));
-        lines.add(Words.of("about.imei", station.identity().imei().digits()));
-        lines.add(Words.of("about.network", now.networkName()));
-        now.cell()
-                .ifPresent(cell -> lines.add(Words.of(
-                        "lcd.cell",
-                        String.valueOf(cell.identity()),
-                        String.valueOf(cell.areaCode()),
-                        String.valueOf(cell.dbm()))));
-        lines.add(Words.of("about.names", store.contacts().all().size(), SimPhoneBook.CAPACITY));
-        return lines;
     }
 
     /** The texts that are kept for the next run: names, calls, messages, settings. */
@@ -137,8 +115,6 @@ public final class Handset {
         station = newStation;
         changed();
     }
-
-    // The parts, for the keys of the window and of a keyboard.
 
     PhoneCall call() {
         return call;
@@ -186,12 +162,7 @@ public final class Handset {
      * @throws IllegalArgumentException for a text that is neither
      */
     public Optional<Refusal> dial(String typed) {
-        if (ServiceCode.isCode(typed)) {
-            return ussd(typed);
-        }
-        return ServiceCode.isHidingCall(typed)
-                ? Optional.of(Refusal.NUMBER_IS_SHOWN)
-                : dial(Msisdn.parse(ServiceCode.called(typed)));
+        return codes.perform(typed);
     }
 
     public Optional<Refusal> answer() {
@@ -217,31 +188,11 @@ public final class Handset {
 
     /** Sends a USSD code, or the reply that the network waits for. */
     public Optional<Refusal> ussd(String text) {
-        if (!isPowered()) {
-            return Optional.of(Refusal.SWITCHED_OFF);
-        }
-        if (text.equals(ServiceCode.IMEI)) {
-            showImei();
-            return Optional.empty();
-        }
-        if (!UssdText.fits(text)) {
-            return Optional.of(text.isEmpty() ? Refusal.EMPTY_TEXT : Refusal.USSD_TOO_LONG);
-        }
-        boolean isSent = station.sendUssd(text);
-        if (isSent) {
-            home.clear();
-            screens.ussdSent(text);
-            changed();
-        }
-        return isSent ? Optional.empty() : Optional.of(Refusal.USSD_UNDER_WAY);
+        return codes.send(text);
     }
 
-    /** Shows the IMEI, without the network (TS 22.030, 6.7.2). */
-    void showImei() {
-        String imei = station.identity().imei().digits();
-        home.clear();
-        screens.showImei(imei);
-        report(new HandsetEvent.ImeiShown(imei));
+    ServiceCodes codes() {
+        return codes;
     }
 
     /** Queues keys of 100 ms; before the call is connected they wait. */
@@ -287,24 +238,10 @@ public final class Handset {
         if (!isPowered()) {
             return Optional.of(Refusal.SWITCHED_OFF);
         }
-        Optional<Refusal> refusal = submit(to, text);
+        Optional<Refusal> refusal = submission.submit(station, to, text);
         changed();
-        for (StationEvent event = deferred.poll(); event != null; event = deferred.poll()) {
-            accept(event);
-        }
+        submission.release(this::accept);
         return refusal;
-    }
-
-    private Optional<Refusal> submit(Msisdn to, String text) {
-        submitting = true;
-        try {
-            store.mailbox().submitted(station.sendMessage(to, text), to.toString(), text);
-            return Optional.empty();
-        } catch (IllegalArgumentException tooLong) {
-            return Optional.of(Refusal.TEXT_TOO_LONG);
-        } finally {
-            submitting = false;
-        }
     }
 
     public void powerOn() {
@@ -330,17 +267,11 @@ public final class Handset {
 
     /** Runs the action as soon as all keys are sent, all messages acknowledged and a USSD text answered. */
     public void whenSettled(Runnable action) {
-        whenSettled = action;
-        checkSettled();
+        settled.set(action);
     }
 
-    private void checkSettled() {
-        boolean isSettled = audio.keysAreSent() && !store.mailbox().hasUnacknowledged() && !screens.awaitsUssd();
-        if (whenSettled != null && isSettled) {
-            Runnable action = whenSettled;
-            whenSettled = null;
-            action.run();
-        }
+    private boolean isSettled() {
+        return audio.keysAreSent() && !store.mailbox().hasUnacknowledged() && !screens.awaitsUssd();
     }
 
     /** Publishes the arrival or loss of a sound device; called about once a second. */
@@ -364,9 +295,7 @@ public final class Handset {
         changed();
     }
 
-    // Time, for what happens without a call: key tones, letters, long presses.
-
-    /** True if {@link #timePassed} is to be called within 20 ms. */
+    /** True if {@link #timePassed} is to be called within 20 ms: for key tones, letters and long presses without a call. */
     public boolean wantsTime() {
         return audio.wantsTime() || screens.wantsTime() || home.wantsTime(call.phase());
     }
@@ -388,33 +317,32 @@ public final class Handset {
         }
     }
 
-    // The station's side.
-
     /** Fills the next 20 ms of speech for the far end. */
     public void fillFrame(short[] frame) {
         boolean soundChanged = audio.fillFrame(frame);
         if (call.framePassed() || soundChanged) {
             changed();
         }
-        checkSettled();
+        settled.check();
     }
 
     /** An event of the station. */
     public void accept(StationEvent event) {
         if (event instanceof StationEvent.SpeechReceived speech) {
             audio.hear(speech.samples());
-        } else if (submitting) {
-            deferred.add(event);
-        } else {
+        } else if (!submission.defers(event)) {
             follow(event);
             report(event);
-            checkSettled();
+            settled.check();
         }
     }
 
     private void follow(StationEvent event) {
         if (event instanceof StationEvent.OfCall ofCall) {
-            followCall(ofCall);
+            history.accept(ofCall, call.snapshot().seconds());
+            call.accept(ofCall);
+            audio.accept(ofCall);
+            home.accept(ofCall);
         } else if (event instanceof StationEvent.KeysRefused refused) {
             screens.note(Note.Kind.KEYS_REFUSED, String.valueOf(refused.cause().code()));
             report(new HandsetEvent.KeysNotSent(audio.dropKeys(), refused.cause()));
@@ -427,24 +355,12 @@ public final class Handset {
         }
     }
 
-    private void followCall(StationEvent.OfCall event) {
-        history.accept(event, call.snapshot().seconds());
-        call.accept(event);
-        audio.accept(event);
-        if (event instanceof StationEvent.Calling || event instanceof StationEvent.Ringing) {
-            home.clear();
-            screens.home();
-        } else if (event instanceof StationEvent.HoldRefused) {
-            screens.note(Note.Kind.REFUSED, "");
-        }
-    }
-
     private void toneHeard(DtmfKey key) {
         call.toneHeard(key);
         report(new HandsetEvent.ToneHeard(key, call.snapshot().meaningOf(key)));
     }
 
-    private void report(StationEvent event) {
+    void report(StationEvent event) {
         events.accept(event);
         changed();
         listener.accept(event);

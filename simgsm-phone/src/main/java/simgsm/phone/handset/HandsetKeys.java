@@ -45,7 +45,7 @@ public final class HandsetKeys {
             endTones();
             perform(home.press(key, handset.situation()));
             if (home.typed().equals(ServiceCode.IMEI)) {
-                handset.showImei();
+                handset.codes().showImei();
             }
         } else {
             perform(screens.press(key, nowNanos));

@@ -6,6 +6,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.KeyIntent.Simple;
 import simgsm.phone.store.CallRecord;
 import simgsm.phone.store.MessageFolder;
+import simgsm.station.context.StationEvent;
 
 /** The keys on the home screen: the number being typed, calls, and keys that are held for a second function. */
 public final class HomeKeys {
@@ -41,6 +42,16 @@ public final class HomeKeys {
 
     public void clear() {
         typed.set("");
+    }
+
+    /** A call that begins clears the display. */
+    public void accept(StationEvent.OfCall event) {
+        if (event instanceof StationEvent.Calling || event instanceof StationEvent.Ringing) {
+            clear();
+            screens.home();
+        } else if (event instanceof StationEvent.HoldRefused) {
+            screens.note(Screen.Note.Kind.REFUSED, "");
+        }
     }
 
     /** A plus sign from a keyboard; it can only begin a number. */

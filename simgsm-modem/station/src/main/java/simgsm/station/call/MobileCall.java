@@ -1,8 +1,6 @@
 package simgsm.station.call;
 
-import java.util.HashSet;
 import java.util.Optional;
-import java.util.Set;
 import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.MobilityManagement.ServiceType;
@@ -18,13 +16,13 @@ import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationTimer;
 import simgsm.station.mobility.ServiceRequests;
 
-/** The current call of a station, which runs by {@link MobileCallTable}, and the one beside it. */
+/** The current call of a station, run by {@link MobileCallTable}, with its waiting or held second call. */
 public final class MobileCall implements ServiceRequests.ServiceUser {
     private static final int TRANSACTIONS = 7;
 
     private final StationContext context;
     private final ServiceRequests services;
-    private final SpeechPath speech;
+    private final CallSpeech speech;
     private final KeySignalling keys;
     private final boolean callWaiting;
     private final boolean ignoresSetup;
@@ -41,13 +39,11 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     private Cause reportedCause = Cause.NORMAL_CALL_CLEARING;
 
-    /** The calls, by their transactions as in the messages sent, that the other party holds. */
-    private final Set<TransactionIdentifier> heldByPeer = new HashSet<>();
+    private final PeerHolds peerHolds;
+    private final ServiceWait serviceWait;
 
     /** Whether the message being processed announces tones of the network. */
     private boolean tonesAnnounced;
-
-    private boolean networkPlaysTones;
 
     /** Dialled while the previous call was being cleared. */
     private Optional<Msisdn> next = Optional.empty();
@@ -65,11 +61,13 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             boolean ignoresSetup) {
         this.context = context;
         this.services = services;
-        this.speech = speech;
+        this.speech = new CallSpeech(context, speech, keys, this::farEndSilent);
         this.keys = keys;
         this.callWaiting = callWaiting;
         this.ignoresSetup = ignoresSetup;
-        this.second = new SecondCall(context, this::heldEnded, heldByPeer::remove);
+        this.peerHolds = new PeerHolds(context);
+        this.serviceWait = new ServiceWait(context, services, () -> refused(RejectCause.NETWORK_FAILURE));
+        this.second = new SecondCall(context, this::heldEnded, peerHolds::ended);
         hold = new CallHold(context, this, second);
         machine = new StateMachine<>(MobileCallTable.TABLE, context.identity().number(), this::perform);
     }
@@ -103,10 +101,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         peer = Optional.of(number);
         transaction = freeTransaction();
         fire(MobileCallEvent.DIAL);
-        if (!services.isAvailable()) {
-            context.timers().start(StationTimer.CALL_WAIT, () -> refused(RejectCause.NETWORK_FAILURE));
-            checkService();
-        }
+        serviceWait.begin();
         return true;
     }
 
@@ -118,18 +113,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     /** Lets a call that waits for service go on or end once registration has succeeded or was refused. */
     public void checkService() {
-        if (!waitsForService()) {
-            return;
-        }
-        if (services.isAvailable()) {
-            context.timers().stop(StationTimer.CALL_WAIT);
-        } else if (services.isRefused()) {
-            refused(RejectCause.NETWORK_FAILURE);
-        }
-    }
-
-    private boolean waitsForService() {
-        return context.timers().isRunning(StationTimer.CALL_WAIT);
+        serviceWait.check();
     }
 
     public boolean answer() {
@@ -192,14 +176,8 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     /** The network has told whether the other party of one of the calls holds it. */
     void heldByPeer(TransactionIdentifier received, boolean onHold) {
         TransactionIdentifier own = received.answered();
-        boolean isOver =
-                !has(received) && !(second.isPresent() && second.transaction().equals(own));
-        if (isOver) {
-            return;
-        }
-        boolean isNew = onHold ? heldByPeer.add(own) : heldByPeer.remove(own);
-        if (isNew && has(received)) {
-            report(onHold ? new StationEvent.HeldByPeer() : new StationEvent.RetrievedByPeer());
+        if (has(received) || second.isPresent() && second.transaction().equals(own)) {
+            peerHolds.told(own, onHold, has(received));
         }
     }
 
@@ -213,9 +191,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         transaction = party.received().answered();
         peer = party.number();
         fire(party.isHeld() ? MobileCallEvent.CALL_RETRIEVED : MobileCallEvent.ANSWER_WAITING);
-        if (heldByPeer.contains(transaction)) {
-            report(new StationEvent.HeldByPeer());
-        }
+        peerHolds.reportOnTake(transaction);
     }
 
     /** The waiting call becomes the current one, and rings. */
@@ -261,7 +237,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     /** A call that still waits for service requests it again; any other ends. */
     @Override
     public void lost() {
-        if (waitsForService()) {
+        if (serviceWait.isRunning()) {
             services.request(ServiceType.MOBILE_ORIGINATED_CALL);
             return;
         }
@@ -327,7 +303,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         if (accepted && state() == MobileCallState.NULL) {
             keys.end();
             if (event != MobileCallEvent.CALL_HELD) {
-                heldByPeer.remove(transaction);
+                peerHolds.ended(transaction);
             }
             transaction = null;
             peer = Optional.empty();
@@ -380,10 +356,10 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             case START_T308_AGAIN -> start(StationTimer.T308, MobileCallEvent.T308_EXPIRED_AGAIN);
             case START_T310 -> start(StationTimer.T310, MobileCallEvent.T310_EXPIRED);
             case START_T313 -> start(StationTimer.T313, MobileCallEvent.T313_EXPIRED);
-            case STOP_TIMERS -> stopTimers();
-            case ATTACH_USER -> attachUser();
-            case START_SPEECH -> startSpeech();
-            case STOP_SPEECH -> stopSpeech();
+            case STOP_TIMERS -> context.timers().stop(MobileCallTable.TIMERS);
+            case ATTACH_USER -> speech.attach(tonesAnnounced);
+            case START_SPEECH -> speech.start(transaction);
+            case STOP_SPEECH -> speech.stop();
             case REPORT_CALLING -> report(new StationEvent.Calling(peer.orElseThrow()));
             case REPORT_ALERTED -> report(new StationEvent.CalledPartyAlerted());
             case REPORT_RINGING -> report(new StationEvent.Ringing(peer));
@@ -413,49 +389,11 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         context.timers().start(timer, () -> fire(expired, Cause.RECOVERY_ON_TIMER_EXPIRY));
     }
 
-    private void attachUser() {
-        if (tonesAnnounced) {
-            speech.start(this::farEndSilent);
-            setNetworkPlaysTones(true);
-        }
-    }
-
-    private void setNetworkPlaysTones(boolean playing) {
-        if (networkPlaysTones != playing) {
-            networkPlaysTones = playing;
-            report(new StationEvent.NetworkPlaysTones(playing));
-        }
-    }
-
-    private void startSpeech() {
-        setNetworkPlaysTones(false);
-        speech.start(this::farEndSilent);
-        keys.begin(transaction);
-    }
-
-    private void stopSpeech() {
-        speech.stop();
-        keys.end();
-        setNetworkPlaysTones(false);
-    }
-
     private void report(StationEvent event) {
         context.events().add(event);
     }
 
     private void send(CallControl message) {
         context.radio().send(message);
-    }
-
-    private void stopTimers() {
-        context.timers()
-                .stop(
-                        StationTimer.CALL_WAIT,
-                        StationTimer.ANSWER,
-                        StationTimer.T303,
-                        StationTimer.T305,
-                        StationTimer.T308,
-                        StationTimer.T310,
-                        StationTimer.T313);
     }
 }

@@ -7,6 +7,7 @@ import static simgsm.station.call.MobileCallTable.MobileCallState.*;
 import java.util.EnumSet;
 import java.util.Set;
 import simgsm.state.StateTable;
+import simgsm.station.context.StationTimer;
 
 /** Call control of the mobile (TS 24.008, 5.2 and 5.4). */
 public final class MobileCallTable {
@@ -142,6 +143,17 @@ public final class MobileCallTable {
 
     /** The call has ended for the user and not yet for the network. */
     static final Set<MobileCallState> CLEARING = EnumSet.of(DISCONNECT_REQUEST, DISCONNECT_INDICATION, RELEASE_REQUEST);
+
+    /** Timers of a call, and of the wait for service before it. */
+    static final StationTimer[] TIMERS = {
+        StationTimer.CALL_WAIT,
+        StationTimer.ANSWER,
+        StationTimer.T303,
+        StationTimer.T305,
+        StationTimer.T308,
+        StationTimer.T310,
+        StationTimer.T313
+    };
 
     public static final StateTable<MobileCallState, MobileCallEvent, MobileCallAction> TABLE =
             new StateTable<>("mobile call", NULL);
