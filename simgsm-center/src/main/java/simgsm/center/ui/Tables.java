@@ -55,7 +55,7 @@ final class Tables {
 
     /** Normal call clearing in plain words. */
     private static String title(Cause cause, TextBundle texts) {
-        return cause == Cause.NORMAL_CALL_CLEARING ? texts.of("window.cause.normal") : cause.title();
+        return cause == Cause.NORMAL_CALL_CLEARING ? texts.of("window.cause.normal") : cause.title(texts.language());
     }
 
     /** Minutes and seconds, as on a phone's display; nothing if the call has not been active. */

@@ -1,6 +1,7 @@
 package simgsm.air;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 import simgsm.event.EventValue;
 
@@ -23,5 +24,13 @@ public interface Coded extends EventValue {
     /** A cause: its title is the name in the standard, in lower case. */
     interface Titled extends Coded {
         String title();
+
+        /** The constant. */
+        String name();
+
+        /** The title in Spanish; in English for any other language, and for names that are not translated. */
+        default String title(Locale language) {
+            return CodeTitles.of(this, language);
+        }
     }
 }

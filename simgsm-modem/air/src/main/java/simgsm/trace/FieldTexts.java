@@ -33,7 +33,7 @@ final class FieldTexts {
     /** The value of a component of a message. */
     String value(Object value) {
         if (value instanceof Coded.Titled cause) {
-            return cause.code() + " " + cause.title();
+            return cause.code() + " " + cause.title(bundle.getLocale());
         }
         if (value instanceof MobileIdentity identity) {
             return identity.type() + " " + identity;

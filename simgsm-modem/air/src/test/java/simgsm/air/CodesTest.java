@@ -1,16 +1,20 @@
 package simgsm.air;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.function.ToIntFunction;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.abis.RslMessage;
+import simgsm.ss.SsError;
 
 class CodesTest {
     @Test
@@ -22,6 +26,15 @@ class CodesTest {
         assertDistinct(MobilityManagement.ServiceType.values(), MobilityManagement.ServiceType::code);
         assertDistinct(RslMessage.Sapi.values(), RslMessage.Sapi::code);
         assertDistinct(Layer3Type.values(), type -> type.discriminator() << 8 | type.code());
+    }
+
+    @Test
+    void everyCauseHasATitleInSpanish() {
+        Stream.<Coded.Titled[]>of(Cause.values(), RejectCause.values(), RpCause.values(), SsError.values())
+                .flatMap(Arrays::stream)
+                .forEach(cause -> assertNotEquals(cause.title(), cause.title(Locale.forLanguageTag("es"))));
+        assertEquals("usuario ocupado", Cause.USER_BUSY.title(Locale.forLanguageTag("es-PE")));
+        assertEquals("user busy", Cause.USER_BUSY.title(Locale.GERMAN));
     }
 
     @ParameterizedTest

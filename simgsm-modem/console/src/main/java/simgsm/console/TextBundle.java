@@ -27,6 +27,11 @@ public final class TextBundle {
         return language.getLanguage().equals("es") ? Locale.forLanguageTag("es") : Locale.ROOT;
     }
 
+    /** Of the texts; the root locale for English. */
+    public Locale language() {
+        return bundle.getLocale();
+    }
+
     /** The text of a key, its places filled in by MessageFormat if there are arguments. */
     public String of(String key, Object... arguments) {
         String pattern;

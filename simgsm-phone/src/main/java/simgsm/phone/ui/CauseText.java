@@ -16,12 +16,12 @@ final class CauseText {
 
     /** The reason for the end of a call. */
     static String of(TextBundle texts, Cause cause) {
-        return of(texts, cause.code(), cause.title());
+        return of(texts, cause.code(), cause.title(texts.language()));
     }
 
     /** The reason why a message was not sent. */
     static String of(TextBundle texts, RpCause cause) {
-        return of(texts, cause.code(), cause.title());
+        return of(texts, cause.code(), cause.title(texts.language()));
     }
 
     /** A notice for the user. */
@@ -30,7 +30,12 @@ final class CauseText {
         if (note.kind() == Screen.Note.Kind.USSD_REFUSED && !detail.isEmpty()) {
             int code = Integer.parseInt(detail);
             detail = of(
-                    texts, "ss.", code, SsError.ofCode(code).map(SsError::title).orElse(""));
+                    texts,
+                    "ss.",
+                    code,
+                    SsError.ofCode(code)
+                            .map(error -> error.title(texts.language()))
+                            .orElse(""));
         }
         return texts.of("note." + note.kind().name().toLowerCase(Locale.ROOT), detail);
     }
@@ -46,7 +51,7 @@ final class CauseText {
             case IMSI_UNKNOWN_IN_HLR -> texts.of("lcd.refused.unknown");
             case ILLEGAL_ME -> texts.of("lcd.refused.equipment");
             case PLMN_NOT_ALLOWED -> texts.of("lcd.refused.barred");
-            default -> texts.of("lcd.refused", cause.title());
+            default -> texts.of("lcd.refused", cause.title(texts.language()));
         };
     }
 
@@ -54,7 +59,7 @@ final class CauseText {
     static String ofDelivery(TextBundle texts, StoredMessage message) {
         String state = texts.of("lcd.delivery." + message.delivery().name().toLowerCase(Locale.ROOT), message.parts());
         return message.cause()
-                .map(cause -> state + ": " + of(texts, cause.code(), cause.title()))
+                .map(cause -> state + ": " + of(texts, cause.code(), cause.title(texts.language())))
                 .orElse(state);
     }
 
