@@ -52,6 +52,18 @@ final class ReplySender {
         }
     }
 
+    /** Answers a stop order, once the robot stands or is off. */
+    void answerStop(OrderExecution stop) {
+        stop.order().instructions().forEach(listener::instructionEnded);
+        RobotStatus status = robot.status();
+        boolean isOff = status == RobotStatus.DISCONNECTED;
+        display.course(stop.order(), isOff ? OrderCourse.NOT_POSSIBLE : OrderCourse.EXECUTED);
+        Reply reply = isOff
+                ? texts.refused(ReplyTone.CONNECTION_DENIED, status)
+                : texts.done(stop.order(), status, robot.pose());
+        send(stop.origin(), reply);
+    }
+
     /** Shows a reply that nobody receives. */
     void show(Reply reply) {
         display.reply(reply);

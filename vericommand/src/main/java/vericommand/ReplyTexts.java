@@ -94,6 +94,16 @@ final class ReplyTexts {
         };
     }
 
+    /** The reply to an order that is not accepted. */
+    Reply of(Verdict verdict) {
+        if (verdict instanceof Verdict.Invalid invalid) {
+            return invalid(invalid.fault());
+        }
+        return verdict instanceof Verdict.Refused refused
+                ? refused(refused.tone(), refused.status())
+                : noProcess((Verdict.NoProcess) verdict);
+    }
+
     Reply invalid(OrderFault fault) {
         StringBuilder text =
                 new StringBuilder(text("reply.invalid", expected(fault.expected()), "" + fault.position()));

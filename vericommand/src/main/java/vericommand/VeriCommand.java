@@ -40,7 +40,7 @@ public final class VeriCommand {
         this.listener = listener;
         texts = new ReplyTexts(settings.language(), robot::unknownType);
         display = new OrderDisplay(texts);
-        replies = new ReplySender(robot, settings, listener, texts, display, this::hasProcessOf);
+        replies = new ReplySender(robot, settings, listener, texts, display, origin -> isOf(origin, process));
     }
 
     /** An accepted call is up; a previous one ends. @param caller empty when the network does not say */
@@ -57,10 +57,10 @@ public final class VeriCommand {
             return;
         }
         call.end();
-        boolean moves = isOfCall(running) || isOfCall(process);
+        boolean moves = isOf(call, running) || isOf(call, process);
         boolean brakes = settings.onHangup() == VeriCommandSettings.OnHangup.STOP && moves;
         if (moves) {
-            display.callEnded((isOfCall(running) ? running : process).order(), brakes);
+            display.callEnded((isOf(call, running) ? running : process).order(), brakes);
         } else if (!recognizer.keys().isEmpty()) {
             display.callEndedWithinOrder();
         }
@@ -81,8 +81,8 @@ public final class VeriCommand {
         }
     }
 
-    private boolean isOfCall(OrderExecution execution) {
-        return execution != null && execution.origin() == call;
+    private static boolean isOf(OrderOrigin origin, OrderExecution execution) {
+        return execution != null && execution.origin() == origin;
     }
 
     /** A key of the caller; ignored without a call. */
@@ -172,7 +172,7 @@ public final class VeriCommand {
 
     /** Whether an order is being executed, or a process that this call has started. */
     public boolean isUnderWay() {
-        return running != null || deferred != null || !stops.isEmpty() || isOfCall(process);
+        return running != null || deferred != null || !stops.isEmpty() || isOf(call, process);
     }
 
     /** What a window shows, immutable. */
@@ -245,14 +245,10 @@ public final class VeriCommand {
 
     private void settle(Verdict verdict, OrderOrigin origin) {
         report(verdict, origin);
-        if (verdict instanceof Verdict.Invalid invalid) {
-            replies.send(origin, texts.invalid(invalid.fault()));
-        } else if (verdict instanceof Verdict.NoProcess none) {
-            replies.send(origin, texts.noProcess(none));
-        } else if (verdict instanceof Verdict.Refused refused) {
-            replies.send(origin, texts.refused(refused.tone(), refused.status()));
+        if (verdict instanceof Verdict.Accepted accepted) {
+            begin(new OrderExecution(accepted.order(), origin));
         } else {
-            begin(new OrderExecution(((Verdict.Accepted) verdict).order(), origin));
+            replies.send(origin, texts.of(verdict));
         }
     }
 
@@ -262,7 +258,7 @@ public final class VeriCommand {
             reportUnderWay();
             proceed();
         } else if (!execution.order().stops()) {
-            endInstructions(execution);
+            execution.order().instructions().forEach(listener::instructionEnded);
             display.course(execution.order(), OrderCourse.EXECUTED);
             replies.send(execution.origin(), texts.report(execution.order(), robot.status(), robot.pose()));
         } else {
@@ -392,25 +388,8 @@ public final class VeriCommand {
     private void answerStops() {
         List<OrderExecution> ended = List.copyOf(stops);
         stops.clear();
-        for (OrderExecution stop : ended) {
-            endInstructions(stop);
-            RobotStatus status = robot.status();
-            boolean isOff = status == RobotStatus.DISCONNECTED;
-            display.course(stop.order(), isOff ? OrderCourse.NOT_POSSIBLE : OrderCourse.EXECUTED);
-            Reply reply = isOff
-                    ? texts.refused(ReplyTone.CONNECTION_DENIED, status)
-                    : texts.done(stop.order(), status, robot.pose());
-            replies.send(stop.origin(), reply);
-        }
+        ended.forEach(replies::answerStop);
         reportUnderWay();
-    }
-
-    private void endInstructions(OrderExecution execution) {
-        execution.order().instructions().forEach(listener::instructionEnded);
-    }
-
-    private boolean hasProcessOf(OrderOrigin origin) {
-        return process != null && process.origin() == origin;
     }
 
     private void reportUnderWay() {
