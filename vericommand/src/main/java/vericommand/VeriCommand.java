@@ -2,8 +2,10 @@ package vericommand;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.SortedMap;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 /**
  * The command verifier of one robot: reads orders from a call's keys, short messages and programs, verifies each against the
@@ -273,12 +275,7 @@ public final class VeriCommand {
     }
 
     private void stopRobot() {
-        if (running != null) {
-            running.orderStop();
-        }
-        if (deferred != null) {
-            deferred.orderStop();
-        }
+        Stream.of(running, deferred).filter(Objects::nonNull).forEach(OrderExecution::orderStop);
         robot.brake();
     }
 
