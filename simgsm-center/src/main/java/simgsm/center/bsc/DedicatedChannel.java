@@ -148,12 +148,12 @@ final class DedicatedChannel {
         machine.fire(ChannelEvent.ABANDON);
     }
 
-    /** Whether the channel is a traffic channel, in whatever mode. */
+    /** True for a traffic channel, in any mode. */
     boolean canCarrySpeech() {
         return number.kind().isSpeech();
     }
 
-    /** Whether the channel is in its mode for speech. */
+    /** True if the channel is in its mode for speech. */
     boolean carriesSpeech() {
         return canCarrySpeech() && isForSpeech;
     }

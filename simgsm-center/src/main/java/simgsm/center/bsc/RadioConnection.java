@@ -45,7 +45,7 @@ final class RadioConnection {
     private boolean isSpeechNeeded;
     /** Since when the call waits for a traffic channel, over failed directed retries. */
     private OptionalLong waitingSinceNanos = OptionalLong.empty();
-    /** Whether the mobile has reached the target cell, so that its speech goes only there. */
+    /** True once the mobile has reached the target cell; its speech is then sent only there. */
     private boolean isDetected;
 
     private Timer guard;
@@ -93,7 +93,7 @@ final class RadioConnection {
         }
     }
 
-    /** Whether a call needs a traffic channel. */
+    /** @param isNeeded true while a call needs a traffic channel */
     void setSpeechNeeded(boolean isNeeded) {
         if (isNeeded == isSpeechNeeded) {
             return;
@@ -130,7 +130,7 @@ final class RadioConnection {
         return waitingSinceNanos.orElseThrow();
     }
 
-    /** While the mobile may be in either cell, speech goes to both, so that it does not miss what is sent before we know where it is. */
+    /** Sends speech to both cells until the mobile is known to have reached the target. */
     void sendSpeech(byte[] rtp) {
         boolean isMoving = target != null && machine.state() == ConnectionState.HANDING_OVER;
         if (!isMoving || !isDetected) {
@@ -191,7 +191,7 @@ final class RadioConnection {
         }
     }
 
-    /** A mobile that does not reach the other cell comes back to this one with HANDOVER FAILURE; T3103 waits for it. */
+    /** A mobile that does not reach the other cell returns to this one with HANDOVER FAILURE; T3103 waits for it. */
     private void targetLost() {
         switch (machine.state()) {
             case PREPARING_HANDOVER -> machine.fire(ConnectionEvent.CHANNEL_FAILED);
@@ -290,7 +290,7 @@ final class RadioConnection {
         guard = controller.timers().start(nanos, () -> machine.fire(expiry));
     }
 
-    /** T11 runs from the first attempt: a directed retry that has failed does not begin it anew. */
+    /** T11 runs from the first attempt: a failed directed retry does not restart it. */
     private void waitInQueue() {
         long now = controller.timers().nowNanos();
         if (waitingSinceNanos.isEmpty()) {

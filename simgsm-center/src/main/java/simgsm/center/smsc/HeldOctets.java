@@ -14,7 +14,7 @@ final class HeldOctets {
     /** Of an application's message, for its place among those from the same source to the same receiver. */
     private static final int SENT = 100;
 
-    /** Of the heap. The collector needs the rest, and the serial one gives long-lived objects two thirds. */
+    /** Usable share of the heap: the collector needs the rest, and the serial one gives long-lived objects two thirds. */
     private static final double SHARE = 0.6;
 
     /** The program itself, and messages that are kept after their end to recognise repetitions. */
@@ -62,7 +62,7 @@ final class HeldOctets {
         refusedAt = held > refusedAt * QUIET ? refusedAt : 0;
     }
 
-    /** Whether a refusal is the first, or the first after a tenth of the octets has left. */
+    /** True for the first refusal, and for the first after a tenth of the octets has left. */
     boolean isNewlyRefusing() {
         boolean isNew = refusedAt == 0;
         refusedAt = isNew ? Math.max(1, held) : refusedAt;

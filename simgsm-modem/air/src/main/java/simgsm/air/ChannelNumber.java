@@ -39,10 +39,6 @@ public record ChannelNumber(Kind kind, int subchannel, int timeslot) {
         public boolean isSpeech() {
             return this == TCH_F || this == TCH_H;
         }
-
-        public boolean isDedicated() {
-            return code < BCCH.code;
-        }
     }
 
     public ChannelNumber {

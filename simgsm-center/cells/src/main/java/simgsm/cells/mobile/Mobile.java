@@ -238,7 +238,7 @@ public final class Mobile {
         port.send(new IpaFrame(IpaFrame.RSL, message.encode()));
     }
 
-    // What the machine does.
+    // Actions of the state machine.
 
     private void perform(MobileRadioAction action) {
         switch (action) {
@@ -324,7 +324,7 @@ public final class Mobile {
         machine.fire(event);
     }
 
-    /** Whether a block from a tower reaches the mobile now, by chance. */
+    /** Decides by chance whether a block from a tower reaches the mobile now. */
     boolean receives(int tower) {
         return network.towers().get(tower).isInService() && link.receivesBlock(tower);
     }
@@ -376,7 +376,7 @@ public final class Mobile {
         held.pass();
     }
 
-    /** Whether the number is known: the terminal has sent its first message. */
+    /** True if the number is known: the terminal has sent its first message. */
     boolean isIdentified() {
         return identity.number().isPresent();
     }

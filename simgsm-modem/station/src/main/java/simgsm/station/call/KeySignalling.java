@@ -38,7 +38,7 @@ public final class KeySignalling {
     /** The first is being sent, unless the state is IDLE or PAUSING. */
     private final Deque<Press> queue = new ArrayDeque<>();
 
-    /** Of the active call; null without one. */
+    /** Transaction of the active call; null without one. */
     private TransactionIdentifier transaction;
 
     private Cause refusal = Cause.SERVICE_NOT_AVAILABLE;

@@ -42,7 +42,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private final PeerHolds peerHolds;
     private final ServiceWait serviceWait;
 
-    /** Whether the message being processed announces tones of the network. */
+    /** True while a message is processed that announces tones of the network. */
     private boolean tonesAnnounced;
 
     /** Dialled while the previous call was being cleared. */
@@ -252,7 +252,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         }
     }
 
-    /** Whether messages with this transaction, as received, belong to the call. */
+    /** True if messages with this transaction, as received, belong to the call. */
     boolean has(TransactionIdentifier received) {
         return state() != MobileCallState.NULL
                 && state() != MobileCallState.MM_CONNECTION_PENDING
@@ -376,7 +376,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         }
     }
 
-    /** A held call goes on using it. */
+    /** The radio connection is kept while a call is held. */
     private void releaseConnection() {
         if (second.isHeld()) {
             services.withdraw(ServiceType.MOBILE_ORIGINATED_CALL);

@@ -11,7 +11,7 @@ import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 
 /**
- * The call beside the current one: it waits (TS 24.083, 1: confirmed with cause 17, alerted, and kept in U7 until the first
+ * A second call, in addition to the current one: it waits (TS 24.083, 1: confirmed with cause 17, alerted, and kept in U7 until the first
  * has ended, is held, or the caller hangs up), or it is held (TS 24.083, 2).
  */
 final class SecondCall {
@@ -52,7 +52,7 @@ final class SecondCall {
                 || cleared.equals(Optional.of(transaction));
     }
 
-    /** Of the messages sent. */
+    /** Transaction as in the messages sent. */
     TransactionIdentifier transaction() {
         return party.orElseThrow().received().answered();
     }

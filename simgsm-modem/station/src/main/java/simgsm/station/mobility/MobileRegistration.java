@@ -63,7 +63,7 @@ public final class MobileRegistration {
     private boolean isSimInvalid;
     private Optional<Tmsi> tmsi = Optional.empty();
     private LocationArea area = LocationArea.TEST;
-    /** Of the cell on which the mobile is camped; empty until a cell has sent it. */
+    /** Location area of the serving cell; empty until a cell has sent it. */
     private Optional<LocationArea> cellArea = Optional.empty();
 
     private final PeriodicUpdating periodic;
@@ -100,13 +100,13 @@ public final class MobileRegistration {
         return state() == MobileRegistrationState.NORMAL_SERVICE;
     }
 
-    /** Whether the network has refused; a later attempt may succeed. */
+    /** True if the network has refused; a later attempt may succeed. */
     public boolean isRefused() {
         return state() == MobileRegistrationState.LIMITED_SERVICE
                 || state() == MobileRegistrationState.ATTEMPTING_TO_UPDATE && rejectCause.isPresent();
     }
 
-    /** Whether the station is switched off and its detach has ended. */
+    /** True if the station is switched off and its detach has ended. */
     public boolean isOff() {
         return state() == MobileRegistrationState.NULL;
     }
@@ -115,7 +115,7 @@ public final class MobileRegistration {
         return !isOff() && state() != MobileRegistrationState.IMSI_DETACH_INITIATED;
     }
 
-    /** Whether registration itself uses the radio connection now. */
+    /** True while registration itself uses the radio connection. */
     public boolean needsRadio() {
         return state() == MobileRegistrationState.LOCATION_UPDATING_INITIATED
                 || state() == MobileRegistrationState.IMSI_DETACH_INITIATED;
@@ -125,7 +125,7 @@ public final class MobileRegistration {
         return rejectCause;
     }
 
-    /** Whether the network has refused because the SIM failed authentication. */
+    /** True if the network has refused because the SIM failed authentication. */
     public boolean isCardRefused() {
         return cardRefused;
     }
@@ -317,7 +317,7 @@ public final class MobileRegistration {
         start(StationTimer.T3211, nanos, MobileRegistrationEvent.T3211_EXPIRED);
     }
 
-    /** Whether a cell has sent its identity; our own centre sends none on its direct links. */
+    /** True if a cell has sent its identity; the centre sends none on its direct links. */
     private boolean isOverTowers() {
         return cellArea.isPresent();
     }

@@ -42,7 +42,7 @@ final class MessageReceiver {
     private OctetString unconfirmed;
     private int retransmissions;
     private boolean memoryFull;
-    /** Whether the network waits for RP-SMMA after a refusal. */
+    /** True while the network waits for RP-SMMA after a refusal. */
     private boolean networkWaits;
 
     MessageReceiver(StationContext context, DeliveryReports reports) {

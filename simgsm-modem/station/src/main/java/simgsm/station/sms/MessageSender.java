@@ -45,7 +45,7 @@ final class MessageSender implements ServiceRequests.ServiceUser {
     private static final int SUBMIT = 0x01;
     private static final int REJECT_DUPLICATES = 0x04;
 
-    /** What one dialogue sends. */
+    /** The message of one dialogue. */
     private sealed interface Item {
         int reference();
     }
@@ -163,7 +163,7 @@ final class MessageSender implements ServiceRequests.ServiceUser {
                 || machine.state() == OutgoingMessageState.WAIT_FOR_RP_ACK;
     }
 
-    /** Whether messages with this transaction, as received, belong to the message being sent. */
+    /** True if messages with this transaction, as received, belong to the message being sent. */
     boolean has(TransactionIdentifier received) {
         return isInDialogue() && received.answered().equals(transaction);
     }
