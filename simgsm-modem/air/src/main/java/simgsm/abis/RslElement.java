@@ -1,5 +1,7 @@
 package simgsm.abis;
 
+import java.util.Locale;
+
 /** Elements of RSL messages (TS 48.058, 9.3), and those of ip.access for speech: tag and form. */
 public enum RslElement {
     CHANNEL_NUMBER(0x01, 1),
@@ -74,6 +76,8 @@ public enum RslElement {
 
     private final int tag;
     private final int length;
+    /** Made once: each element read names itself for a possible error. */
+    private final String words;
 
     RslElement(int tag) {
         this(tag, VARIABLE);
@@ -82,6 +86,7 @@ public enum RslElement {
     RslElement(int tag, int length) {
         this.tag = tag;
         this.length = length;
+        this.words = name().toLowerCase(Locale.ROOT).replace('_', ' ');
     }
 
     int tag() {
@@ -106,6 +111,6 @@ public enum RslElement {
     /** The name in words, for error texts. */
     @Override
     public String toString() {
-        return name().toLowerCase(java.util.Locale.ROOT).replace('_', ' ');
+        return words;
     }
 }
