@@ -354,10 +354,13 @@ class WebServerTest {
         assertEquals(200, statusWhenAStreamIsFree(server));
     }
 
-    /** Asks for a stream every 50 ms: one notices by its next picture that its client has gone or reads nothing. */
+    /**
+     * Asks for a stream every 50 ms: one notices by its next picture that its client has gone or reads nothing. On a busy machine
+     * it takes minutes until pictures have filled what the sockets hold.
+     */
     private int statusWhenAStreamIsFree(WebServer asked) throws Exception {
         int status = 503;
-        for (int i = 0; i < 600 && status == 503; i++) {
+        for (int i = 0; i < 6_000 && status == 503; i++) {
             HttpURLConnection viewer = ask(asked, "GET", "/robots/ann/camera.mjpg");
             status = viewer.getResponseCode();
             viewer.disconnect();

@@ -75,8 +75,8 @@ class MutantsTest {
                 new Mutant(
                         "a message is acknowledged before it is stored",
                         "smsc/ShortMessageCenter.java",
-                        "submissions.put(ticket, new Submission(accepted, answer));",
-                        "answer.accept(Optional.empty()); submissions.put(ticket, new Submission(accepted, any -> {}));"),
+                        "isDurable -> stored(accepted, isDurable, answer));",
+                        "isDurable -> stored(accepted, isDurable, any -> {})); answer.accept(Optional.empty());"),
                 new Mutant(
                         "a group is not synchronised",
                         "journal/JournalSegment.java",

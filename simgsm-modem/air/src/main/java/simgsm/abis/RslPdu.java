@@ -1,6 +1,6 @@
 package simgsm.abis;
 
-import java.util.Collections;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -18,17 +18,22 @@ import simgsm.octets.OctetWriter;
  * <p>Unknown elements are read as TLV and dropped. Of two equal elements the first is kept.
  */
 public final class RslPdu {
-    private final RslType type;
-    private final Map<RslElement, OctetString> elements;
+    private record Element(RslElement type, OctetString value) {}
 
-    private RslPdu(RslType type, Map<RslElement, OctetString> elements) {
+    private static final Element[] NONE = {};
+
+    private final RslType type;
+    /** In their order: a message has few, which are found faster in an array than in a map. */
+    private final Element[] elements;
+
+    private RslPdu(RslType type, Element[] elements) {
         this.type = type;
         this.elements = elements;
     }
 
     /** A message without elements. */
     public static RslPdu of(RslType type) {
-        return new RslPdu(type, Map.of());
+        return new RslPdu(type, NONE);
     }
 
     /** A message about a channel. */
@@ -43,11 +48,11 @@ public final class RslPdu {
 
     /** The same message with one more element. @param octets the low 8 bits of each are its value */
     public RslPdu with(RslElement element, int... octets) {
-        OctetWriter value = new OctetWriter();
-        for (int octet : octets) {
-            value.octet(octet);
+        byte[] value = new byte[octets.length];
+        for (int i = 0; i < octets.length; i++) {
+            value[i] = (byte) octets[i];
         }
-        return with(element, value.toOctetString());
+        return with(element, OctetString.of(value));
     }
 
     /** The same message with one more element. @throws IllegalArgumentException for another length than the element's */
@@ -55,9 +60,13 @@ public final class RslPdu {
         if (element.length() >= 0) {
             value.requireLength(element.toString(), element.length());
         }
-        Map<RslElement, OctetString> more = new LinkedHashMap<>(elements);
-        more.put(element, value);
-        return new RslPdu(type, more);
+        return new RslPdu(type, appended(elements, element, value));
+    }
+
+    private static Element[] appended(Element[] elements, RslElement type, OctetString value) {
+        Element[] more = Arrays.copyOf(elements, elements.length + 1);
+        more[elements.length] = new Element(type, value);
+        return more;
     }
 
     public RslType type() {
@@ -66,16 +75,29 @@ public final class RslPdu {
 
     /** The elements in their order. */
     public Map<RslElement, OctetString> elements() {
-        return Collections.unmodifiableMap(elements);
+        Map<RslElement, OctetString> byType = new LinkedHashMap<>();
+        for (Element element : elements) {
+            byType.put(element.type(), element.value());
+        }
+        return byType;
     }
 
     public boolean has(RslElement element) {
-        return elements.containsKey(element);
+        return find(element).isPresent();
     }
 
     /** The value of an optional element. */
     public Optional<OctetString> find(RslElement element) {
-        return Optional.ofNullable(elements.get(element));
+        return find(elements, element);
+    }
+
+    private static Optional<OctetString> find(Element[] elements, RslElement type) {
+        for (Element element : elements) {
+            if (element.type() == type) {
+                return Optional.of(element.value());
+            }
+        }
+        return Optional.empty();
     }
 
     /** The value of a mandatory element. @throws ProtocolViolation if it is missing */
@@ -113,15 +135,16 @@ public final class RslPdu {
     /** The payload of an {@link IpaFrame#RSL} frame. */
     public byte[] encode() {
         OctetWriter out = new OctetWriter().octet(type.discriminator()).octet(type.code());
-        elements.forEach((element, value) -> {
-            out.octet(element.tag());
-            if (element.length() == RslElement.LONG) {
+        for (Element element : elements) {
+            OctetString value = element.value();
+            out.octet(element.type().tag());
+            if (element.type().length() == RslElement.LONG) {
                 out.twoOctets(value.length());
-            } else if (element.length() == RslElement.VARIABLE) {
+            } else if (element.type().length() == RslElement.VARIABLE) {
                 out.octet(value.length());
             }
             out.string(value);
-        });
+        }
         return out.toArray();
     }
 
@@ -129,12 +152,12 @@ public final class RslPdu {
     public static RslPdu decode(byte[] payload) throws ProtocolViolation {
         MessageReader in = new MessageReader(payload);
         RslType type = RslType.of(in.octet("RSL discriminator"), in.octet("RSL message type"));
-        Map<RslElement, OctetString> elements = new LinkedHashMap<>();
+        Element[] elements = NONE;
         while (in.hasMore() && type != RslType.MEASUREMENT_PREPROCESSING_DEFAULTS) {
             RslElement element = RslElement.ofTag(in.octet("RSL element"));
             OctetString value = value(in, element);
-            if (element != null) {
-                elements.putIfAbsent(element, value);
+            if (element != null && find(elements, element).isEmpty()) {
+                elements = appended(elements, element, value);
             }
         }
         return new RslPdu(type, elements);
@@ -153,17 +176,17 @@ public final class RslPdu {
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof RslPdu that && type == that.type && elements.equals(that.elements);
+        return other instanceof RslPdu that && type == that.type && elements().equals(that.elements());
     }
 
     @Override
     public int hashCode() {
-        return 31 * type.hashCode() + elements.hashCode();
+        return 31 * type.hashCode() + elements().hashCode();
     }
 
     /** The title, and the elements with their octets. */
     @Override
     public String toString() {
-        return type.title() + " " + elements;
+        return type.title() + " " + elements();
     }
 }
