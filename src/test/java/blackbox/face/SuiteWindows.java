@@ -362,6 +362,7 @@ final class SuiteWindows {
                 (proxy, method, arguments) -> switch (method.getName()) {
                     case "port" -> 3003;
                     case "access" -> NetworkAccess.OPEN;
+                    case "link" -> Optional.of((Runnable) () -> {});
                     case "snapshot" -> Optional.of(center);
                     default -> null;
                 });
