@@ -43,11 +43,6 @@ final class CenterFuzz {
         return sockets.stream().mapToLong(FuzzConnection::frames).sum();
     }
 
-    /** Connections made; either side closes mutated ones. */
-    long connections() {
-        return sockets.stream().mapToLong(FuzzConnection::connections).sum();
-    }
-
     /**
      * Runs until this number of frames is sent.
      *

@@ -31,10 +31,6 @@ final class FuzzConnection {
         return station.frames();
     }
 
-    long connections() {
-        return connections;
-    }
-
     /** @throws AssertionError if the centre cannot be reached or breaks the protocol */
     void turn(InetSocketAddress center, ByteBuffer buffer, long nowNanos) {
         if (channel == null) {

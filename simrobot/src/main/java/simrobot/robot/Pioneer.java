@@ -114,7 +114,7 @@ public abstract class Pioneer implements Robot {
         return status() == RobotStatus.MOVING ? Placement.MOVING : put(xMeters, yMeters, headingRadians);
     }
 
-    /** Places the robot, which stands. */
+    /** Places the robot; its status is not Moving. */
     protected abstract Placement put(double xMeters, double yMeters, double headingRadians);
 
     // ---- processes -----------------------------------------------------------------------------------------------

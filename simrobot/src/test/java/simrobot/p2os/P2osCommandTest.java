@@ -44,7 +44,9 @@ class P2osCommandTest {
     void twoWheelsShareANumberInEitherByteOrder(int left, int right) {
         int word = (left & 0xFF) << 8 | right & 0xFF;
         Pose moved = after(P2osCommandNumber.VEL2, word);
-        assertNotEquals(new Pose(0, 0, 0), moved);
+        double turn = Math.sin(Math.toRadians(moved.headingDegrees()));
+        assertEquals(Math.signum(right - left), Math.signum(turn), "the faster wheel is outside");
+        assertEquals(Math.signum(left + right), Math.signum(moved.xMeters()));
         assertEquals(moved, after(P2osCommandNumber.VEL2, (short) word));
     }
 

@@ -210,7 +210,7 @@ final class DedicatedChannel {
                 tell(message);
             }
             case DATA_INDICATION, ERROR_INDICATION, CONNECTION_FAILURE, HANDOVER_DETECTION -> tell(message);
-            case MEASUREMENT_RESULT -> measured(tower.measurement(message));
+            case MEASUREMENT_RESULT -> measured(message);
             default -> {
                 // The other answers need no action.
             }
@@ -224,8 +224,9 @@ final class DedicatedChannel {
         }
     }
 
-    private void measured(Measurement measurement) {
+    private void measured(RslPdu message) throws ProtocolViolation {
         if (machine.state() == ChannelState.ACTIVE) {
+            Measurement measurement = tower.measurement(message);
             if (decision != null) {
                 decision.add(measurement);
             }

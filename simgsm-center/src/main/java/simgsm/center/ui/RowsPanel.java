@@ -23,15 +23,13 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 import simgsm.ui.DressedPanel;
 import simgsm.ui.GraphicsCanvas;
+import simgsm.ui.PlainText;
 import simgsm.ui.Theme;
 
 /** A table of a snapshot's rows, with a text for the empty table. */
 final class RowsPanel<T> extends DressedPanel {
     /** The first columns keep their width in a narrow window. */
     private static final int FIRM_COLUMNS = 2;
-
-    /** A component with this property shows a text that begins with {@code <html>} as it is, and loads no picture. */
-    private static final String HTML_DISABLE = "html.disable";
 
     private final RowsModel<T> model;
     private final JTable table;
@@ -114,9 +112,7 @@ final class RowsPanel<T> extends DressedPanel {
 
         @Override
         public JToolTip createToolTip() {
-            JToolTip tip = super.createToolTip();
-            tip.putClientProperty(HTML_DISABLE, true);
-            return tip;
+            return PlainText.in(super.createToolTip());
         }
 
         @Override
@@ -136,7 +132,7 @@ final class RowsPanel<T> extends DressedPanel {
 
     private static final class CellRenderer extends DefaultTableCellRenderer {
         CellRenderer() {
-            putClientProperty(HTML_DISABLE, true);
+            PlainText.in(this);
         }
 
         @Override

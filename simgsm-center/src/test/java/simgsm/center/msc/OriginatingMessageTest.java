@@ -114,7 +114,7 @@ class OriginatingMessageTest extends MessageStage {
         sender.tell(new ShortMessageControl.CpData(FIRST, new RelayMessage.RpAck(1, Optional.empty())));
         sender.next(ShortMessageControl.CpAck.class);
         assertEquals(
-                new RelayMessage.RpError(1, RpCause.MESSAGE_NOT_COMPATIBLE_WITH_STATE),
+                new RelayMessage.RpError(1, RpCause.MESSAGE_NOT_COMPATIBLE),
                 sender.next(ShortMessageControl.CpData.class).relay());
     }
 

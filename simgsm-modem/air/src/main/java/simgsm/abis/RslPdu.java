@@ -55,10 +55,17 @@ public final class RslPdu {
         return with(element, OctetString.of(value));
     }
 
-    /** The same message with one more element. @throws IllegalArgumentException for another length than the element's */
+    /**
+     * The same message with one more element.
+     *
+     * @throws IllegalArgumentException for another length than the element's, or a second one of a kind
+     */
     public RslPdu with(RslElement element, OctetString value) {
         if (element.length() >= 0) {
             value.requireLength(element.toString(), element.length());
+        }
+        if (has(element)) {
+            throw new IllegalArgumentException("RSL " + type.title() + " with two elements " + element);
         }
         return new RslPdu(type, appended(elements, element, value));
     }

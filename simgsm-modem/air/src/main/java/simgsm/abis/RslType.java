@@ -84,10 +84,12 @@ public enum RslType {
         this.title = title;
     }
 
-    /** The discriminator as sent: data requests and indications are marked as transparent. */
+    /** The discriminator as sent: layer 3 that passes the base station is marked as transparent (TS 48.058, 9.1). */
     int discriminator() {
-        boolean isTransparent = this == DATA_REQUEST || this == DATA_INDICATION;
-        return isTransparent ? discriminator | 1 : discriminator;
+        return switch (this) {
+            case DATA_REQUEST, DATA_INDICATION, UNIT_DATA_REQUEST, UNIT_DATA_INDICATION -> discriminator | 1;
+            default -> discriminator;
+        };
     }
 
     int code() {

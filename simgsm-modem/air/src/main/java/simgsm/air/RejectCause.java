@@ -25,7 +25,7 @@ public enum RejectCause implements Coded.Titled {
     SEMANTICALLY_INCORRECT_MESSAGE(95, "semantically incorrect message"),
     INVALID_MANDATORY_INFORMATION(96, "invalid mandatory information"),
     MESSAGE_TYPE_NON_EXISTENT(97, "message type non-existent or not implemented"),
-    MESSAGE_NOT_COMPATIBLE_WITH_STATE(98, "message not compatible with protocol state"),
+    MESSAGE_NOT_COMPATIBLE_WITH_STATE(98, "message type not compatible with protocol state"),
     INFORMATION_ELEMENT_NON_EXISTENT(99, "information element non-existent or not implemented"),
     CONDITIONAL_ELEMENT_ERROR(100, "conditional IE error"),
     MESSAGE_NOT_COMPATIBLE(101, "message not compatible with protocol state"),

@@ -19,7 +19,7 @@ public enum RpCause implements Coded.Titled {
     SEMANTICALLY_INCORRECT_MESSAGE(95, "semantically incorrect message"),
     INVALID_MANDATORY_INFORMATION(96, "invalid mandatory information"),
     MESSAGE_TYPE_NON_EXISTENT(97, "message type non-existent or not implemented"),
-    MESSAGE_NOT_COMPATIBLE_WITH_STATE(98, "message not compatible with protocol state"),
+    MESSAGE_NOT_COMPATIBLE(98, "message not compatible with protocol state"),
     PROTOCOL_ERROR(111, "protocol error, unspecified"),
     INTERWORKING(127, "interworking, unspecified");
 

@@ -67,10 +67,10 @@ public abstract class PaintedComponent extends JComponent implements Accessible 
         });
     }
 
-    /** The preferred size, unless a component can be smaller. */
+    /** The preferred size, unless a component can be smaller or was given another. */
     @Override
     public Dimension getMinimumSize() {
-        return getPreferredSize();
+        return isMinimumSizeSet() ? super.getMinimumSize() : getPreferredSize();
     }
 
     @Override

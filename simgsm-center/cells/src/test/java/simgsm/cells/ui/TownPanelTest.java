@@ -354,7 +354,7 @@ class TownPanelTest {
     @ParameterizedTest
     @CsvSource({
         "760, 420, 1, LIGHT",
-        "1024, 768, 1, DARK",
+        "1280, 720, 1, DARK",
         "1920, 1080, 1, CONTRAST",
         "1520, 840, 2, DARK",
         "3840, 2160, 2, LIGHT"

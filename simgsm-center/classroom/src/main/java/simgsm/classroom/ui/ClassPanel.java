@@ -25,6 +25,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.CopiedText;
 import simgsm.ui.DesktopTexts;
+import simgsm.ui.PlainText;
 import simgsm.ui.ReadingArea;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -50,7 +51,7 @@ public final class ClassPanel extends JPanel {
     private final DefaultTableModel model;
     private final JTable table;
     private final JLabel clock = new JLabel("00:00");
-    private final JLabel best = new JLabel(" ");
+    private final JLabel best = PlainText.in(new JLabel(" "));
     private final JTextArea command;
     private final GlossaryText notice = new GlossaryText("class.notice", Optional.empty(), term -> {});
     private final UserAction start;
@@ -77,7 +78,7 @@ public final class ClassPanel extends JPanel {
                 COLUMNS.stream().map(column -> words.of("class." + column)).toArray(), 0);
         table = ComponentNames.name(new JTable(model), "class.table", words.of("class.title"));
         table.setDefaultEditor(Object.class, null);
-        table.setDefaultRenderer(Object.class, new Cell());
+        table.setDefaultRenderer(Object.class, PlainText.in(new Cell()));
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.getSelectionModel().addListSelectionListener(event -> chosen());
         start = action("start", Symbol.PLAY, actions::start);

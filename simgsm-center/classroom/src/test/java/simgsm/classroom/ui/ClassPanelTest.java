@@ -2,6 +2,7 @@ package simgsm.classroom.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -16,6 +17,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
+import javax.swing.plaf.basic.BasicHTML;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
@@ -54,6 +56,17 @@ class ClassPanelTest {
                 "phone,robot,orders,keys,collisions,seconds\r\n5550101,5550200,1,9,0,12.5\r\n"
                         + "5550100,5550200,1,9,0,12.5\r\n",
                 panel.csv());
+    }
+
+    @Test
+    void aNameThatAPupilTypedIsNoMarkup() {
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
+        panel.show(view(row("<html><b>ann", true)));
+        JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
+        JComponent cell = (JComponent) table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
+        assertNull(cell.getClientProperty(BasicHTML.propertyKey));
+        JComponent best = (JComponent) ComponentNames.find(panel, "class.best").orElseThrow();
+        assertNull(best.getClientProperty(BasicHTML.propertyKey));
     }
 
     @Test

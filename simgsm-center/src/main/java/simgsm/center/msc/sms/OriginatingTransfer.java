@@ -97,7 +97,7 @@ final class OriginatingTransfer {
             answer(reference, Optional.empty());
             center.available(link.subscriber().number());
         } else {
-            answer(reference, Optional.of(RpCause.MESSAGE_NOT_COMPATIBLE_WITH_STATE));
+            answer(reference, Optional.of(RpCause.MESSAGE_NOT_COMPATIBLE));
         }
     }
 

@@ -116,7 +116,7 @@ final class MessageReceiver {
             relay = take(relayed);
             unconfirmed = relayed.tpdu();
         } else {
-            relay = new RpError(received.relay().reference(), RpCause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
+            relay = new RpError(received.relay().reference(), RpCause.MESSAGE_NOT_COMPATIBLE);
             unconfirmed = OctetString.of(new byte[0]);
         }
         answer = new CpData(received.transaction().answered(), relay);

@@ -260,7 +260,7 @@ class SpeechFileTest {
     private static final byte[] SOUND = new byte[4000];
 
     static {
-        for (short i = 0; i < 500; i++) {
+        for (short i = 0; i < 2000; i++) {
             ByteBuffer.wrap(SOUND).order(ByteOrder.LITTLE_ENDIAN).putShort(2 * i, (short) (7 * i - 6000));
         }
     }
@@ -268,7 +268,7 @@ class SpeechFileTest {
     private void assertRamp(byte[] file) throws IOException {
         short[] samples = read(file);
         assertEquals(2000, samples.length);
-        for (int i = 0; i < 500; i++) {
+        for (int i = 0; i < 2000; i++) {
             assertEquals(7 * i - 6000, samples[i]);
         }
     }
