@@ -71,7 +71,7 @@ const pause = millis => new Promise(done => setTimeout(done, millis));
     await page.click('#log');
     console.log('calls', await page.$eval('#past', list => list.innerText.replace(/\s+/g, ' ')));
     await page.click('#ladder summary');
-    await page.waitForSelector('#rungs .down');
+    await page.waitForFunction(() => /Call Proceeding/.test(document.querySelector('#rungs').textContent));
     console.log('ladder', await page.$$eval('#rungs li', rungs => rungs.map(each => each.className + ' ' + each.lastChild.textContent).join(', ')));
     const rate = await page.evaluate(() => Sound.context().sampleRate);
     const played = await page.evaluate(() => window.played);

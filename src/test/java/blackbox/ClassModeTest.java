@@ -34,6 +34,9 @@ class ClassModeTest {
         assertEquals(2, demo.status(), demo.output());
         assertTrue(
                 demo.error().contains("--class: expected SIMs of 5550102, 5550201, 5550202 in " + list), demo.error());
+        FinishedProgram web = FinishedProgram.run("simgsm-center", "--demo", "--web", "0", "--hlr", list);
+        assertEquals(2, web.status(), web.output());
+        assertTrue(web.error().contains("--web: browsers have no SIM card"), web.error());
     }
 
     @Test

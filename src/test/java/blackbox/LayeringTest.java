@@ -102,7 +102,7 @@ class LayeringTest {
             simgsm.center            :
             simgsm.classroom.ui      : simgsm.console simgsm.draw simgsm.file simgsm.lesson simgsm.ui simgsm.ui.file simgsm.ui.glossary simgsm.ui.pane simgsm.ui.window simgsm.web
             simgsm.classroom.session : simgsm.air simgsm.center.app simgsm.center.msc simgsm.console simgsm.lesson simgsm.ui.window
-            simgsm.classroom.demo    : simgsm.air simgsm.center.app simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.file simgsm.ui.window
+            simgsm.classroom.demo    : simgsm.air simgsm.center.app simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.file simgsm.net simgsm.ui.window
             simgsm.classroom.lesson  : simgsm.air simgsm.center.app simgsm.center.msc simgsm.classroom.demo simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.dtmf simgsm.file simgsm.lesson simgsm.octets simgsm.sms simgsm.ui simgsm.ui.window
             simgsm.classroom         : simgsm.center simgsm.center.app simgsm.classroom.demo simgsm.classroom.lesson simgsm.console simgsm.ui.window
             simgsm.cells.town        : simgsm.file simgsm.octets

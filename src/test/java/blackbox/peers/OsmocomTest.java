@@ -15,10 +15,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** Phones and robots on a real Osmocom core: the cells speak RSL to osmo-bsc. */
 @Tag("peer")
 @Isolated("a whole network on two cores")
+@ResourceLock("speech over UDP on the loopback interface")
 class OsmocomTest {
     private static final long PATIENCE_MINUTES = 5;
 

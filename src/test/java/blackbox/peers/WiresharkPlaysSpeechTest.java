@@ -15,9 +15,11 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** Wireshark names the speech of captures as RTP without any setting, finds none lost, and its samples hold the keys. */
 @Tag("peer")
+@ResourceLock("speech over UDP on the loopback interface")
 class WiresharkPlaysSpeechTest {
     private static final String ORDER = "**#**20**";
 

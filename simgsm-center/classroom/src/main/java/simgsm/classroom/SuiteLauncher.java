@@ -85,6 +85,9 @@ public final class SuiteLauncher implements CenterLauncher {
     }
 
     private static int demo(Arguments arguments, CenterSettings settings, boolean isZoomGiven) throws Exception {
+        if (arguments.has("web") && settings.home().isClosed()) {
+            throw new UsageException("--web: browsers have no SIM card, expected an open network, without --hlr");
+        }
         if (arguments.has("class")) {
             return ClassDemo.run(arguments, settings, isZoomGiven);
         }

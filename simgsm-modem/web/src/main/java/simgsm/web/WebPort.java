@@ -3,10 +3,8 @@ package simgsm.web;
 import com.sun.net.httpserver.HttpHandler;
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
-import java.net.Inet4Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.NetworkInterface;
 import java.net.SocketException;
 import java.util.List;
 import java.util.concurrent.SynchronousQueue;
@@ -15,6 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import simgsm.net.Acceptor;
 import simgsm.net.ConnectionLimits;
+import simgsm.net.ReachableAddresses;
 
 /**
  * A port for HTTP and, where paths for them are given, WebSockets. HTTP is served with at most 512 threads that end after
@@ -112,23 +111,16 @@ public final class WebPort implements AutoCloseable {
 
     /** Where the port is: {@code http://127.0.0.1:8080/}; with a port on all addresses, that of this machine in its network. */
     public String url() {
-        String host = reachable(address.getAddress()).getHostAddress();
+        String host = host();
         return "http://" + (host.contains(":") ? "[" + host + "]" : host) + ":" + port() + "/";
     }
 
-    private static InetAddress reachable(InetAddress bound) {
-        if (bound.isAnyLocalAddress()) {
-            try {
-                return NetworkInterface.networkInterfaces()
-                        .flatMap(NetworkInterface::inetAddresses)
-                        .filter(each -> each instanceof Inet4Address && !each.isLoopbackAddress())
-                        .findFirst()
-                        .orElse(InetAddress.getLoopbackAddress());
-            } catch (SocketException e) {
-                // The interfaces are not known.
-            }
+    private String host() {
+        try {
+            return ReachableAddresses.of(address.getAddress()).get(0);
+        } catch (SocketException unknown) {
+            return InetAddress.getLoopbackAddress().getHostAddress();
         }
-        return bound;
     }
 
     public void start() {

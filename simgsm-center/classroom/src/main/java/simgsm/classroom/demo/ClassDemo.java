@@ -76,7 +76,9 @@ public final class ClassDemo {
                 List<String> options = demo.robotOptions(Stream.of("--headless"));
                 return WebLink.serve(arguments, session, ROBOTS, options, demo.phoneNumbers());
             }
-            demo.printStudents(session.center().port());
+            if (!WebLink.isWanted(arguments)) {
+                demo.printStudents(session.center().port());
+            }
             if (isHeadless) {
                 return demo.runHeadless(session);
             }

@@ -9,6 +9,7 @@ import simgsm.center.app.CenterSettings;
 import simgsm.classroom.session.Session;
 import simgsm.console.HostPort;
 import simgsm.console.UsageException;
+import simgsm.net.ReachableAddresses;
 
 /** The students of a class, counted from 0: their numbers, their robots, and what their machines start. */
 final class ClassRoll {
@@ -22,7 +23,7 @@ final class ClassRoll {
     ClassRoll(int students, CenterSettings settings) throws SocketException {
         this.students = students;
         this.settings = settings;
-        hosts = ClassAddresses.of(settings.address());
+        hosts = ReachableAddresses.of(settings.address());
     }
 
     int students() {

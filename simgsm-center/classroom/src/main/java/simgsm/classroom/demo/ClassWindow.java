@@ -84,7 +84,9 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
                         new WindowPlace(screen.x(), screen.y(), screen.width() - column, screen.height()), wanted)
                 .saying(isZoomGiven, wanted);
         session.consoles().listen(this);
-        Optional<LinkFrame> link = start(layout).map(url -> new LinkFrame(language, url, Optional.empty()));
+        Optional<LinkFrame> link = start(layout)
+                .map(url -> new LinkFrame(
+                        language, url, Optional.of(layout.insteadOfPhone()), locked -> WebLink.lock(session, locked)));
         CenterWindow.Watch watch = new CenterWindow.Watch(
                 event -> {},
                 snapshot -> {},
@@ -116,7 +118,9 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
     }
 
     private Optional<String> start(DemoLayout layout) throws IOException, SessionFailure, InterruptedException {
-        if (!demo.settings.home().isClosed() || demo.settings.home().numbers().contains(new Msisdn(roll.teacher()))) {
+        boolean hasPhone = !demo.settings.home().isClosed()
+                || demo.settings.home().numbers().contains(new Msisdn(roll.teacher()));
+        if (hasPhone && !WebLink.isWanted(demo.arguments)) {
             List<String> options = layout.options(layout.phone(), "--end-with-input");
             session.start("teacher", "simgsm-phone", roll.teacher(), options);
         }

@@ -73,9 +73,18 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
 
     /** The part of the screen below the phone. */
     WindowPlace belowPhone(WindowPlace screen) {
-        int bottom = phone.y() + (SuiteWindow.PHONE.heightUnits() + FRAME_UNITS) * zoomPercent / 100;
+        int bottom = phone.y() + phoneHeight();
         int height = Math.max(0, screen.y() + screen.height() - bottom);
         return new WindowPlace(phone.x(), bottom, robot.x() - phone.x(), height);
+    }
+
+    /** The place of a phone that is not opened. */
+    WindowPlace insteadOfPhone() {
+        return new WindowPlace(phone.x(), phone.y(), robot.x() - phone.x(), phoneHeight());
+    }
+
+    private int phoneHeight() {
+        return (SuiteWindow.PHONE.heightUnits() + FRAME_UNITS) * zoomPercent / 100;
     }
 
     /** The window of the centre. */

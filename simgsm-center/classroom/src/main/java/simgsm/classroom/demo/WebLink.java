@@ -1,6 +1,8 @@
 package simgsm.classroom.demo;
 
 import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -20,6 +22,7 @@ final class WebLink {
     static final String GATEWAY = "gateway";
 
     private static final double START_SECONDS = 120;
+    private static final Logger LOG = System.getLogger(WebLink.class.getName());
 
     private WebLink() {}
 
@@ -57,6 +60,17 @@ final class WebLink {
                 .await(GATEWAY, "ready", START_SECONDS)
                 .fields()
                 .get("link"));
+    }
+
+    /** Lets no new browsers in, or lets them in again. */
+    static void lock(Session session, boolean isLocked) {
+        try {
+            session.consoles().perform(GATEWAY + " lock " + (isLocked ? "on" : "off"));
+        } catch (SessionFailure ended) {
+            LOG.log(Level.WARNING, "the link cannot be locked: {0}", ended.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     /** Without a display: starts SimRobot and the gateway, prints the link and performs the centre's commands until the input ends. */

@@ -59,7 +59,11 @@ public final class WindowedDemo {
             });
             start(session, layout, arguments);
             Optional<LinkFrame> link = WebLink.start(arguments, session, "robot", Optional.empty())
-                    .map(url -> new LinkFrame(settings.language(), url, Optional.of(layout.belowPhone(screen))));
+                    .map(url -> new LinkFrame(
+                            settings.language(),
+                            url,
+                            Optional.of(layout.belowPhone(screen)),
+                            locked -> WebLink.lock(session, locked)));
             // The phone has the keyboard: the user dials first.
             ProgramWindow window = layout.centerWindow(arguments.with("unfocused", ""));
             opened.complete(window);

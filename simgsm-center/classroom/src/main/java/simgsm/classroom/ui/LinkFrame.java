@@ -7,7 +7,9 @@ import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.BorderFactory;
+import javax.swing.JCheckBox;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
@@ -28,6 +30,7 @@ public final class LinkFrame {
     private final Locale language;
     private final String link;
     private final Optional<WindowPlace> room;
+    private final Consumer<Boolean> lock;
     /** Null until it is opened. */
     private JFrame frame;
 
@@ -35,11 +38,13 @@ public final class LinkFrame {
      * Not opened yet.
      *
      * @param room of the screen that no other window covers; without it, or where it is too small, the window opens in front
+     * @param lock given whether new browsers are refused
      */
-    public LinkFrame(Locale language, String link, Optional<WindowPlace> room) {
+    public LinkFrame(Locale language, String link, Optional<WindowPlace> room, Consumer<Boolean> lock) {
         this.language = language;
         this.link = link;
         this.room = room;
+        this.lock = lock;
     }
 
     /** Opens the window, the next time as large as the screen; it lasts as long as the program's other windows. On the event thread. */
@@ -53,7 +58,7 @@ public final class LinkFrame {
         TextBundle texts = ClassroomTexts.in(language);
         frame = new JFrame(texts.of("link.title"));
         frame.setIconImages(WindowIcon.images(Symbol.PHONE));
-        frame.setContentPane(content(texts, link));
+        frame.setContentPane(content(texts));
         frame.setAutoRequestFocus(false);
         Optional<WindowPlace> place = room.filter(free -> free.height() >= Theme.px(LEAST_UNITS));
         if (place.isPresent()) {
@@ -67,7 +72,7 @@ public final class LinkFrame {
         }
     }
 
-    static JPanel content(TextBundle texts, String link) {
+    private JPanel content(TextBundle texts) {
         JTextField letters = new JTextField(link);
         letters.setEditable(false);
         letters.setCaretPosition(0);
@@ -76,7 +81,13 @@ public final class LinkFrame {
         int gap = Theme.px(Theme.GRID);
         panel.setBorder(BorderFactory.createEmptyBorder(gap, gap, gap, gap));
         panel.add(ComponentNames.name(new CodeView(new QrCode(link)), "link.code", texts.of("link.code")));
-        panel.add(ComponentNames.name(letters, "link.letters", texts.of("link.letters")), BorderLayout.SOUTH);
+        JCheckBox locked =
+                ComponentNames.name(new JCheckBox(texts.of("link.lock")), "link.lock", texts.of("link.lock"));
+        locked.addItemListener(event -> lock.accept(locked.isSelected()));
+        JPanel below = new JPanel(new BorderLayout());
+        below.add(ComponentNames.name(letters, "link.letters", texts.of("link.letters")));
+        below.add(locked, BorderLayout.SOUTH);
+        panel.add(below, BorderLayout.SOUTH);
         return panel;
     }
 

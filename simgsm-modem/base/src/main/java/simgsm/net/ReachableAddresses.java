@@ -1,4 +1,4 @@
-package simgsm.classroom.demo;
+package simgsm.net;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -13,15 +13,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The addresses at which the students' machines find the centre; the likeliest first. */
-final class ClassAddresses {
+/** The addresses at which other machines find a port of this one; the likeliest first. */
+public final class ReachableAddresses {
     /** Of the block for documentation (RFC 5737): a route leads there if one leads anywhere; nothing is sent. */
     private static final InetSocketAddress ELSEWHERE = new InetSocketAddress("192.0.2.1", 9);
 
-    private ClassAddresses() {}
+    private ReachableAddresses() {}
 
-    /** @param bound where the centre listens; the wildcard stands for all addresses of this machine */
-    static List<String> of(InetAddress bound) throws SocketException {
+    /** @param bound where the port listens; the wildcard is all addresses of this machine */
+    public static List<String> of(InetAddress bound) throws SocketException {
         if (!bound.isAnyLocalAddress()) {
             return List.of(bound.getHostAddress());
         }
