@@ -53,9 +53,33 @@ const pause = millis => new Promise(done => setTimeout(done, millis));
     };
     const tones = count => page.waitForFunction(
       wanted => document.querySelectorAll('#tones li').length >= wanted, { timeout: 60000 }, count);
+    const text = id => page.$eval(id, element => element.textContent);
+    await page.keyboard.down('#');
+    await page.keyboard.up('3');
+    await page.keyboard.down('Alt');
+    await page.keyboard.press('*');
+    await page.keyboard.up('Alt');
+    console.log('signs', await text('#keyed'), await page.$$eval('#keys .down', keys => keys.length));
+    await page.keyboard.down('5');
+    await page.evaluate(() => window.dispatchEvent(new Event('blur')));
+    await page.keyboard.up('5');
+    console.log('left', await text('#line'), await page.$$eval('#keys .down', keys => keys.length));
+    await page.keyboard.press('Escape');
+    console.log('frames after a minute', await page.evaluate(() => {
+      let frames = 0;
+      const keys = new Sound.KeySource(() => frames++);
+      keys.begun -= 60000;
+      for (let i = 0; i < 300; i++) {
+        keys.tick();
+      }
+      keys.stop();
+      return Math.round(frames / 10) * 10;
+    }));
     await keyboard(number);
     await page.keyboard.press('Enter');
     await tones(1);
+    await page.waitForFunction(() => document.querySelector('#clock').textContent !== '');
+    console.log('line', await text('#line'));
     await keyboard('**#**20**');
     await tones(3);
     await touch('**#*#90**');

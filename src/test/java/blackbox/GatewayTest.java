@@ -113,17 +113,20 @@ class GatewayTest {
         Map<String, Object> welcome = phone.expect("welcome");
         phone.expect("registered");
         String number = welcome.get("number").toString();
+        RunningProgram other = scenario.phone("5550101");
+        other.say("sms " + number + " before").expect("sms-sent");
+        phone.expect("sms");
         phone.say("{\"do\":\"dial\",\"number\":\"5550200\"}");
         phone.expect("connected");
         phone.cut();
         gateway.expect("left", "number", number);
         robot.expect("released", "cause", "16");
 
-        RunningProgram other = scenario.phone("5550101");
         other.say("sms " + number + " meanwhile").expect("sms-sent");
         try (WebPhone again =
                 new WebPhone(port, "{\"key\":\"word\",\"token\":\"" + welcome.get("token") + "\",\"name\":\"Ana\"}")) {
             assertEquals(number, again.expect("welcome").get("number"));
+            assertEquals("before", again.expect("message").get("text"));
             assertEquals("meanwhile", again.expect("sms").get("text"));
             gateway.expect("joined", "number", number, "name", "Ana");
             assertEquals(

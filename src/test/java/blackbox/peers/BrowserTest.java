@@ -46,6 +46,9 @@ class BrowserTest {
             String printed = Peer.run(browser).expectSuccess();
 
             assertTrue(printed.contains("secure false"), printed);
+            assertTrue(printed.contains("signs #* 0\nleft Key 5 released: the page was left 0\n"), printed);
+            assertTrue(printed.contains("frames after a minute 100\n"), printed);
+            assertTrue(printed.contains("line In call with " + Scenario.ROBOT + "\n"), printed);
             assertTrue(
                     printed.contains("tones 1 connection accepted 6 executing 3 executed 6 executing 3 executed"),
                     printed);

@@ -105,7 +105,11 @@ final class RobotPages {
             connection.setConnectTimeout(TIMEOUT_MILLIS);
             connection.setReadTimeout(TIMEOUT_MILLIS);
             connection.setInstanceFollowRedirects(false);
-            if (connection.getResponseCode() == WebResponse.NOT_FOUND) {
+            int status = connection.getResponseCode();
+            if (connection.getErrorStream() != null) {
+                connection.disconnect();
+            }
+            if (status == WebResponse.NOT_FOUND) {
                 throw RequestException.notFound(path, "what the robot's program serves");
             }
             try (InputStream in = connection.getInputStream()) {

@@ -114,7 +114,7 @@ final class WebUser {
         return station.snapshot().callState() != MobileCallState.NULL;
     }
 
-    /** A page has come; an older one ends. @param newName of its user */
+    /** A page has come; an older one ends. It is told the messages of before, and only then may the network send more. @param newName of its user */
     void attach(WebSocket socket, String newName) {
         name = newName;
         Optional<WebSocket> older = page;
@@ -126,6 +126,7 @@ final class WebUser {
         }
         from = socket.peer().getHostAddress();
         tell(Event.of("welcome").with("number", number()).with("token", token));
+        tellMessages();
         if (station.snapshot().registered()) {
             tell(Event.of("registered").with("number", number()));
         }
@@ -220,6 +221,11 @@ final class WebUser {
 
     /** Lists what has been received, and marks it as read. */
     void tellInbox() {
+        tellMessages();
+        tell(Event.of("end").with("of", "inbox").with("count", inbox.size()));
+    }
+
+    private void tellMessages() {
         for (int i = 0; i < inbox.size(); i++) {
             Received message = inbox.get(i);
             tell(Event.of("message")
@@ -229,7 +235,6 @@ final class WebUser {
                     .with("read", i < messagesRead));
         }
         messagesRead = inbox.size();
-        tell(Event.of("end").with("of", "inbox").with("count", inbox.size()));
     }
 
     void tellError(String text) {

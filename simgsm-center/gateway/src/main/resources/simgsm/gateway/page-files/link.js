@@ -10,7 +10,7 @@
     try {
       const answer = await fetch('users', { headers, cache: 'no-store' });
       $('notice').hidden = answer.ok;
-      $('notice').textContent = answer.ok ? '' : words['closed.key'];
+      $('notice').textContent = answer.ok ? '' : words[answer.status === 401 ? 'closed.key' : 'link.lost'];
       if (answer.status === 401) {
         return;
       }

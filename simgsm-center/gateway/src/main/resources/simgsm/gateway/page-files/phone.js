@@ -12,6 +12,8 @@
   let entry = '';
   let keys = null;
   let held = null;
+  let heldCode = null; // of the keyboard's key; a key that Shift made * or # may come up as another
+  let remark = '';
   let peer = '';
   let connectedAt = 0;
   let ringing = null;
@@ -46,8 +48,16 @@
 
   const message = (text, kind, at) => row($('box'), text, kind).prepend(time(at || Date.now()), ' ');
 
-  function show(text) {
-    $('line').textContent = text;
+  // Screen readers speak a status again when it is written again.
+  function write(id, text) {
+    if ($(id).textContent !== text) {
+      $(id).textContent = text;
+    }
+  }
+
+  function show(text, clock = '') {
+    write('line', text);
+    write('clock', clock);
   }
 
   function showEntry() {
@@ -99,6 +109,7 @@
 
   function setPhase(next) {
     phase = next;
+    remark = '';
     document.body.dataset.phase = next;
     const inCall = next === 'connected';
     if (inCall && !keys) {
@@ -122,7 +133,6 @@
       $('own').textContent = event.number;
       retry = 0;
       $('box').replaceChildren();
-      send({ do: 'inbox' });
       showLadder();
       notice('');
       setPhase('idle');
@@ -208,6 +218,7 @@
     }
     release();
     held = name;
+    remark = '';
     button(name).classList.add('down');
     Sound.wake();
     Sound.keyTone(name);
@@ -222,10 +233,20 @@
     if (held !== null) {
       button(held).classList.remove('down');
       held = null;
+      heldCode = null;
       Sound.silence();
       if (keys) {
         keys.up();
       }
+    }
+  }
+
+  // Without its focus the page does not hear a key come up.
+  function leave() {
+    if (held !== null) {
+      remark = word('key.left', held);
+      show(remark);
+      release();
     }
   }
 
@@ -258,13 +279,17 @@
 
   function onKeyboard(event) {
     const isTyping = /^(INPUT|TEXTAREA|SELECT)$/.test(event.target.tagName);
-    if (isTyping || event.ctrlKey || event.altKey || event.metaKey || $('phone').hidden) {
+    // Some keyboards have * and # only with Option or AltGr, and AltGr may look like Ctrl and Alt.
+    const isSign = event.key === '*' || event.key === '#';
+    const isShortcut = event.metaKey || event.altKey && !isSign || event.ctrlKey && !(isSign && event.getModifierState('AltGraph'));
+    if (isTyping || isShortcut || $('phone').hidden) {
       return;
     }
     if (event.key.length === 1 && '0123456789*#'.includes(event.key)) {
       event.preventDefault();
       if (!event.repeat) {
         press(event.key);
+        heldCode = event.code;
       }
     } else if (event.key === 'Enter' && event.target.tagName !== 'BUTTON') {
       call();
@@ -348,13 +373,13 @@
     const shown = [...$('robots').options].map(each => each.value);
     if (names.join('\n') !== shown.join('\n')) {
       $('robots').replaceChildren(...robots.map(each => new Option(`${each.name} (${each.number})`, each.name)));
-      chosen = names.includes(chosen) ? chosen : names[0] || '';
+      chosen = names.includes(chosen) ? chosen : names[0] || chosen;
       $('robots').value = chosen;
     }
     $('robot').hidden = names.length === 0;
     const robot = robots.find(each => each.name === chosen);
     if (robot) {
-      $('state').textContent = word('robot.state', words['status.' + robot.status] || robot.status, robot.x.toFixed(2), robot.y.toFixed(2), Math.round(robot.heading));
+      write('state', word('robot.state', words['status.' + robot.status] || robot.status, robot.x.toFixed(2), robot.y.toFixed(2), Math.round(robot.heading)));
     }
   }
 
@@ -427,12 +452,12 @@
       $('text').value = '';
     });
     document.addEventListener('keydown', onKeyboard);
-    document.addEventListener('keyup', event => event.key === held && release());
-    window.addEventListener('blur', release);
-    document.addEventListener('visibilitychange', () => document.hidden && release());
+    document.addEventListener('keyup', event => event.code === heldCode && release());
+    window.addEventListener('blur', leave);
+    document.addEventListener('visibilitychange', () => document.hidden && leave());
     setInterval(() => {
       if (phase === 'connected') {
-        show(word('connected', peer, minutes(callSeconds())));
+        show(remark || word('connected', peer), minutes(callSeconds()));
       }
     }, 250);
   }

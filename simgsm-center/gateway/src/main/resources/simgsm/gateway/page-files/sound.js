@@ -11,6 +11,7 @@ const Sound = (() => {
   const LEAST_TONE = 0.07 * RATE;
   const LEAST_PAUSE = 0.07 * RATE;
   const MOST_CATCH_UP = 10;
+  const MOST_OWED_MILLIS = 2000;
   const RAMP = 16; // samples; softens the click at both ends
 
   const frequencies = key => [LOW[Math.floor(KEYS.indexOf(key) / 3)], HIGH[KEYS.indexOf(key) % 3]];
@@ -49,7 +50,9 @@ const Sound = (() => {
       this.timer = setInterval(() => this.tick(), 10);
     }
 
+    // The time stops while a page that the browser has slowed down or suspended owes 2 s: its keys would wait for the rest.
     now() {
+      this.begun = Math.max(this.begun, performance.now() - this.framesSent * FRAME_MILLIS - MOST_OWED_MILLIS);
       return (performance.now() - this.begun) * RATE / 1000;
     }
 
@@ -68,7 +71,7 @@ const Sound = (() => {
     }
 
     tick() {
-      const due = Math.floor((performance.now() - this.begun) / FRAME_MILLIS);
+      const due = Math.floor(this.now() / FRAME);
       for (let sent = 0; this.framesSent < due && sent < MOST_CATCH_UP; sent++) {
         this.send(this.frame());
         this.framesSent++;
