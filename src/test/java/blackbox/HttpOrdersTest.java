@@ -194,12 +194,14 @@ class HttpOrdersTest {
         assertEquals(404, nobody.statusCode());
         assertEquals("no robot nobody, expected one of ann, ben", error(nobody));
         assertEquals(404, send(request("/robots/ann/orders/0").GET()).statusCode());
-        HttpResponse<String> large = send(post("ann", " ".repeat(4_095) + "{}"));
+        HttpResponse<String> large = send(post("ann", " ".repeat(1_023) + "{}"));
         assertEquals(413, large.statusCode());
-        assertEquals("expected at most 4096 octets, found more", error(large));
+        assertEquals("expected at most 1024 octets, found more", error(large));
         HttpResponse<String> form = send(post("ann", FORWARD).setHeader("Content-Type", "text/plain"));
         assertEquals(415, form.statusCode());
         assertEquals("expected Content-Type: application/json, found text/plain", error(form));
+        assertEquals(
+                415, send(post("ann", FORWARD).setHeader("Content-Type", ";")).statusCode());
         HttpResponse<String> read = send(request("/robots/ann/orders").GET());
         assertEquals(405, read.statusCode());
         assertEquals("POST", read.headers().firstValue("Allow").orElseThrow());

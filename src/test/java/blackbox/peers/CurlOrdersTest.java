@@ -77,7 +77,7 @@ class CurlOrdersTest {
         Path large = Files.write(scenario.folder().resolve("large"), new byte[10_000_000]);
         for (String way : List.of("Expect:", "Expect: 100-continue", "Transfer-Encoding: chunked")) {
             assertEquals(
-                    "{\"error\":\"expected at most 4096 octets, found more\"} 413",
+                    "{\"error\":\"expected at most 1024 octets, found more\"} 413",
                     post("k1", "%{http_code}", "-H", way, "--data-binary", "@" + large),
                     way);
         }

@@ -24,7 +24,7 @@ final class OrderPages {
 
     private static final int ACCEPTED = 202;
     /** Over ten times the longest order. */
-    private static final int MOST_OCTETS = 4096;
+    private static final int MOST_OCTETS = 1024;
 
     private static final String IDEMPOTENCY_KEY = "Idempotency-Key";
 

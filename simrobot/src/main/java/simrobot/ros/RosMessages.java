@@ -120,7 +120,7 @@ final class RosMessages {
     Object battery(String name) {
         double volts = robot(name).condition().batteryVolts();
         return fields(
-                "header voltage temperature current charge capacity design_capacity percentage power_supply_status power_supply_health power_supply_technology present cell_voltage location serial_number",
+                "header voltage temperature current charge capacity design_capacity percentage power_supply_status power_supply_health power_supply_technology present cell_voltage cell_temperature location serial_number",
                 header(name, "base_link"),
                 volts,
                 Double.NaN,
@@ -133,6 +133,7 @@ final class RosMessages {
                 0,
                 0,
                 true,
+                List.of(),
                 List.of(),
                 "",
                 "");

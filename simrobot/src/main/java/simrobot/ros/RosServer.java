@@ -131,13 +131,20 @@ public final class RosServer implements AutoCloseable {
         long nanos = System.nanoTime();
         source.simulation()
                 .withSimulation(owned -> owned.robot(name)
-                        .flatMap(robot -> velocities.drive(robot, client, velocity, nanos))
+                        .map(robot -> velocities.drive(robot, client, velocity, nanos))
+                        .orElseGet(() -> Optional.of("no robot " + name + " any more"))
                         .ifPresent(reason -> loop.post(() -> refused.accept(reason))));
     }
 
     /** Brakes what the client drives. */
     void release(RosSession client) {
         source.simulation().withSimulation(owned -> velocities.release(client));
+    }
+
+    /** Brakes this robot if the client drives it. */
+    void release(RosSession client, String name) {
+        source.simulation()
+                .withSimulation(owned -> owned.robot(name).ifPresent(robot -> velocities.release(client, robot)));
     }
 
     void order(String robot, String operator, String keys, BiConsumer<Integer, String> ended) {
@@ -184,8 +191,15 @@ public final class RosServer implements AutoCloseable {
                     .map(RosTopic.Source::robot)
                     .collect(Collectors.toSet());
             source.simulation().withSimulation(owned -> {
-                SimulationSnapshot scene = owned.snapshotWithRanges(ranged);
-                worker.execute(() -> send(texts(due, scene), due));
+                try {
+                    SimulationSnapshot scene = owned.snapshotWithRanges(ranged);
+                    worker.execute(() -> send(texts(due, scene), due));
+                } catch (RuntimeException fault) {
+                    loop.post(() -> isSampling = false);
+                    if (!worker.isShutdown()) {
+                        throw fault;
+                    }
+                }
             });
         }
     }

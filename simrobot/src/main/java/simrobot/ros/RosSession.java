@@ -4,12 +4,10 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import simgsm.web.AccessKeys;
 import simgsm.web.JsonReader;
 import simgsm.web.RequestException;
@@ -20,7 +18,7 @@ import simgsm.web.WebSocketListener;
 final class RosSession implements WebSocketListener {
     private static final Logger LOG = System.getLogger(RosSession.class.getName());
 
-    static final int MOST_OCTETS = 64 * 1024;
+    static final int MOST_OCTETS = 8 * 1024;
 
     private static final int MOST_WISHES = 100;
     private static final String ERROR = "error";
@@ -33,12 +31,16 @@ final class RosSession implements WebSocketListener {
     private static final class Subscription {
         private final RosTopic.Source source;
         private final Map<Object, Wish> wishes = new LinkedHashMap<>();
-        private RosGeneration generation;
         private long sentNanos;
         private boolean isSent;
 
         Subscription(RosTopic.Source source) {
             this.source = source;
+        }
+
+        /** As the newest wish asks. */
+        RosGeneration generation() {
+            return List.copyOf(wishes.values()).get(wishes.size() - 1).generation;
         }
 
         boolean isDue(long nanos) {
@@ -53,7 +55,9 @@ final class RosSession implements WebSocketListener {
     private final RosServer server;
     private final RosServices services;
     private final Map<String, Subscription> subscriptions = new HashMap<>();
-    private final Set<String> advertised = new HashSet<>();
+    /** The robots that the topics drive. */
+    private final Map<String, String> advertised = new HashMap<>();
+
     private Optional<String> operator = Optional.empty();
     private boolean isRefusalLogged;
 
@@ -104,8 +108,9 @@ final class RosSession implements WebSocketListener {
             case "unsubscribe" -> unsubscribe(request);
             case "advertise" -> advertise(request);
             case "unadvertise" -> {
-                require(advertised.remove(request.name("topic")), request, "is not advertised");
-                server.release(this);
+                String robot = advertised.remove(request.name("topic"));
+                require(robot != null, request, "is not advertised");
+                server.release(this, robot);
             }
             case "publish" -> publish(request);
             case "call_service" -> services.call(request);
@@ -131,13 +136,13 @@ final class RosSession implements WebSocketListener {
                 .map(type -> generation(request, source, type))
                 .orElse(RosGeneration.ROS_1);
         long millis = Math.max(source.topic().periodMillis(), request.millis("throttle_rate"));
+        if (subscriptions.values().stream().mapToInt(each -> each.wishes.size()).sum() == MOST_WISHES) {
+            throw new IllegalArgumentException("over " + MOST_WISHES + " subscriptions");
+        }
         Subscription subscription =
                 subscriptions.computeIfAbsent(request.name("topic"), name -> new Subscription(source));
-        if (subscription.wishes.size() == MOST_WISHES) {
-            throw new IllegalArgumentException("over " + MOST_WISHES + " subscriptions to one topic");
-        }
+        subscription.wishes.remove(request.id());
         subscription.wishes.put(request.id(), new Wish(generation, millis));
-        subscription.generation = generation;
         server.subscribed();
     }
 
@@ -181,7 +186,7 @@ final class RosSession implements WebSocketListener {
                 if (subscription.isDue(nanos)) {
                     subscription.isSent = true;
                     subscription.sentNanos = nanos;
-                    due.add(new RosServer.Wanted(name, subscription.source, subscription.generation));
+                    due.add(new RosServer.Wanted(name, subscription.source, subscription.generation()));
                 }
             });
         }
@@ -201,13 +206,16 @@ final class RosSession implements WebSocketListener {
         RosTopic.Source source = source(request);
         require(source.topic().isReceived(), request, "is published by the robot only");
         generation(request, source, request.string("type"));
-        advertised.add(request.name("topic"));
+        advertised.put(request.name("topic"), source.robot());
     }
 
     private void publish(RosRequest request) {
         RosTopic.Source source = source(request);
         require(source.topic().isReceived(), request, "is published by the robot only");
-        require(advertised.contains(request.name("topic")), request, "is not advertised, expected op advertise first");
+        require(
+                advertised.containsKey(request.name("topic")),
+                request,
+                "is not advertised, expected op advertise first");
         Twist velocity = Twist.of(request.fields().get("msg"));
         requirePower();
         server.drive(this, source.robot(), velocity, reason -> refuse(request, reason));

@@ -40,6 +40,11 @@ final class VelocityCommands {
         end(driving -> driving.client == client);
     }
 
+    /** Brakes the robot if the client drives it. */
+    void release(Object client, SimulatedRobot robot) {
+        end(driving -> driving.client == client && driving == driven.get(robot));
+    }
+
     /** Called after each step of the simulation. */
     void tick(long nanos) {
         if (!driven.isEmpty()) {

@@ -138,6 +138,7 @@ class RosSessionTest {
                 "{} | expected op |",
                 "{'op':7,'id':[1]} | op: expected a string | [1]",
                 "{'op':'fly','id':'a'} | unknown op fly | a",
+                "{'op':'fly','id':1e400} | unknown op fly | 1E+400",
                 "{'op':'set_level','level':'error','id':3} | unknown op set_level | 3",
                 "{'op':'subscribe','id':1.5} | expected topic | 1.5",
                 "{'op':'subscribe','topic':'/nope','id':'a'} | topic /nope does not exist | a",
@@ -247,6 +248,26 @@ class RosSessionTest {
                 answer("{\"op\":\"unsubscribe\",\"id\":2,\"topic\":\"/clock\"}").get("msg"));
         accept("{\"op\":\"unsubscribe\",\"topic\":\"/clock\"}");
         assertFalse(session.hasSubscriptions());
+    }
+
+    @Test
+    void theGenerationIsThatOfTheNewestSubscriptionLeft() {
+        accept("{\"op\":\"subscribe\",\"id\":1,\"topic\":\"/clock\"}");
+        accept("{\"op\":\"subscribe\",\"id\":2,\"topic\":\"/clock\",\"type\":\"rosgraph_msgs/msg/Clock\"}");
+        assertEquals(List.of("/clock ROS_2"), due(1_000));
+        accept("{\"op\":\"unsubscribe\",\"id\":2,\"topic\":\"/clock\"}");
+        assertEquals(List.of("/clock ROS_1"), due(2_000));
+    }
+
+    @Test
+    void subscriptionsAreCountedOverAllTopics() {
+        for (int i = 0; i < 100; i++) {
+            accept("{\"op\":\"subscribe\",\"id\":" + i + ",\"topic\":\"" + (i % 2 == 0 ? "/tf" : "/clock") + "\"}");
+        }
+        assertEquals(
+                "over 100 subscriptions",
+                answer("{\"op\":\"subscribe\",\"topic\":\"/ann/odom\"}").get("msg"));
+        assertEquals(2, due(1_000).size());
     }
 
     @Test

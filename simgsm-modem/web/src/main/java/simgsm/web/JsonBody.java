@@ -19,7 +19,7 @@ public final class JsonBody {
      */
     public static Map<String, Object> read(HttpExchange exchange, int mostOctets) throws IOException, RequestException {
         String type = Objects.requireNonNullElse(exchange.getRequestHeaders().getFirst("Content-Type"), "");
-        if (!type.split(";")[0].strip().equalsIgnoreCase("application/json")) {
+        if (!type.split(";", 2)[0].strip().equalsIgnoreCase("application/json")) {
             throw new RequestException(
                     WebResponse.UNSUPPORTED_TYPE,
                     "expected Content-Type: application/json, found "

@@ -85,7 +85,8 @@ public final class JsonText {
             return value(string);
         }
         separate();
-        text.append(value instanceof Number number && !Double.isFinite(number.doubleValue()) ? null : value);
+        boolean isBinary = value instanceof Double || value instanceof Float;
+        text.append(isBinary && !Double.isFinite(((Number) value).doubleValue()) ? null : value);
         return this;
     }
 

@@ -80,7 +80,7 @@ final class WebSocketFrames {
         long length = lengthOctets == 8
                 ? pending.getLong(pending.position() + 2)
                 : lengthOctets == 2 ? pending.getShort(pending.position() + 2) & 0xffff : shortLength;
-        if (length < 0 || length + message.size() > mostOctets) {
+        if (length < 0 || length + ((first & OPCODE) < CLOSE ? message.size() : 0) > mostOctets) {
             throw new WebSocketViolation(
                     WebSocketViolation.TOO_BIG, "message too big, expected at most " + mostOctets + " octets");
         }

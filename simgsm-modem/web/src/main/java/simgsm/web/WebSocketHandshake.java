@@ -27,10 +27,13 @@ final class WebSocketHandshake {
             throw new RequestException(
                     WebResponse.METHOD_NOT_ALLOWED, "method " + head.method() + " is not allowed, expected GET");
         }
-        if (!head.contains("Connection", "upgrade") || head.field("Host").isEmpty() || !hasKey(head)) {
+        if (!head.version().equals("HTTP/1.1")
+                || !head.contains("Connection", "upgrade")
+                || head.field("Host").isEmpty()
+                || !hasKey(head)) {
             throw new RequestException(
                     WebResponse.BAD_REQUEST,
-                    "malformed WebSocket handshake, expected Host, Connection: Upgrade and a Sec-WebSocket-Key of 16 octets");
+                    "malformed WebSocket handshake, expected HTTP/1.1, Host, Connection: Upgrade and a Sec-WebSocket-Key of 16 octets");
         }
         if (!head.field("Sec-WebSocket-Version").equals(Optional.of(VERSION))) {
             throw new RequestException(UPGRADE_REQUIRED, "expected Sec-WebSocket-Version: " + VERSION);

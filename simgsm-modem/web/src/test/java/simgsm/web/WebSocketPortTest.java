@@ -184,6 +184,17 @@ class WebSocketPortTest {
         }
     }
 
+    @Test
+    void aPingInsideAMessageDoesNotCountTowardsItsLimit() throws IOException {
+        try (Client client = open()) {
+            client.send(frame(0x01, "61".repeat(MOST_OCTETS)));
+            client.send(frame(0x89, "62"));
+            assertEquals("8a62", client.frame());
+            client.send(frame(0x80, ""));
+            assertEquals("81" + "61".repeat(MOST_OCTETS), client.frame());
+        }
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -197,6 +208,7 @@ class WebSocketPortTest {
                 "Host: 127.0.0.1:80|Host: elsewhere.example|403",
                 "Upgrade: W|Origin: http://elsewhere.example;Upgrade: W|403",
                 "GET /echo HTTP/1.1|nonsense|400",
+                "HTTP/1.1|HTTP/1.0|400",
             })
     void aWrongHandshakeIsRefusedByStatus(String right, String wrong, int status) throws IOException {
         String request = HANDSHAKE.replace(right, wrong.replace(';', '\n'));

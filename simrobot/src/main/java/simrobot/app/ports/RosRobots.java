@@ -27,14 +27,17 @@ record RosRobots(SimRobot simRobot, Optional<AccessKeys> keys) implements RosSou
     public void order(String name, String operator, String keys, BiConsumer<Integer, String> ended) {
         simRobot.simulation()
                 .post(() -> simRobot.robot(name)
-                        .ifPresent(robot -> robot.order(operator, keys, report -> {
-                            if (report.state() == OrderReport.State.ENDED) {
-                                ended.accept(
-                                        report.reply()
-                                                .map(reply -> reply.tone().number())
-                                                .orElse(0),
-                                        report.reply().map(Reply::text).orElse(""));
-                            }
-                        })));
+                        .ifPresentOrElse(
+                                robot -> robot.order(operator, keys, report -> {
+                                    if (report.state() == OrderReport.State.ENDED) {
+                                        ended.accept(
+                                                report.reply()
+                                                        .map(reply ->
+                                                                reply.tone().number())
+                                                        .orElse(0),
+                                                report.reply().map(Reply::text).orElse(""));
+                                    }
+                                }),
+                                () -> ended.accept(0, "no robot " + name + " any more")));
     }
 }
