@@ -72,7 +72,7 @@ public final class LinkFrame {
         }
     }
 
-    private JPanel content(TextBundle texts) {
+    JPanel content(TextBundle texts) {
         JTextField letters = new JTextField(link);
         letters.setEditable(false);
         letters.setCaretPosition(0);

@@ -126,7 +126,7 @@ const Sound = (() => {
       return;
     }
     if (next < context.currentTime + 0.005) {
-      next = context.currentTime + 0.06;
+      next = context.currentTime + 0.12;
     } else if (next > context.currentTime + 0.3) {
       return;
     }
