@@ -27,7 +27,7 @@ final class PageSpeech implements SpeechSource {
     private final ArrayDeque<short[]> waiting = new ArrayDeque<>();
     private short[] last = new short[SpeechCodec.SAMPLES_PER_FRAME];
     private boolean isFilling = true;
-    /** Whether the page has stalled within a sound whose rest is still to come. */
+    /** True after the page has stalled within a sound, until the rest of that sound has been left out. */
     private boolean isInterrupted;
 
     private int substitutes;

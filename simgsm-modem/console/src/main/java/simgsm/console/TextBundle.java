@@ -27,7 +27,7 @@ public final class TextBundle {
         return language.getLanguage().equals("es") ? Locale.forLanguageTag("es") : Locale.ROOT;
     }
 
-    /** Of the texts; the root locale for English. */
+    /** The language of the texts; the root locale for English. */
     public Locale language() {
         return bundle.getLocale();
     }

@@ -53,7 +53,7 @@ final class Origins {
         }
     }
 
-    /** Whether a request is of no page, or of one of this machine. */
+    /** True if a request comes from no page, or from a page of this machine. */
     static boolean isLocal(Optional<String> origin) {
         return origin.map(each -> LOCAL_PAGE.matcher(each).matches()).orElse(true);
     }

@@ -15,12 +15,12 @@ public interface WebSocket {
     /** Ends the socket. What arrives from now on is dropped. @param reason at most 123 octets in UTF-8 */
     void close(int code, String reason);
 
-    /** Whether the client has not yet taken all that was sent. */
+    /** True while sent messages wait for the client to take them. */
     boolean hasOutput();
 
     /** The client's address. */
     InetAddress peer();
 
-    /** Whether no page of another host opened it: the request had no origin, or that of a page of this machine. */
+    /** True if the request had no origin, or that of a page of this machine: no page of another host opened the socket. */
     boolean isLocalPage();
 }

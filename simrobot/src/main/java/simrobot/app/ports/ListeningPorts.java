@@ -28,7 +28,7 @@ import simrobot.ros.RosServer;
 import simrobot.simulation.SimulationSnapshot;
 import vericommand.OrderReport;
 
-/** The ports on which the program listens, as the command line names them: AT commands, P2OS, HTTP and rosbridge. */
+/** The program's listening ports that the command line names: AT commands, P2OS, HTTP and rosbridge. */
 public final class ListeningPorts implements AutoCloseable {
     static final int MAX_PORT = 0xffff;
 
