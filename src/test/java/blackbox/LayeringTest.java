@@ -124,15 +124,15 @@ class LayeringTest {
             simrobot.source          : simgsm.file simrobot.behaviour simrobot.process
             simrobot.route           : simrobot.behaviour simrobot.process simrobot.world
             simrobot.robot           : vericommand simrobot.behaviour simrobot.world simrobot.process
-            simrobot.simulation      : vericommand simrobot.process simrobot.route simrobot.world simrobot.robot
+            simrobot.simulation      : vericommand simrobot.behaviour simrobot.process simrobot.route simrobot.world simrobot.robot
             simrobot.camera          : vericommand simrobot.world simrobot.robot simrobot.simulation
             simrobot.p2os            : simgsm.octets simgsm.net simgsm.state vericommand simrobot.robot simrobot.simulation
             simrobot.pioneer         : simgsm.net vericommand simrobot.behaviour simrobot.process simrobot.robot simrobot.simulation simrobot.p2os
             simrobot.replay          : simgsm.octets vericommand simgsm.console simrobot.process simrobot.world simrobot.robot simrobot.simulation
-            simrobot.drawing         : vericommand simgsm.draw simrobot.world simrobot.robot simrobot.simulation
+            simrobot.drawing         : vericommand simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : simgsm.timer simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
             simrobot.ros             : simgsm.net simgsm.web vericommand simrobot.robot simrobot.simulation simrobot.camera
-            simrobot.control         : simgsm.event simgsm.file simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
+            simrobot.control         : simgsm.event simgsm.file simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simrobot.behaviour simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
             simrobot.ui              : vericommand simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.file simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor

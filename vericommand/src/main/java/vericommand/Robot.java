@@ -54,10 +54,19 @@ public interface Robot {
      * {@link VeriCommand#processEnded}, after this has returned.
      *
      * @param number a key of {@link #processes}
+     * @param operator who orders it: a number, or the name of a program's operator; empty if the network does not say
      */
-    default void startProcess(int number) {
+    default void startProcess(int number, String operator) {
         throw new IllegalArgumentException("process " + number + ": this robot has none");
     }
+
+    /** Whether the process that runs has asked for the keys of the call that started it. */
+    default boolean takesKeys() {
+        return false;
+    }
+
+    /** Gives a key of the call to such a process. */
+    default void pressKey(char key) {}
 
     /** The true pose. */
     Pose pose();

@@ -34,6 +34,9 @@ public final class VeriCommand {
     /** The order that started the process of the robot; null if none did. */
     private OrderExecution process;
 
+    /** Whether the opening of an order has ended the process that took the keys. */
+    private boolean hasEndedProcess;
+
     private boolean reportedUnderWay;
 
     public VeriCommand(Robot robot, VeriCommandSettings settings, VeriCommandListener listener) {
@@ -67,6 +70,7 @@ public final class VeriCommand {
             display.callEndedWithinOrder();
         }
         call = null;
+        hasEndedProcess = false;
         recognizer.reset();
         listener.changed();
         if (brakes) {
@@ -92,7 +96,20 @@ public final class VeriCommand {
         if (call == null) {
             return;
         }
+        boolean isTaken = isOf(call, process) && robot.takesKeys();
+        if (isTaken) {
+            robot.pressKey(key);
+        }
+        if (isTaken && key != '*') {
+            // it belongs to the process, and is no stray key of an order
+            recognizer.reset();
+            return;
+        }
         Recognition recognition = recognizer.key(key);
+        if (isTaken && recognizer.isOpen()) {
+            hasEndedProcess = true;
+            robot.endAutonomy(() -> {});
+        }
         if (display.source() != OrderSource.CALL) {
             display.begin(call.from(), OrderSource.CALL);
         }
@@ -192,6 +209,7 @@ public final class VeriCommand {
         } else {
             settle(verdict(recognition), origin);
         }
+        hasEndedProcess = false;
         return true;
     }
 
@@ -219,7 +237,7 @@ public final class VeriCommand {
 
     /** An order that only asks for the status leaves the autonomous behaviour running. */
     private boolean endsAutonomy(Order order) {
-        return robot.isAutonomous()
+        return (robot.isAutonomous() || hasEndedProcess)
                 && (order.moves() || order.stops())
                 && !(verdict(order) instanceof Verdict.NoProcess);
     }
@@ -321,7 +339,7 @@ public final class VeriCommand {
             return;
         }
         OrderExecution started = running;
-        robot.startProcess(starting.number());
+        robot.startProcess(starting.number(), started.origin().from());
         process = started;
         end(texts.processStarted(starting.number(), name), OrderCourse.UNDER_WAY);
     }

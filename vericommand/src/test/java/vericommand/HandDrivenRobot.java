@@ -68,7 +68,7 @@ final class HandDrivenRobot implements Robot {
     }
 
     @Override
-    public void startProcess(int number) {
+    public void startProcess(int number, String operator) {
         machine.apply(StatusEvent.MOTION_STARTED);
         autonomous = true;
         processes.add(number);

@@ -14,6 +14,7 @@ import simrobot.control.SimRobot;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.source.BehaviourFolder;
+import simrobot.source.ProcessOutput;
 
 /** The processes that a command line asks for: {@code --behaviours DIR} and {@code --behaviour NAME}. */
 public final class RequestedBehaviours implements AutoCloseable {
@@ -36,7 +37,7 @@ public final class RequestedBehaviours implements AutoCloseable {
             return new RequestedBehaviours(list, Optional.empty());
         }
         // what a process prints must not come between the console's events
-        System.setOut(System.err);
+        ProcessOutput.install(System.err);
         try {
             return new RequestedBehaviours(
                     list, Optional.of(new BehaviourFolder(place.get(), list, new BehaviourFolder.Listener() {})));

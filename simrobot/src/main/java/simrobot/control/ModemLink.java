@@ -148,6 +148,8 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
             }
             long began = clockNanos.getAsLong() - Math.round(samplesSinceStart(digit) * NANOS_PER_SAMPLE);
             simulation.execute(() -> control.key(key, began));
+        } else if (event instanceof ModemEvent.KeyEnded) {
+            simulation.execute(control::keyEnded);
         } else if (event instanceof ModemEvent.StateChanged) {
             RobotEvent changed = state();
             simulation.execute(() -> control.tell(changed));
@@ -185,7 +187,7 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         tracer.reset();
         trace = tracer.newest();
         simulation.execute(() -> control.tell(new RobotEvent.CallReceived(caller)));
-        return new CallDecision(accepted, key(tone));
+        return new CallDecision(accepted, DtmfKey.of(tone.key()));
     }
 
     /**
@@ -209,9 +211,9 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
     // ---- to the modem ----------------------------------------------------------------------------------------------
 
     @Override
-    public void sendTone(long call, ReplyTone tone) {
+    public void sendTone(long call, char key) {
         stations.execute(() -> {
-            if (call == callNumber && modem.sendTone(key(tone))) {
+            if (call == callNumber && modem.sendTone(DtmfKey.of(key))) {
                 tonesToLeave++;
             }
         });
@@ -250,10 +252,6 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
     @Override
     public void setOrderUnderWay(boolean underWay) {
         stations.execute(() -> modem.setOrderUnderWay(underWay));
-    }
-
-    private static DtmfKey key(ReplyTone tone) {
-        return DtmfKey.of(tone.key());
     }
 
     private static String digits(Optional<Msisdn> number) {

@@ -1,11 +1,14 @@
 package simrobot.control;
 
-import vericommand.ReplyTone;
-
 /** Requests of a robot's control to its modem; callable on any thread. */
 interface ModemPort {
-    /** @param call number of the call in which the tone is sent; the tone is dropped if that call has ended */
-    void sendTone(long call, ReplyTone tone);
+    /**
+     * Sends a tone.
+     *
+     * @param call number of the call in which it is sent; it is dropped if that call has ended
+     * @param key of the telephone
+     */
+    void sendTone(long call, char key);
 
     /** Clears this call, and no later one, after the tones requested so far have been sent. */
     void clearCall(long call);

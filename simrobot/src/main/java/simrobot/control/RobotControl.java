@@ -53,6 +53,8 @@ final class RobotControl {
         robot.addFirstMotionListener(stopwatch::wheelsMoved);
         robot.autonomy().addListener(kind -> tell(new RobotEvent.BehaviourChanged(kind)));
         robot.autonomy().addEndListener(this::processEnded);
+        ProcessRequests requests = new ProcessRequests(modem, () -> callNumber, clockNanos, this::tell);
+        robot.autonomy().addRequestListener(requests::perform);
     }
 
     /** Returns the first tone for a caller, by the newest status; callable on any thread. */
@@ -82,6 +84,7 @@ final class RobotControl {
     /** @param call number of the call, by which the modem recognises late replies */
     void callBegan(long call, String caller) {
         callNumber = call;
+        robot.autonomy().call().begin(caller);
         veriCommand.callBegan(caller);
         modem.setOrderUnderWay(veriCommand.isUnderWay());
     }
@@ -92,6 +95,11 @@ final class RobotControl {
         stopwatch.keyBegan(beganNanos);
         veriCommand.key(key);
         stopwatch.noKey();
+    }
+
+    /** The key that came last sounds no longer. */
+    void keyEnded() {
+        robot.autonomy().call().release();
     }
 
     void speech(long samples) {
@@ -107,6 +115,7 @@ final class RobotControl {
 
     void callEnded(int cause) {
         tell(new RobotEvent.CallReleased(cause));
+        robot.autonomy().call().end();
         veriCommand.callEnded();
     }
 
@@ -165,7 +174,7 @@ final class RobotControl {
     private final class Answers implements VeriCommandListener {
         @Override
         public void tone(ReplyTone tone) {
-            modem.sendTone(callNumber, tone);
+            modem.sendTone(callNumber, tone.key());
         }
 
         @Override

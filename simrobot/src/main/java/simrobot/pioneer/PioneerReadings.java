@@ -129,6 +129,7 @@ final class PioneerReadings {
                 trail.points(),
                 robot.autonomy().kind(),
                 robot.autonomy().path(),
+                robot.autonomy().marks(),
                 false);
     }
 }

@@ -72,6 +72,18 @@ public final class BehaviourList {
     }
 
     /**
+     * Returns the process that drives to a place.
+     *
+     * @throws IllegalArgumentException if the world has no goal of this name; the message lists them
+     */
+    public synchronized BehaviourKind toPlace(String place) {
+        return goals.stream()
+                .filter(kind -> kind.text().equals("goto " + place))
+                .findFirst()
+                .orElseThrow(() -> BehaviourKind.unknown(goals, "goto " + place));
+    }
+
+    /**
      * Returns the process of this name, {@link BehaviourKind#NONE} included.
      *
      * @throws IllegalArgumentException if there is none; the message lists the names

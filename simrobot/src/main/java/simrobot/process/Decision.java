@@ -1,17 +1,26 @@
 package simrobot.process;
 
+import simrobot.behaviour.Requests;
 import simrobot.behaviour.Steering;
 
 /** What a process has decided. */
 public sealed interface Decision {
-    /** The speeds until the next decision. */
-    record Go(Steering steering) implements Decision {}
+    /** The speeds until the next decision, and what else the process asks for. */
+    record Go(Requests asked) implements Decision {
+        public Go(Steering steering) {
+            this(Requests.only(steering));
+        }
+
+        public Steering steering() {
+            return asked.steering();
+        }
+    }
 
     /** A decision that ends the process: the robot brakes. */
     sealed interface End extends Decision {}
 
     /** The process has reached what it was for. */
-    record Done() implements End {}
+    record Done(Requests asked) implements End {}
 
     /** The robot has come to the place to which the process drove it. */
     record Arrived() implements End {}

@@ -1,13 +1,18 @@
 package simrobot.robot;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import simrobot.behaviour.Requests;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
+import simrobot.process.CallKeys;
 import simrobot.process.Decision;
+import simrobot.process.Errand;
 import simrobot.process.RobotProcess;
 import simrobot.world.Position;
 import vericommand.RobotStatus;
@@ -31,11 +36,21 @@ public final class Autonomy {
     private final Pioneer robot;
     private final List<Consumer<BehaviourKind>> listeners = new CopyOnWriteArrayList<>();
     private final List<EndListener> endListeners = new CopyOnWriteArrayList<>();
+    private final List<BiConsumer<BehaviourKind, Requests>> requestListeners = new CopyOnWriteArrayList<>();
     private BehaviourKind kind = BehaviourKind.NONE;
     /** Null if none runs. */
     private RobotProcess process;
 
     private ProcessSenses senses;
+    private final CallKeys call = new CallKeys();
+    /** Who has ordered the process by telephone; empty for nobody. */
+    private String operator = "";
+
+    private boolean takesKeys;
+    /** Null while the process steers itself. */
+    private Errand errand;
+
+    private List<Requests.Mark> marks = List.of();
     /** Of a process that has ended by itself, until the robot stands; else null. */
     private Decision.End ending;
 
@@ -84,17 +99,41 @@ public final class Autonomy {
     /**
      * Begins the process that had this number when {@link #processes} was last called, in status Stopped: the list may have
      * changed since, on another thread.
+     *
+     * @param from the number of who has ordered it
      */
-    public void begin(int number) {
+    public void begin(int number, String from) {
         if (!begin(announced.get(number - 1))) {
             throw new IllegalStateException("process " + number + " is not possible in "
                     + robot.status().text());
         }
+        operator = from;
     }
 
     /** The way that the process is about to take; empty if it plans none. */
     public List<Position> path() {
-        return isUnfinished() ? process.path() : List.of();
+        RobotProcess driver = errand == null ? process : errand.route();
+        return isUnfinished() ? driver.path() : List.of();
+    }
+
+    /** What its process has drawn on the floor; a new list at every change. */
+    public List<Requests.Mark> marks() {
+        return marks;
+    }
+
+    /** The robot's call, for its process. */
+    public CallKeys call() {
+        return call;
+    }
+
+    /** Whether the running process has asked for the keys of the call. */
+    public boolean takesKeys() {
+        return isUnfinished() && takesKeys;
+    }
+
+    /** Adds a listener for what processes ask for, after each decision, on the owner thread. */
+    public void addRequestListener(BiConsumer<BehaviourKind, Requests> listener) {
+        requestListeners.add(listener);
     }
 
     /** Adds a listener for the new kind at every change, on the owner thread. */
@@ -121,6 +160,7 @@ public final class Autonomy {
             return false;
         }
         change(next, next.begin(robot.surroundings()).orElse(null), new Decision.Replaced());
+        operator = "";
         prepare();
         return true;
     }
@@ -140,8 +180,16 @@ public final class Autonomy {
         prepare();
     }
 
+    private String caller() {
+        return operator.isEmpty() ? call.caller() : operator;
+    }
+
     private void prepare() {
-        senses = new ProcessSenses(robot);
+        call.clear();
+        takesKeys = false;
+        errand = null;
+        marks = List.of();
+        senses = new ProcessSenses(robot, this::caller, call, () -> errand != null && errand.hasArrived());
         inCollisionNanos = 0;
         if (isActive()) {
             sinceDecisionNanos = process.periodNanos();
@@ -225,14 +273,45 @@ public final class Autonomy {
         } else if (sinceDecisionNanos >= process.periodNanos()) {
             // a real robot is heard of less often than some processes decide
             sinceDecisionNanos = Math.min(sinceDecisionNanos - process.periodNanos(), process.periodNanos());
-            perform(process.decide(senses));
+            perform(driven(process.decide(senses)));
         }
+    }
+
+    /** The decision, with the speeds of the way to the place for which it asks. */
+    private Decision driven(Decision decision) {
+        if (!(decision instanceof Decision.Go go) || go.asked().place().isEmpty()) {
+            errand = null;
+            return decision;
+        }
+        String place = go.asked().place();
+        if (errand == null || !errand.place().equals(place)) {
+            try {
+                errand = new Errand(place, choice.toPlace(place).begin(robot.surroundings()).orElseThrow());
+            } catch (IllegalArgumentException unknown) {
+                return new Decision.Failed(0, "goTo: " + unknown.getMessage());
+            }
+        }
+        return errand.step(go.asked(), senses, process.periodNanos());
+    }
+
+    private void note(Requests asked) {
+        takesKeys |= asked.takesKeys();
+        if (asked.erases() || !asked.marks().isEmpty()) {
+            List<Requests.Mark> all = new ArrayList<>(asked.erases() ? List.of() : marks);
+            all.addAll(asked.marks());
+            marks = List.copyOf(all.subList(Math.max(0, all.size() - Requests.MOST_MARKS), all.size()));
+        }
+        requestListeners.forEach(listener -> listener.accept(kind, asked));
     }
 
     private void perform(Decision decision) {
         if (decision instanceof Decision.Go go) {
+            note(go.asked());
             robot.steer(go.steering());
         } else {
+            if (decision instanceof Decision.Done done) {
+                note(done.asked());
+            }
             ending = (Decision.End) decision;
             robot.stopSteering();
             concludeIfStanding();

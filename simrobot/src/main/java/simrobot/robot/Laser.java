@@ -30,7 +30,7 @@ public final class Laser {
         on = isOn;
     }
 
-    /** What the laser measures now, without noise: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */
+    /** What the laser measures now: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */
     double rangeMeters(int reading) {
         if (reading < 0 || reading >= Senses.LASER_READINGS) {
             throw new IndexOutOfBoundsException("laser reading " + reading + ", expected 0 to 180");
@@ -48,7 +48,7 @@ public final class Laser {
     private double rangeMeters(LaserField field, int reading) {
         double heading = robot.headingRadians();
         double bearing = field.radians(reading);
-        return floor.rayRange(
+        double exact = floor.rayRange(
                 robot,
                 robot.xMeters() + MOUNT_METERS * StrictMath.cos(heading),
                 robot.yMeters() + MOUNT_METERS * StrictMath.sin(heading),
@@ -56,5 +56,7 @@ public final class Laser {
                 StrictMath.sin(heading + bearing),
                 RANGE_METERS,
                 SonarClock.NOW);
+        return robot.noise()
+                .laser(exact, Math.round(1000 * bearing), floor.sonarClock().steps());
     }
 }

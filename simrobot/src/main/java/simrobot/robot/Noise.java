@@ -3,11 +3,11 @@ package simrobot.robot;
 import java.util.SplittableRandom;
 
 /**
- * Errors of wheels and sonars. The size of the tyres deviates by a share that is drawn once, their slip is drawn at each
- * step, and sonar ranges scatter. All draws follow from a seed: those of the wheels in the order of steps, those of the
- * sonars by the step's number, so that reading a sonar changes nothing.
+ * Errors of wheels, sonars and laser. The size of the tyres deviates by a share that is drawn once, their slip is drawn at
+ * each step, and ranges scatter. All draws follow from a seed: those of the wheels in the order of steps, those of the
+ * ranges by the step's number, so that reading a range changes nothing.
  *
- * <p>Scale 1 is MobileSim's: at most 0.75 % of distance and turn. Scale 0 is exact.
+ * <p>Scale 1 is MobileSim's for wheels and sonars: at most 0.75 % of distance and turn. Scale 0 is exact.
  */
 public final class Noise {
     public static final Noise NONE = new Noise(0, 0);
@@ -22,6 +22,12 @@ public final class Noise {
 
     /** ... plus this. */
     private static final double SONAR_METERS = 0.005;
+
+    /** Standard deviation of a laser's range: a SICK LMS 200's. */
+    private static final double LASER_METERS = 0.005;
+
+    /** Keeps the laser's draws apart from those of the sonars. */
+    private static final long LASER_SEED = 0x5DEECE66DL;
 
     private final double scale;
     private final long seed;
@@ -63,5 +69,15 @@ public final class Noise {
         double drawn = new SplittableRandom(seed ^ (step * SonarRing.COUNT + sonar)).nextDouble(-1, 1);
         double measured = meters + drawn * scale * (SONAR_METERS + SONAR_SHARE * meters);
         return Math.max(Pioneer2Dx.SONAR_LEAST_METERS, Math.min(Pioneer2Dx.SONAR_RANGE_METERS, measured));
+    }
+
+    /** The range that a laser measures; without an echo it stays 32 m. @param milliradians the reading's direction */
+    double laser(double meters, long milliradians, long step) {
+        if (scale == 0 || meters >= Laser.RANGE_METERS) {
+            return meters;
+        }
+        long drawn = (seed ^ LASER_SEED) + (step << 16) + milliradians;
+        double error = new SplittableRandom(drawn).nextGaussian() * scale * LASER_METERS;
+        return Math.max(0, Math.min(Laser.RANGE_METERS, meters + error));
     }
 }

@@ -139,8 +139,18 @@ public abstract class Pioneer implements Robot {
     }
 
     @Override
-    public final void startProcess(int number) {
-        autonomy.begin(number);
+    public final void startProcess(int number, String operator) {
+        autonomy.begin(number, operator);
+    }
+
+    @Override
+    public final boolean takesKeys() {
+        return autonomy.takesKeys();
+    }
+
+    @Override
+    public final void pressKey(char key) {
+        autonomy.call().press(key);
     }
 
     @Override
@@ -171,6 +181,11 @@ public abstract class Pioneer implements Robot {
     @Override
     public final Pose pose() {
         return PoseRounding.pose(xMeters(), yMeters(), headingRadians());
+    }
+
+    /** The pose by the turns of the wheels, in a frame of its own; of a real robot, the pose. */
+    protected Pose odometryPose() {
+        return pose();
     }
 
     /** Speed of the wheels, metres per second ahead. */

@@ -326,6 +326,11 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         return odometry;
     }
 
+    @Override
+    protected Pose odometryPose() {
+        return PoseRounding.pose(odometry.xMeters(), odometry.yMeters(), odometry.headingRadians());
+    }
+
     /** Sets the odometry to 0. */
     public void resetOdometry() {
         odometry.set(0, 0, 0);
@@ -353,7 +358,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
                 hasLowBattery(),
                 status() == RobotStatus.COLLISION,
                 bumpers(),
-                PoseRounding.pose(odometry.xMeters(), odometry.yMeters(), odometry.headingRadians()),
+                odometryPose(),
                 odometryZero);
     }
 
@@ -361,7 +366,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         return noise;
     }
 
-    /** Sets the errors of wheels and sonars. */
+    /** Sets the errors of wheels, sonars and laser. */
     public void setNoise(Noise newNoise) {
         noise = newNoise;
     }

@@ -1,6 +1,7 @@
 package simrobot.simulation;
 
 import java.util.List;
+import simrobot.behaviour.Requests;
 import simrobot.process.BehaviourKind;
 import simrobot.robot.Condition;
 import simrobot.robot.Trail;
@@ -14,6 +15,7 @@ import vericommand.RobotStatus;
  * @param turnRadiansPerSecond anticlockwise
  * @param sonarRangesMeters sixteen, sonar 0 first; empty with over 16 robots unless this one is watched
  * @param path the way that its process is about to take; empty if it plans none
+ * @param marks what its process has drawn on the floor
  * @param laserRangesMeters 181, from 90 degrees at the right to 90 at the left; empty while the laser is off
  * @param simulated false for a real robot, which has no simulated camera
  */
@@ -33,6 +35,7 @@ public record RobotSnapshot(
         Trail.Points trail,
         BehaviourKind behaviour,
         List<Position> path,
+        List<Requests.Mark> marks,
         boolean simulated) {
     /** Whether the other robot has the same pose. */
     public boolean isAtPoseOf(RobotSnapshot other) {

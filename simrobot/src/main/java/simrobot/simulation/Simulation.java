@@ -89,7 +89,7 @@ public final class Simulation {
         return random;
     }
 
-    /** Sets the errors of wheels and sonars of robots added from now on: 0 none, 1 MobileSim's, at most 10. */
+    /** Sets the errors of wheels, sonars and laser of robots added from now on: 0 none, 1 MobileSim's, at most 10. */
     public void setNoise(double scale) {
         noise = scale;
     }
@@ -346,6 +346,7 @@ public final class Simulation {
                 robot.trail().points(),
                 robot.autonomy().kind(),
                 robot.autonomy().path(),
+                robot.autonomy().marks(),
                 true);
     }
 }

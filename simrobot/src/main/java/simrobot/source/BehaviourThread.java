@@ -4,6 +4,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.concurrent.Callable;
 import simrobot.behaviour.Behaviour;
+import simrobot.behaviour.Requests;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 import simrobot.process.Decision;
@@ -142,12 +143,12 @@ final class BehaviourThread implements RobotProcess {
             Senses senses = next();
             Behaviour behaviour = senses == null ? null : maker.call();
             while (senses != null) {
-                Steering steering = behaviour.decide(senses);
-                if (steering == null) {
+                Requests asked = Requests.of(behaviour, senses);
+                if (asked.steering() == null) {
                     answer(new Decision.Failed(0, "decide returned null, expected a Steering"));
                     return;
                 }
-                answer(behaviour.isDone() ? new Decision.Done() : new Decision.Go(steering));
+                answer(asked.isDone() ? new Decision.Done(asked) : new Decision.Go(asked));
                 senses = next();
             }
         } catch (Throwable thrown) {

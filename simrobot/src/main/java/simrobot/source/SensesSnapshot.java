@@ -1,6 +1,7 @@
 package simrobot.source;
 
 import java.util.stream.IntStream;
+import simrobot.behaviour.Requests;
 import simrobot.behaviour.Senses;
 
 /**
@@ -18,7 +19,14 @@ record SensesSnapshot(
         double headingRadians,
         double metersPerSecond,
         boolean isBlocked,
-        double seconds)
+        double seconds,
+        double odometryXMeters,
+        double odometryYMeters,
+        double odometryHeadingRadians,
+        boolean hasArrived,
+        char heldKey,
+        String newKeys,
+        String caller)
         implements Senses {
     private static final int BUMPERS = 5;
 
@@ -38,7 +46,14 @@ record SensesSnapshot(
                 live.headingRadians(),
                 live.metersPerSecond(),
                 live.isBlocked(),
-                live.seconds());
+                live.seconds(),
+                live.odometryXMeters(),
+                live.odometryYMeters(),
+                live.odometryHeadingRadians(),
+                live.hasArrived(),
+                live.key(),
+                live.pressedKeys(),
+                live.caller());
     }
 
     private static double[] laser(Senses live) {
@@ -62,6 +77,18 @@ record SensesSnapshot(
             throw new UnsupportedOperationException("this robot has no laser, expected sonarMeters");
         }
         return laser[reading];
+    }
+
+    @Override
+    public char key() {
+        Requests.noteKeys();
+        return heldKey;
+    }
+
+    @Override
+    public String pressedKeys() {
+        Requests.noteKeys();
+        return newKeys;
     }
 
     @Override

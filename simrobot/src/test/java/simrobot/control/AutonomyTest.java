@@ -186,13 +186,13 @@ class AutonomyTest {
         list.put(new BehaviourKind("Mine", around -> RobotProcess.inPlace(new Wander(1))));
         assertEquals("Mine", bench.robot.processes().get(3));
         list.put(new BehaviourKind("Another", around -> RobotProcess.inPlace(new Wander(1))));
-        bench.robot.startProcess(3);
+        bench.robot.startProcess(3, "");
         assertEquals("Mine", bench.robot.autonomy().kind().text());
         bench.robot.autonomy().end();
         bench.seconds(3);
         assertEquals("Mine", bench.robot.processes().get(4));
         list.remove("Another");
-        bench.robot.startProcess(4);
+        bench.robot.startProcess(4, "");
         assertEquals("Mine", bench.robot.autonomy().kind().text());
     }
 

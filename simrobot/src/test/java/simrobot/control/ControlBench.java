@@ -9,7 +9,6 @@ import simrobot.simulation.Simulation;
 import simrobot.world.Position;
 import simrobot.world.Segment;
 import simrobot.world.World;
-import vericommand.ReplyTone;
 import vericommand.VeriCommandSettings;
 
 /** A robot in a simulation whose steps the test makes, a modem that only writes down, and the console's lines. */
@@ -50,8 +49,8 @@ final class ControlBench implements ModemPort {
     }
 
     @Override
-    public void sendTone(long call, ReplyTone tone) {
-        log.add("modem: tone " + tone.key());
+    public void sendTone(long call, char key) {
+        log.add("modem: tone " + key);
     }
 
     @Override

@@ -71,4 +71,39 @@ public final class FixedSenses implements Senses {
     public double seconds() {
         return 0;
     }
+
+    @Override
+    public double odometryXMeters() {
+        return 0;
+    }
+
+    @Override
+    public double odometryYMeters() {
+        return 0;
+    }
+
+    @Override
+    public double odometryHeadingRadians() {
+        return 0;
+    }
+
+    @Override
+    public boolean hasArrived() {
+        return false;
+    }
+
+    @Override
+    public char key() {
+        return NO_KEY;
+    }
+
+    @Override
+    public String pressedKeys() {
+        return "";
+    }
+
+    @Override
+    public String caller() {
+        return "";
+    }
 }

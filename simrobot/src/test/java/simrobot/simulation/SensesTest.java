@@ -39,7 +39,7 @@ class SensesTest {
 
     @Test
     void theLaserSeesWallsAndRobotsUpTo32MetersAway() {
-        Simulation simulation = simulation(World.of("far walls", List.of(new Segment(-50, 30, 50, 30))), 3, 1);
+        Simulation simulation = simulation(World.of("far walls", List.of(new Segment(-50, 30, 50, 30))), 0, 1);
         SimulatedRobot robot = robot(simulation);
         simulation.addRobot("other", new Position(20, 0), 0);
         robot.sonarRangesMeters();
@@ -50,6 +50,28 @@ class SensesTest {
         assertEquals(30 / Math.cos(Math.toRadians(10)), ranges[170], 1e-9);
         assertEquals(32, ranges[0], "nothing at the right");
         assertEquals(32, ranges[140], "the wall is farther than 32 m there");
+    }
+
+    @Test
+    void aNoisyLaserScattersBy5MillimetersAndTheSameSeedAndStepReadTheSame() {
+        World walls = World.of("walls", List.of(new Segment(-2, 3, 2, 3)));
+        Simulation simulation = simulation(walls, 1, 2);
+        SimulatedRobot robot = robot(simulation);
+        SimulatedRobot twin = robot(simulation(walls, 1, 2));
+        double sum = 0;
+        double squares = 0;
+        for (int i = 0; i < 1000; i++) {
+            double error = robot.laserMeters(180) - 3;
+            assertEquals(robot.laserMeters(180), robot.laserMeters(180));
+            sum += error;
+            squares += error * error;
+            assertEquals(32, robot.laserMeters(0), "without an echo there is no error");
+            simulation.step();
+        }
+        assertEquals(0, sum / 1000, 0.0005);
+        assertEquals(0.005, Math.sqrt(squares / 1000), 0.0005);
+        assertEquals(twin.laserMeters(90), robot(simulation(walls, 1, 2)).laserMeters(90));
+        assertNotEquals(twin.laserMeters(180), robot(simulation(walls, 1, 3)).laserMeters(180));
     }
 
     // ---- bumpers ---------------------------------------------------------------------------------------------------

@@ -25,6 +25,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
+import simrobot.process.Decision;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.world.Position;
@@ -80,7 +81,7 @@ class BehaviourFolderTest {
     }
 
     private void begin(String name) {
-        robot.autonomy().addEndListener((kind, how) -> ends.add(kind + " " + how));
+        robot.autonomy().addEndListener((kind, how) -> ends.add(kind + " " + (how instanceof Decision.Done ? "Done" : how)));
         assertTrue(robot.autonomy().begin(list.of(name)));
     }
 
@@ -243,7 +244,7 @@ class BehaviourFolderTest {
         open();
         begin("Meter");
         runUntilItEnds();
-        assertEquals(List.of("Meter Done[]"), ends);
+        assertEquals(List.of("Meter Done"), ends);
         assertEquals(RobotStatus.STOPPED, robot.status());
         assertEquals(1, robot.xMeters(), 0.6);
     }

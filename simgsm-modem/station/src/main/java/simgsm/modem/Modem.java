@@ -9,8 +9,10 @@ import java.util.function.Function;
 import java.util.random.RandomGenerator;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
+import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.station.MobileStation;
 import simgsm.station.StationSnapshot;
@@ -90,12 +92,20 @@ public final class Modem implements AnsweringModem {
         this.admission = admission;
         this.listener = listener;
         answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(options.answerAfterMillis());
-        receiver = new DtmfReceiver(digit -> {
-            idleSamples = 0;
-            if (outages.keyDecided(digit.key())) {
-                listener.accept(new ModemEvent.KeyUnreadable());
+        receiver = new DtmfReceiver(new DtmfListener() {
+            @Override
+            public void keyDecided(DtmfDigit digit) {
+                idleSamples = 0;
+                if (outages.keyDecided(digit.key())) {
+                    listener.accept(new ModemEvent.KeyUnreadable());
+                }
+                listener.accept(new ModemEvent.KeyDecided(digit));
             }
-            listener.accept(new ModemEvent.KeyDecided(digit));
+
+            @Override
+            public void keyEnded(DtmfDigit digit) {
+                listener.accept(new ModemEvent.KeyEnded());
+            }
         });
         station = new MobileStation(identity, sim, options.station(), this::fillFrame, this::accept, random);
         replies = new Replies(station, listener);

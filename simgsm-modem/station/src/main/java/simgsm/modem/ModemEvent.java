@@ -9,6 +9,9 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
     /** A key in an accepted call, at its decision, while its tone sounds. */
     record KeyDecided(DtmfDigit digit) implements ModemEvent {}
 
+    /** The key decided last sounds no longer; a real modem that does not say how long it sounded tells it at once. */
+    record KeyEnded() implements ModemEvent {}
+
     /** A tone could not be sent. */
     record ReplyToneFailed(DtmfKey key) implements ModemEvent {}
 

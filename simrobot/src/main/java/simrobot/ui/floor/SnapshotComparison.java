@@ -24,6 +24,7 @@ final class SnapshotComparison {
                 && a.status() == b.status()
                 && a.isAtPoseOf(b)
                 && a.trail() == b.trail()
+                && a.marks() == b.marks()
                 && Arrays.equals(a.sonarRangesMeters(), b.sonarRangesMeters());
     }
 }

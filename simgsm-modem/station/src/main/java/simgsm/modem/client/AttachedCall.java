@@ -144,6 +144,7 @@ final class AttachedCall {
         LOG.log(Level.INFO, "key " + key.symbol() + (millis.isPresent() ? ", " + millis.getAsInt() + " ms" : ""));
         long now = (timers.nowNanos() - connectedNanos) / NANOS_PER_SAMPLE;
         heard(new ModemEvent.KeyDecided(DtmfDigit.reported(key, now, millis)));
+        heard(new ModemEvent.KeyEnded());
     }
 
     /** A line that could have been the report of a key. */
