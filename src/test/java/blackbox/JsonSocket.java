@@ -32,11 +32,12 @@ class JsonSocket implements AutoCloseable, WebSocket.Listener {
                 .join();
     }
 
-    public final void say(String message) {
+    /** Sends a text; a text and the sound of another thread wait for one another, as the socket refuses a second message. */
+    public final synchronized void say(String message) {
         socket.sendText(message, true).join();
     }
 
-    final void sendOctets(byte[] octets) {
+    final synchronized void sendOctets(byte[] octets) {
         socket.sendBinary(ByteBuffer.wrap(octets), true).join();
     }
 
