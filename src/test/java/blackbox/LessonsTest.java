@@ -92,7 +92,7 @@ class LessonsTest {
         String text = Files.readString(result);
         assertTrue(text.startsWith("result lesson=twelve-keys student=\"\" seed=5 time="), text);
         assertTrue(text.contains("\nanswer name=key1 text=\"1 2\"\n"), text);
-        assertTrue(text.contains("\nscore of=7 passed=0\nhash sha256="), text);
+        assertTrue(text.contains("\nscore of=7 passed=0\ncopy text="), text);
     }
 
     @Test

@@ -182,7 +182,7 @@ final class SuiteWindows {
                     text -> text,
                     nothing(LessonActions.class));
             List<LessonView.StepView> steps = lesson.steps().stream()
-                    .map(step -> new LessonView.StepView(step.name(), LessonView.StepState.DONE, true))
+                    .map(step -> new LessonView.StepView(step.name(), LessonView.StepState.DONE, true, ""))
                     .toList();
             panel.show(new LessonView(
                     9999,

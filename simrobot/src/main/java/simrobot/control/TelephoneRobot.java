@@ -13,6 +13,7 @@ import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
 import simgsm.tone.ToneExperiment;
 import simrobot.robot.Pioneer;
+import simrobot.robot.Placement;
 import simrobot.robot.SimulatedRobot;
 import vericommand.OrderReport;
 import vericommand.VeriCommandSettings;
@@ -85,6 +86,15 @@ public final class TelephoneRobot {
     /** For the simulation's thread only. */
     public Pioneer robot() {
         return control.robot();
+    }
+
+    /** Puts the robot there by hand, and tells of it. For the simulation's thread only. */
+    public Placement place(double xMeters, double yMeters, double headingRadians) {
+        Placement placement = robot().place(xMeters, yMeters, headingRadians);
+        if (placement == Placement.DONE) {
+            control.tell(new RobotEvent.Placed(robot().pose()));
+        }
+        return placement;
     }
 
     /** Returns the robot if it is simulated. For the simulation's thread only. */

@@ -6,8 +6,10 @@ import java.util.Map;
 import java.util.function.UnaryOperator;
 
 /**
- * A test of one field of an event, as {@code cause=16|17}, {@code x>=4.2}, {@code number=697+-1.5%} or {@code text~#**20}.
+ * A test of one field of an event, as {@code cause=16|17}, {@code x>=4.2}, {@code number=697+-1.5%} or {@code text~#**20}, or of a
+ * kept value when the event comes, as {@code {cell}=east}.
  *
+ * @param field of the event, or a name in braces
  * @param value as written; names in braces are replaced at each test
  */
 public record FieldTest(String field, String operator, String value) {
@@ -17,7 +19,7 @@ public record FieldTest(String field, String operator, String value) {
 
     /** @throws LessonException if there is no operator */
     static FieldTest parse(String word) throws LessonException {
-        int at = 0;
+        int at = word.startsWith("{") ? word.indexOf('}') + 1 : 0;
         while (at < word.length() && (Character.isLetterOrDigit(word.charAt(at)) || word.charAt(at) == '-')) {
             at++;
         }
@@ -30,19 +32,24 @@ public record FieldTest(String field, String operator, String value) {
         throw new LessonException("expected FIELD and one of " + String.join(" ", OPERATORS) + ", found " + word);
     }
 
-    /** Whether the fields pass; a missing field fails, except for {@code !=}. */
+    /** Whether the fields pass; a field or value that is missing fails, except for {@code !=}. */
     boolean isPassedBy(Map<String, String> fields, UnaryOperator<String> variables) {
-        String found = fields.get(field);
-        if (found == null) {
+        String found = field.startsWith("{") ? known(variables.apply(field)) : fields.get(field);
+        String wanted = known(variables.apply(value));
+        if (found == null || wanted == null) {
             return operator.equals("!=");
         }
-        String wanted = variables.apply(value);
         return switch (operator) {
             case "=" -> isOneOf(found, wanted);
             case "!=" -> !isOneOf(found, wanted);
             case "~" -> plain(found).contains(plain(wanted));
             default -> compare(found, wanted);
         };
+    }
+
+    /** Null while a name in braces has no value yet, so that an answer cannot be right by naming it. */
+    private static String known(String replaced) {
+        return LessonVariables.namesIn(replaced).isEmpty() ? replaced : null;
     }
 
     private static boolean isOneOf(String found, String wanted) {

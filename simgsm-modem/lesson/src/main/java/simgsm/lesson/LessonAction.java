@@ -1,5 +1,6 @@
 package simgsm.lesson;
 
+import java.math.BigDecimal;
 import java.util.List;
 import java.util.Optional;
 
@@ -22,14 +23,18 @@ public record LessonAction(String name, int stepsAbove, Input input, List<String
 
     /** A number between two limits, which belong to it. */
     public record Range(int least, int most, boolean isWhole) implements Input {
-        /** The number in digits with a dot, if the text begins with one in range; a comma may stand for the dot. */
+        /**
+         * The number in digits with a dot, if the text begins with one in range; a comma may stand for the dot. Equal numbers
+         * have equal digits: {@code 8} and {@code 08.0} are one.
+         */
         public Optional<String> number(String text) {
             String word = text.strip().split("\\s+", 2)[0].replace(',', '.').replace('\u2212', '-');
             if (!word.matches(isWhole ? "-?[0-9]{1,9}" : "-?[0-9]{1,9}([.][0-9]{1,9})?")) {
                 return Optional.empty();
             }
-            double number = Double.parseDouble(word);
-            return number < least || number > most ? Optional.empty() : Optional.of(word);
+            BigDecimal number = new BigDecimal(word).stripTrailingZeros();
+            boolean isInRange = number.doubleValue() >= least && number.doubleValue() <= most;
+            return isInRange ? Optional.of(number.toPlainString()) : Optional.empty();
         }
     }
 

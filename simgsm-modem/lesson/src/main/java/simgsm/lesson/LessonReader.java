@@ -17,7 +17,7 @@ final class LessonReader {
 
     /** Words with a meaning of their own where programs are named. */
     private static final Set<String> TAKEN = Set.of(
-            ("predict answer start stop tool java drive capture give use at submit act " + "different").split(" "));
+            ("predict answer hint start stop tool java drive capture give use at submit act " + "different").split(" "));
 
     private static final String ACTION = "action NAME [text|number LEAST..MOST|integer LEAST..MOST|file [ENDING]]";
     private static final Pattern RANGE = Pattern.compile("(number|integer) (-?[0-9]{1,6})[.][.](-?[0-9]{1,6})");
@@ -43,7 +43,7 @@ final class LessonReader {
     private final List<LessonVariable> variables = new ArrayList<>();
     private String step;
     private Optional<String> after = Optional.empty();
-    private Optional<EventPattern> again = Optional.empty();
+    private final List<EventPattern> again = new ArrayList<>();
     private Optional<String> answer = Optional.empty();
     private final List<LessonCondition> conditions = new ArrayList<>();
 
@@ -111,7 +111,7 @@ final class LessonReader {
                 require(steps.stream().noneMatch(each -> each.name().equals(step)), "a step's name once", step);
             }
             case "after" -> after = Optional.of(known(inStep(one(words, "a step's name"))));
-            case "again" -> again = Optional.of(pattern(rest));
+            case "again" -> again.add(pattern(rest));
             case "answer" -> answer = Optional.of(inStep(one(words, "a name")));
             case "when" -> conditions.add(LessonCondition.inOrder(List.of(pattern(rest))));
             case "then" -> then(rest);
@@ -346,7 +346,7 @@ final class LessonReader {
         steps.add(new LessonStep(step, after, again, answer, conditions));
         step = null;
         after = Optional.empty();
-        again = Optional.empty();
+        again.clear();
         answer = Optional.empty();
         conditions.clear();
     }

@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import simgsm.console.Event;
 
 /** One student's way through a lesson: events come in, steps become done. One thread at a time. */
@@ -23,6 +25,7 @@ public final class LessonRun {
     private final List<Progress> steps = new ArrayList<>();
     private final Map<String, String> answers = new LinkedHashMap<>();
     private String prediction = "";
+    private Consumer<StepResult> listener = result -> {};
 
     /** @param seed chooses the student's own numbers */
     public LessonRun(Lesson lesson, long seed, LessonFunctions functions) {
@@ -38,6 +41,11 @@ public final class LessonRun {
 
     public long seed() {
         return seed;
+    }
+
+    /** Tells of each step that is done, and of each answer that is not right, as it happens. */
+    public void listen(Consumer<StepResult> next) {
+        listener = next;
     }
 
     /** Gives a name a value that the task may show, such as a folder. */
@@ -105,14 +113,36 @@ public final class LessonRun {
         return progress.step.after().map(this::isDone).orElse(true);
     }
 
-    /** Whether all conditions of a step hold. */
-    public boolean isDone(String name) {
-        return steps.stream().anyMatch(progress -> progress.step.name().equals(name) && progress.isDone());
+    private Progress progress(String name) {
+        return steps.stream()
+                .filter(each -> each.step.name().equals(name))
+                .findFirst()
+                .orElseThrow();
     }
 
-    /** Whether a limit of a step is exceeded, so that only a new run can pass it. */
-    public boolean isLost(String name) {
-        return steps.stream().anyMatch(progress -> progress.step.name().equals(name) && progress.isLost());
+    /** Whether all conditions of a step hold. */
+    public boolean isDone(String name) {
+        return progress(name).isDone();
+    }
+
+    /** Whether a limit of a step is exceeded, so that only a new try can pass it, or a new run where it has no tries. */
+    public boolean isExceeded(String name) {
+        return progress(name).isExceeded();
+    }
+
+    /** The student opens the hint of a step. */
+    public void hint(String name) {
+        progress(name).hint();
+    }
+
+    /** How a step stands. */
+    public StepResult result(String name) {
+        return progress(name).result();
+    }
+
+    /** What has been counted for the step's conditions that count, such as {@code 2/3}; without those that allow none. */
+    public List<String> counts(String name) {
+        return progress(name).counted();
     }
 
     public int score() {
@@ -147,6 +177,8 @@ public final class LessonRun {
         private final Map<LessonCondition, Set<String>> values = new HashMap<>();
 
         private boolean isDone;
+        private int tries;
+        private int hints;
 
         Progress(LessonStep step) {
             this.step = step;
@@ -157,14 +189,19 @@ public final class LessonRun {
             if (isDone) {
                 return;
             }
-            if (step.again()
-                    .filter(each -> each.matches(source, event, LessonRun.this::solved))
-                    .isPresent()) {
+            boolean isAnswer =
+                    source.equals(STUDENT) && step.answer().equals(Optional.of(event.name()));
+            if (step.again().stream().anyMatch(each -> each.matches(source, event, LessonRun.this::solved))) {
+                tries += Arrays.stream(counts).anyMatch(count -> count > 0) ? 1 : 0;
                 Arrays.fill(counts, 0);
                 values.clear();
             }
             count(source, event);
             isDone = areAllMet();
+            if (isDone || isAnswer) {
+                tries++;
+                listener.accept(result());
+            }
         }
 
         private void count(String source, Event event) {
@@ -206,16 +243,30 @@ public final class LessonRun {
             return true;
         }
 
-        boolean isLost() {
-            if (isDone || step.again().isPresent()) {
-                return false;
-            }
+        boolean isExceeded() {
+            return !isDone
+                    && IntStream.range(0, counts.length)
+                            .anyMatch(i -> counts[i] > step.conditions().get(i).most());
+        }
+
+        void hint() {
+            hints = isDone ? hints : 1;
+        }
+
+        StepResult result() {
+            return new StepResult(lesson.name(), step.name(), isDone, tries, hints);
+        }
+
+        List<String> counted() {
+            List<String> counted = new ArrayList<>();
             for (int i = 0; i < counts.length; i++) {
-                if (counts[i] > step.conditions().get(i).most()) {
-                    return true;
+                LessonCondition condition = step.conditions().get(i);
+                int bound = condition.isLimit() ? condition.most() : condition.least();
+                if (condition.patterns().size() == 1 && bound > (condition.isLimit() ? 0 : 1)) {
+                    counted.add(counts[i] + "/" + bound);
                 }
             }
-            return false;
+            return counted;
         }
     }
 }

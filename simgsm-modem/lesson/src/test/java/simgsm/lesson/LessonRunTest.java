@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -70,11 +71,11 @@ class LessonRunTest {
     void aLimitIsLostWithOneEventTooMany() throws Exception {
         LessonRun run = run("step a", "when p end", "at-most 1 p order");
         event(run, "p", "order");
-        assertFalse(run.isLost("a"));
+        assertFalse(run.isExceeded("a"));
         event(run, "p", "order");
         event(run, "p", "end");
         assertFalse(run.isDone("a"));
-        assertTrue(run.isLost("a"));
+        assertTrue(run.isExceeded("a"));
     }
 
     @Test
@@ -98,7 +99,7 @@ class LessonRunTest {
         event(run, "p", "end");
         event(run, "p", "order");
         assertTrue(run.isDone("a"));
-        assertFalse(run.isLost("a"));
+        assertFalse(run.isExceeded("a"));
     }
 
     @Test
@@ -109,12 +110,84 @@ class LessonRunTest {
         event(run, "p", "order");
         event(run, "p", "end");
         assertFalse(run.isDone("a"));
-        assertFalse(run.isLost("a"));
+        assertTrue(run.isExceeded("a"));
         event(run, "p", "start");
         event(run, "p", "order");
         assertFalse(run.isDone("a"));
         event(run, "p", "end");
         assertTrue(run.isDone("a"));
+    }
+
+    @Test
+    void eachOfSeveralEventsBeginsANewTry() throws Exception {
+        LessonRun run = run("step a", "again phone sent", "again robot sms", "when p file", "then p end");
+        event(run, "p", "file");
+        event(run, "phone", "sent keys=1");
+        event(run, "p", "end");
+        event(run, "p", "file");
+        event(run, "robot", "sms text=1");
+        event(run, "p", "end");
+        assertFalse(run.isDone("a"));
+        event(run, "p", "file");
+        event(run, "p", "end");
+        assertEquals(new StepResult("sample", "a", true, 3, 0), run.result("a"));
+    }
+
+    @Test
+    void aKeptValueIsTestedWhenTheEventComes() throws Exception {
+        LessonRun run = run(
+                "keep cell cell p camped", "keep cell to p handover", "step a", "when robot order {cell}=east");
+        event(run, "robot", "order cell=east");
+        event(run, "p", "camped cell=west");
+        event(run, "robot", "order");
+        event(run, "p", "handover to=east");
+        event(run, "p", "camped cell=west");
+        event(run, "robot", "order");
+        assertFalse(run.isDone("a"));
+        event(run, "p", "handover to=east");
+        event(run, "robot", "order");
+        assertTrue(run.isDone("a"));
+    }
+
+    @Test
+    void theNameOfAValueThatIsNotKnownYetIsNoAnswer() throws Exception {
+        LessonRun run = run("keep x n p event", "step a", "answer q", "when student q text={x}");
+        run.answer("q", "{x}");
+        assertFalse(run.isDone("a"));
+        event(run, "p", "event n=5");
+        run.answer("q", "{x}");
+        assertFalse(run.isDone("a"));
+        run.answer("q", "5");
+        assertTrue(run.isDone("a"));
+    }
+
+    @Test
+    void triesAndHintsAreToldWithEachAnswerAndEachStepThatIsDone() throws Exception {
+        LessonRun run = run("step a", "answer q", "when student q n1=5", "step b", "when p end");
+        List<StepResult> told = new ArrayList<>();
+        run.listen(told::add);
+        run.answer("q", "4");
+        run.hint("a");
+        run.hint("a");
+        run.answer("q", "5");
+        run.answer("q", "6");
+        run.hint("a");
+        event(run, "p", "end");
+        run.hint("b");
+        assertEquals(
+                List.of(
+                        new StepResult("sample", "a", false, 1, 0),
+                        new StepResult("sample", "a", true, 2, 1),
+                        new StepResult("sample", "b", true, 1, 0)),
+                told);
+        assertEquals(told.subList(1, 3), List.of(run.result("a"), run.result("b")));
+    }
+
+    @Test
+    void whatIsCountedIsShownWhereMoreThanOneIsWantedOrAllowed() throws Exception {
+        LessonRun run = run("step a", "at-least 3 p x", "at-most 2 p y", "at-most 0 p z", "when p end");
+        event(run, "p", "x");
+        assertEquals(List.of("1/3", "0/2"), run.counts("a"));
     }
 
     @Test
@@ -274,6 +347,9 @@ class LessonRunTest {
                 (LessonAction.Range) run.lesson().action("any").orElseThrow().input();
         assertEquals(Optional.of("-5.5"), any.number(" -5,5 dB"));
         assertEquals(Optional.of("60"), any.number("60"));
+        for (String same : List.of("8", "8.0", "08,00", "8 dB")) {
+            assertEquals(Optional.of("8"), any.number(same), same);
+        }
         for (String wrong : List.of("60.1", "-21", "abc", "", "1e1", "NaN", "--5", "5 5".replace(" ", "x"))) {
             assertEquals(Optional.empty(), any.number(wrong), wrong);
         }

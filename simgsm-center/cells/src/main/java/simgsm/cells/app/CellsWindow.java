@@ -47,7 +47,12 @@ public final class CellsWindow implements TownActions {
 
     @Override
     public void place(String number, TownPlace place) {
-        cells.post(network -> network.place(number, place));
+        cells.post(network -> network.drag(number, place));
+    }
+
+    @Override
+    public void stand(String number) {
+        cells.post(network -> network.stand(number));
     }
 
     @Override

@@ -2,6 +2,7 @@ package simgsm.cells.mobile;
 
 import java.util.List;
 import simgsm.cells.snapshot.PassingStep;
+import simgsm.cells.town.TownPlace;
 import simgsm.event.EventLine;
 
 /** What happens to a mobile. */
@@ -49,6 +50,10 @@ public sealed interface MobileEvent {
     /** The channel is lost. */
     @EventLine("radio-link-failure number=mobile.number")
     record RadioLinkFailed(Mobile mobile) implements MobileEvent {}
+
+    /** The window's user has put a mobile at another place. */
+    @EventLine("placed number=mobile.number x=place.xMetres:1 y=place.yMetres:1")
+    record Placed(Mobile mobile, TownPlace place) implements MobileEvent {}
 
     /** One step of signalling, for the window. @param to the new cell of a handover, else empty */
     record Passed(Mobile mobile, PassingStep.Kind step, String from, String to, int figure) implements MobileEvent {}

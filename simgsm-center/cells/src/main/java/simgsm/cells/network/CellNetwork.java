@@ -126,6 +126,17 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         mobile(number).ifPresent(mobile -> mobile.walker().standAt(place));
     }
 
+    /** Puts a mobile there by hand, and tells of it. */
+    public void drag(String number, TownPlace place) {
+        place(number, place);
+        mobile(number).ifPresent(mobile -> happened(new MobileEvent.Placed(mobile, place)));
+    }
+
+    /** Ends a mobile's walk where it is now. */
+    public void stand(String number) {
+        mobile(number).ifPresent(mobile -> place(number, mobile.walker().place()));
+    }
+
     /** Lets a mobile walk. @return false if it is not there */
     public boolean walk(String number, List<TownPlace> points, double metresPerSecond) {
         Optional<Mobile> mobile = mobile(number);

@@ -8,8 +8,11 @@ public interface TownActions {
     /** The newest snapshot; null before the first. */
     TownSnapshot snapshot();
 
-    /** Puts a mobile at a place, where it stays. */
+    /** Puts a mobile at a place by hand; it stays there. */
     void place(String number, TownPlace place);
+
+    /** Ends a mobile's walk. */
+    void stand(String number);
 
     /** Lets a mobile walk along points, to and fro if there is more than one. */
     void walk(String number, List<TownPlace> points, double metresPerSecond);

@@ -88,7 +88,13 @@ final class MobileCard extends JPanel {
                         Arrange.growing(levels),
                         decision,
                         gap,
-                        Arrange.row(Theme.HALF, Arrange.growing(walks), speed, walk, stand)),
+                        Arrange.row(
+                                Theme.HALF,
+                                Arrange.growing(walks),
+                                speed,
+                                Theme.label("m/s", Theme::small, Ink.QUIET),
+                                walk,
+                                stand)),
                 BorderLayout.CENTER);
         show(Optional.empty());
     }
@@ -128,7 +134,7 @@ final class MobileCard extends JPanel {
     }
 
     private void stopWalk() {
-        shown.ifPresent(mobile -> town.place(mobile.number(), mobile.place()));
+        shown.map(MobileState::number).ifPresent(town::stand);
     }
 
     /** Shows the newest snapshot. @param selected the mobile's number */

@@ -41,6 +41,9 @@ public final class TownPanel extends DressedPanel {
     private final PassingStrip strip;
     private final List<TowerRow> rows = new ArrayList<>();
     private Optional<String> selected = Optional.empty();
+    /** True once the user has chosen a mobile; until then the one with the lowest number is shown, also when others came first. */
+    private boolean isChosen;
+
     private TownSnapshot snapshot;
     private double shownZoom;
 
@@ -96,6 +99,7 @@ public final class TownPanel extends DressedPanel {
     }
 
     private void select(String number) {
+        isChosen = true;
         selected = Optional.of(number);
         map.select(selected);
         mobile.show(snapshot, selected);
@@ -105,10 +109,11 @@ public final class TownPanel extends DressedPanel {
     /** Shows the newest picture; called on the event thread. */
     public void show(TownSnapshot newest) {
         snapshot = newest;
-        boolean isThere = selected.isPresent()
+        boolean isThere = isChosen
                 && newest.mobiles().stream()
                         .anyMatch(candidate -> candidate.number().equals(selected.get()));
         if (!isThere) {
+            isChosen = false;
             selected = newest.mobiles().stream().findFirst().map(MobileState::number);
             map.select(selected);
         }

@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
@@ -145,6 +146,20 @@ final class SampleTown implements TownActions {
         acts.add("place %s %.0f %.0f".formatted(number, place.xMetres(), place.yMetres()));
         places.put(number, place);
         paths.remove(number);
+    }
+
+    @Override
+    public void stand(String number) {
+        acts.add("stand " + number);
+        paths.remove(number);
+    }
+
+    /** A mobile that comes after the others, in the order of their numbers. */
+    void connect(String number) {
+        places.put(number, town.start(number));
+        Map<String, TownPlace> sorted = new TreeMap<>(places);
+        places.clear();
+        places.putAll(sorted);
     }
 
     @Override

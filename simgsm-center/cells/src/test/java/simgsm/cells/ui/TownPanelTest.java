@@ -257,13 +257,26 @@ class TownPanelTest {
     }
 
     @Test
+    void theLowestNumberIsShownUntilTheUserChoosesAnother() {
+        town.removeMobiles();
+        town.connect(SampleTown.ROBOT);
+        show();
+        town.connect(SampleTown.PHONE);
+        show();
+        assertEquals(SampleTown.PHONE, find("mobiles", JComboBox.class).getSelectedItem());
+        find("mobiles", JComboBox.class).setSelectedItem(SampleTown.ROBOT);
+        show();
+        assertEquals(SampleTown.ROBOT, find("mobiles", JComboBox.class).getSelectedItem());
+    }
+
+    @Test
     void walksOfTheTownStartAndStop() {
         find("walk", AbstractButton.class).doClick();
         show();
         find("stand", AbstractButton.class).doClick();
         show();
 
-        assertEquals(List.of("walk 5550100 2 at 15.0", "place 5550100 600 100"), town.acts);
+        assertEquals(List.of("walk 5550100 2 at 15.0", "stand 5550100"), town.acts);
         assertFalse(find("stand", AbstractButton.class).isEnabled());
     }
 

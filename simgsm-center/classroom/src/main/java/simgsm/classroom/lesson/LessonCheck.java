@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import simgsm.classroom.session.Session;
 import simgsm.classroom.session.SessionFailure;
@@ -78,6 +79,7 @@ public final class LessonCheck {
     public static int run(Arguments arguments)
             throws UsageException, IOException, LessonException, InterruptedException {
         LessonLibrary library = LessonLibrary.of(arguments);
+        Locale language = arguments.language();
         Named named = named(library, arguments);
         Lesson lesson = named.lesson();
         Solution solution =
@@ -89,7 +91,7 @@ public final class LessonCheck {
         LessonRun run = new LessonRun(lesson, seed(arguments), new LessonFigures());
         try (Session network = LessonNetwork.open(lesson, arguments)) {
             LessonSession session = new LessonSession(
-                    run, network, library.folder(lesson.name()), LessonCheck::options, arguments.language());
+                    run, network, library.folder(lesson.name()), LessonCheck::options, language);
             network.center().publishSnapshots(session.trace());
             network.center().start(session.centerEvents());
             play(session, solution);
@@ -97,7 +99,7 @@ public final class LessonCheck {
             Program.standardOutput().print(score);
             Program.standardOutput().flush();
             if (result.isPresent()) {
-                String text = session.ofRun(each -> LessonResult.text(each, "", Instant.now()));
+                String text = session.ofRun(each -> LessonResult.text(each, "", Instant.now(), language));
                 Files.writeString(result.get(), text);
             }
         }

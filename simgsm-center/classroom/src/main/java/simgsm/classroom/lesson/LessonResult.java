@@ -1,25 +1,21 @@
 package simgsm.classroom.lesson;
 
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
-import java.util.HexFormat;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import simgsm.classroom.ui.ClassroomTexts;
 import simgsm.console.Event;
 import simgsm.lesson.LessonRun;
 import simgsm.lesson.LessonStep;
+import simgsm.lesson.StepResult;
 
-/**
- * The result of a lesson for the teacher: event lines, the last one with a hash over those above it. The hash shows that a
- * file is as the program wrote it; it is no secret, so it shows carelessness and no fraud.
- */
+/** The result of a lesson as a text file: event lines, the last one says that anybody can change such a copy. */
 final class LessonResult {
     private LessonResult() {}
 
-    static String text(LessonRun run, String student, Instant at) {
+    static String text(LessonRun run, String student, Instant at, Locale language) {
         StringBuilder text = new StringBuilder();
         text.append(Event.of("result")
                         .with("lesson", run.lesson().name())
@@ -38,22 +34,18 @@ final class LessonResult {
                                 Event.of("answer").with("name", name).with("text", answer))
                         .append('\n'));
         for (LessonStep step : run.lesson().steps()) {
+            StepResult result = run.result(step.name());
             text.append(Event.of("step")
                             .with("name", step.name())
-                            .with("result", run.isDone(step.name()) ? "pass" : "fail"))
+                            .with("result", result.word())
+                            .with("tries", result.tries())
+                            .with("hints", result.hints()))
                     .append('\n');
         }
         text.append(Event.of("score").with("of", run.lesson().steps().size()).with("passed", run.score()))
                 .append('\n');
-        return text + Event.of("hash").with("sha256", hash(text.toString())).toString() + "\n";
-    }
-
-    private static String hash(String text) {
-        try {
-            return HexFormat.of()
-                    .formatHex(MessageDigest.getInstance("SHA-256").digest(text.getBytes(StandardCharsets.UTF_8)));
-        } catch (NoSuchAlgorithmException e) {
-            throw new IllegalStateException(e); // every Java has it
-        }
+        return text + Event.of("copy")
+                        .with("text", ClassroomTexts.in(language).of("lesson.copy"))
+                        .toString() + "\n";
     }
 }

@@ -154,6 +154,10 @@ final class LessonSession implements Consoles.Listener {
 
     /** Starts the programs of the lesson, all at once, and waits until they are registered. */
     void start() throws IOException, SessionFailure, InterruptedException {
+        Optional<String> handover = Optional.ofNullable(run.lesson().center().get("handover"));
+        if (handover.isPresent()) {
+            center("handover " + handover.get());
+        }
         List<LessonProgram> first = run.lesson().programs().stream()
                 .filter(program -> !program.isLater())
                 .toList();
@@ -203,6 +207,7 @@ final class LessonSession implements Consoles.Listener {
             switch (parts[0]) {
                 case "predict" -> change(each -> each.predict(rest));
                 case "answer" -> answer(rest);
+                case "hint" -> change(each -> each.hint(rest));
                 case "start" -> startAgain(program(rest));
                 case "stop" -> {
                     requireRunning(rest);

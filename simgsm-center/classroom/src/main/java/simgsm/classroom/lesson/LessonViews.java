@@ -12,7 +12,8 @@ final class LessonViews {
 
     static LessonView of(LessonRun run, Set<String> running, String notice) {
         List<LessonView.StepView> steps = run.lesson().steps().stream()
-                .map(step -> new LessonView.StepView(step.name(), state(run, step), isTried(run, step)))
+                .map(step -> new LessonView.StepView(
+                        step.name(), state(run, step), isTried(run, step), String.join(", ", run.counts(step.name()))))
                 .toList();
         return new LessonView(run.seed(), !run.prediction().isEmpty(), steps, running, notice);
     }
@@ -21,8 +22,8 @@ final class LessonViews {
         if (run.isDone(step.name())) {
             return LessonView.StepState.DONE;
         }
-        if (run.isLost(step.name())) {
-            return LessonView.StepState.LOST;
+        if (run.isExceeded(step.name())) {
+            return step.again().isEmpty() ? LessonView.StepState.LOST : LessonView.StepState.SPOILT;
         }
         boolean isLater = step.after().isPresent() && !run.isDone(step.after().get());
         return isLater ? LessonView.StepState.LATER : LessonView.StepState.OPEN;

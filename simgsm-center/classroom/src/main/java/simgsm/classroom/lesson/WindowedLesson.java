@@ -281,6 +281,11 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
     }
 
     @Override
+    public void hint(String step) {
+        line("hint " + step);
+    }
+
+    @Override
     public void act(String name, String input) {
         String working = ClassroomTexts.in(language).of("lesson.working");
         perform(() -> {
@@ -321,7 +326,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
             PrivateFiles.makeFolder(folder);
             String who = student.replaceAll("[^\\p{L}\\p{N}]+", "-");
             Path file = folder.resolve(lesson.name() + "-" + run.seed() + (who.isEmpty() ? "" : "-" + who) + ".txt");
-            String text = session.ofRun(each -> LessonResult.text(each, student, Instant.now()));
+            String text = session.ofRun(each -> LessonResult.text(each, student, Instant.now(), language));
             FileReplacement.writePrivately(file, text.getBytes(StandardCharsets.UTF_8));
             notice = ClassroomTexts.in(language).of("lesson.saved", file.toString());
         });

@@ -6,6 +6,9 @@ public interface LessonActions {
 
     void answer(String name, String text);
 
+    /** The student opens the hint of a step. */
+    void hint(String step);
+
     /** Performs an action of the lesson. @param input what the student has typed or chosen */
     void act(String name, String input);
 

@@ -3,6 +3,7 @@ package simgsm.classroom.ui;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -18,6 +19,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
@@ -61,6 +63,8 @@ public final class LessonPanel extends JPanel {
     private final List<StepRow> rows = new ArrayList<>();
     private final List<ProgramButton> programs = new ArrayList<>();
     private final GlossaryText score;
+    private final Lamp success;
+    private long shownScore;
     private final UserAction closeNotices;
     private String closedNotice = "";
 
@@ -92,6 +96,11 @@ public final class LessonPanel extends JPanel {
         question = text("lesson.question");
         notice = text("lesson.notice");
         score = text("lesson.score");
+        success = new Lamp(words.of("lesson.success"));
+        success.show(StatusMark.TICK, Ink.GOOD, words.of("lesson.success"));
+        success.setName("lesson.success");
+        success.setVisible(false);
+        Theme.styled(success, lamp -> lamp.setFont(Theme.title()));
         task.show(numbers.apply(texts.of("task")));
         term.setVisible(false);
         question.setVisible(false);
@@ -231,11 +240,10 @@ public final class LessonPanel extends JPanel {
         }
         addActions(parts);
         for (LessonStep step : lesson.steps()) {
-            StepRow row = new StepRow(step);
-            rows.add(row);
-            parts.add(row.component);
+            parts.add(row(step));
             addActions(parts);
         }
+        parts.add(success);
         parts.add(score);
         parts.add(question);
         ComponentNames.name(student, "lesson.student", words.of("lesson.student"));
@@ -249,6 +257,18 @@ public final class LessonPanel extends JPanel {
                 Arrange.growing(student),
                 ComponentNames.name(new JButton(save), "lesson.save", words.of("lesson.save"))));
         return Arrange.column(Theme.GRID, parts.toArray(Component[]::new));
+    }
+
+    private StepRow row(LessonStep step) {
+        GlossaryText shown = text("lesson.step." + step.name()).bold();
+        shown.show(rows.size() + 1 + ". " + numbers.apply(texts.of("step " + step.name())));
+        GlossaryText hint = text("lesson.hint." + step.name());
+        hint.show(numbers.apply(texts.of("hint " + step.name())));
+        Optional<JComponent> answer = step.answer()
+                .map(name -> field("lesson.answer." + name, shown.getText(), typed -> actions.answer(name, typed)));
+        StepRow row = new StepRow(step.name(), shown, hint, answer, words, () -> actions.hint(step.name()));
+        rows.add(row);
+        return row;
     }
 
     /** Adds the actions that follow the steps added so far. */
@@ -295,10 +315,18 @@ public final class LessonPanel extends JPanel {
         if (view.isPredicted()) {
             close("lesson.predict");
         }
-        rows.forEach(row -> row.show(view.byName().get(row.step.name())));
+        rows.forEach(row -> row.show(view.byName().get(row.step())));
+        lesson.steps().stream()
+                .filter(step -> view.byName().get(step.name()).state() == LessonView.StepState.DONE)
+                .forEach(step -> step.answer().ifPresent(answer -> close("lesson.answer." + answer)));
+        if (view.isPredicted() && view.score() != shownScore) {
+            shownScore = view.score();
+            SwingUtilities.invokeLater(() -> scrollToOpen(view));
+        }
         programs.forEach(button -> button.show(view.running().contains(button.name)));
         score.show(words.of(
                 "lesson.score", view.score(), Integer.toString(view.steps().size()), Long.toString(view.seed())));
+        success.setVisible(view.isDone());
         question.show(words.of("lesson.question") + " " + numbers.apply(texts.of("question")));
         question.setVisible(view.isDone());
         if (!view.notice().equals(notice.getText())) {
@@ -310,6 +338,16 @@ public final class LessonPanel extends JPanel {
         closeNotices.setEnabled(notice.isVisible() || term.isVisible());
         revalidate();
         repaint();
+    }
+
+    /** Brings the first step that is open into view, or the question when all are done; called when a step is done. */
+    private void scrollToOpen(LessonView view) {
+        JComponent next = rows.stream()
+                .filter(row -> view.byName().get(row.step()).state() != LessonView.StepState.DONE)
+                .findFirst()
+                .<JComponent>map(row -> row)
+                .orElse(question);
+        next.scrollRectToVisible(new Rectangle(next.getSize()));
     }
 
     /** What counts stays as it is. */
@@ -345,54 +383,6 @@ public final class LessonPanel extends JPanel {
             String text = words.of(running ? "lesson.program.stop" : "lesson.program.start", title);
             button.setText(text);
             ComponentNames.name(button, "lesson.program." + name, text);
-        }
-    }
-
-    /** A step: lamp and text, the answer's field, and the hint on demand. */
-    private final class StepRow {
-        private final LessonStep step;
-        private final Lamp lamp;
-        private final JComponent component;
-
-        StepRow(LessonStep step) {
-            this.step = step;
-            String text = numbers.apply(texts.of("step " + step.name()));
-            lamp = new Lamp(text);
-            lamp.setName("lesson.lamp." + step.name());
-            GlossaryText shown = text("lesson.step." + step.name());
-            shown.show(text);
-            GlossaryText hint = text("lesson.hint." + step.name());
-            hint.show(numbers.apply(texts.of("hint " + step.name())));
-            hint.setVisible(false);
-            UserAction reveal = new UserAction("lesson.hint", words.of("lesson.hint"), () -> {
-                hint.setVisible(!hint.isVisible());
-                LessonPanel.this.revalidate();
-            });
-            JButton button = ComponentNames.name(
-                    new JButton(reveal), "lesson.hint.of." + step.name(), words.of("lesson.hint") + ": " + text);
-            List<Component> parts = new ArrayList<>(List.of(shown));
-            step.answer()
-                    .ifPresent(answer ->
-                            parts.add(field("lesson.answer." + answer, text, typed -> actions.answer(answer, typed))));
-            parts.add(Arrange.row(Theme.HALF, lamp, Arrange.spring(), button));
-            parts.add(hint);
-            component = Arrange.column(Theme.HALF, parts.toArray(Component[]::new));
-        }
-
-        void show(LessonView.StepView view) {
-            switch (view.state()) {
-                case DONE -> {
-                    lamp.show(StatusMark.DISC, Ink.GOOD, words.of("lesson.state.done"));
-                    step.answer().ifPresent(answer -> close("lesson.answer." + answer));
-                }
-                case LOST -> lamp.show(StatusMark.SLASHED_RING, Ink.DANGER, words.of("lesson.state.lost"));
-                case LATER -> lamp.show(StatusMark.RING, Ink.QUIET, words.of("lesson.state.later"));
-                default ->
-                    lamp.show(
-                            StatusMark.RING,
-                            view.tried() ? Ink.WARNING : Ink.QUIET,
-                            words.of(view.tried() ? "lesson.state.tried" : "lesson.state.open"));
-            }
         }
     }
 }

@@ -18,16 +18,23 @@ public record LessonView(long seed, boolean isPredicted, List<StepView> steps, S
         running = Set.copyOf(running);
     }
 
-    /** Of a step that waits for others above it, waits for its events, is done, or can only be done in a new run. */
+    /**
+     * Of a step that waits for others above it, waits for its events, is done, can be done in a new try, or can only be done in a
+     * new run.
+     */
     public enum StepState {
         LATER,
         OPEN,
         DONE,
+        SPOILT,
         LOST
     }
 
-    /** @param tried whether an answer was given */
-    public record StepView(String name, StepState state, boolean tried) {}
+    /**
+     * @param tried whether an answer was given
+     * @param counts what the step counts, such as {@code 2/3}; empty for nothing
+     */
+    public record StepView(String name, StepState state, boolean tried, String counts) {}
 
     public boolean isDone() {
         return steps.stream().allMatch(step -> step.state() == StepState.DONE);

@@ -48,6 +48,11 @@ class LessonPanelTest {
         }
 
         @Override
+        public void hint(String step) {
+            done.add("hint " + step);
+        }
+
+        @Override
         public void act(String name, String input) {
             done.add("act " + name + " " + input);
         }
@@ -92,7 +97,7 @@ class LessonPanelTest {
                 5,
                 true,
                 lesson.steps().stream()
-                        .map(step -> new LessonView.StepView(step.name(), state, false))
+                        .map(step -> new LessonView.StepView(step.name(), state, false, ""))
                         .toList(),
                 Set.of(),
                 "");
@@ -182,6 +187,87 @@ class LessonPanelTest {
         assertTrue(isShown(panel, "lesson.question"));
         Lamp lamp = (Lamp) ComponentNames.find(panel, "lesson.lamp.call").orElseThrow();
         assertEquals("done", lamp.word());
+    }
+
+    @Test
+    void stepsAreNumberedCountedAndGreenWhenDone() throws Exception {
+        LessonPanel panel = panel("break-it", "en");
+        panel.show(new LessonView(
+                5,
+                true,
+                library.lesson("break-it").steps().stream()
+                        .map(step -> new LessonView.StepView(
+                                step.name(),
+                                step.name().equals("half") ? LessonView.StepState.DONE : LessonView.StepState.SPOILT,
+                                false,
+                                "2/6"))
+                        .toList(),
+                Set.of(),
+                ""));
+        assertTrue(textOf(panel, "lesson.step.half").startsWith("2. Find"), textOf(panel, "lesson.step.half"));
+        Lamp spoilt = (Lamp) ComponentNames.find(panel, "lesson.lamp.tried").orElseThrow();
+        assertEquals("This try does not count; begin another one", spoilt.word());
+        assertTrue(rowOf(panel, "half").isOpaque());
+        assertFalse(rowOf(panel, "tried").isOpaque());
+        assertFalse(isShown(panel, "lesson.success"));
+        panel.show(view("break-it", LessonView.StepState.DONE));
+        assertTrue(isShown(panel, "lesson.success"));
+    }
+
+    private static String textOf(LessonPanel panel, String name) {
+        return ((GlossaryText) ComponentNames.find(panel, name).orElseThrow()).getText();
+    }
+
+    private static StepRow rowOf(LessonPanel panel, String step) {
+        return (StepRow) SwingUtilities.getAncestorOfClass(
+                StepRow.class, ComponentNames.find(panel, "lesson.lamp." + step).orElseThrow());
+    }
+
+    @Test
+    void whatIsCountedStandsBesideTheState() throws Exception {
+        LessonPanel panel = panel("break-it", "en");
+        panel.show(new LessonView(
+                5,
+                true,
+                library.lesson("break-it").steps().stream()
+                        .map(step -> new LessonView.StepView(step.name(), LessonView.StepState.OPEN, false, "2/6"))
+                        .toList(),
+                Set.of(),
+                ""));
+        Lamp lamp = (Lamp) ComponentNames.find(panel, "lesson.lamp.tried").orElseThrow();
+        assertEquals("open, 2/6", lamp.word());
+    }
+
+    @Test
+    void theNextOpenStepIsScrolledIntoViewWhenOneIsDone() throws Exception {
+        LessonPanel panel = panel("one-message", "en");
+        panel.setSize(340, 500);
+        panel.show(view("one-message", LessonView.StepState.OPEN));
+        arrange(panel);
+        JScrollPane scroll = (JScrollPane) SwingUtilities.getAncestorOfClass(
+                JScrollPane.class, ComponentNames.find(panel, "lesson.task").orElseThrow());
+        assertEquals(0, scroll.getViewport().getViewPosition().y);
+        List<LessonView.StepView> steps =
+                new ArrayList<>(view("one-message", LessonView.StepState.DONE).steps());
+        steps.set(6, new LessonView.StepView("type", LessonView.StepState.OPEN, false, ""));
+        panel.show(new LessonView(5, true, steps, Set.of(), ""));
+        arrange(panel);
+        java.awt.Rectangle seen = scroll.getViewport().getViewRect();
+        java.awt.Rectangle next = SwingUtilities.convertRectangle(
+                rowOf(panel, "type").getParent(),
+                rowOf(panel, "type").getBounds(),
+                scroll.getViewport().getView());
+        assertTrue(seen.contains(next), seen + " " + next);
+    }
+
+    @Test
+    void anOpenedHintIsTold() throws Exception {
+        LessonPanel panel = panel("break-it", "en");
+        panel.show(view("break-it", LessonView.StepState.OPEN));
+        JButton hint = (JButton) ComponentNames.find(panel, "lesson.hint.of.half").orElseThrow();
+        hint.doClick();
+        hint.doClick();
+        assertEquals(List.of("hint half"), done);
     }
 
     @Test

@@ -1,0 +1,14 @@
+package simgsm.lesson;
+
+/**
+ * How a student stands in a step.
+ *
+ * @param tries answers given to the step, or attempts begun that its conditions counted
+ * @param hints 1 if the step's hint was opened before the step was done, else 0
+ */
+public record StepResult(String lesson, String step, boolean isPassed, int tries, int hints) {
+    /** {@code pass} or {@code fail}, as results have it. */
+    public String word() {
+        return isPassed ? "pass" : "fail";
+    }
+}
