@@ -53,7 +53,7 @@ public sealed interface MobileEvent {
 
     /** The window's user has put a mobile at another place. */
     @EventLine("placed number=mobile.number x=place.xMetres:1 y=place.yMetres:1")
-    record Placed(Mobile mobile, TownPlace place) implements MobileEvent {}
+    record MobilePlaced(Mobile mobile, TownPlace place) implements MobileEvent {}
 
     /** One step of signalling, for the window. @param to the new cell of a handover, else empty */
     record Passed(Mobile mobile, PassingStep.Kind step, String from, String to, int figure) implements MobileEvent {}

@@ -129,7 +129,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     /** Puts a mobile there by hand, and tells of it. */
     public void drag(String number, TownPlace place) {
         place(number, place);
-        mobile(number).ifPresent(mobile -> happened(new MobileEvent.Placed(mobile, place)));
+        mobile(number).ifPresent(mobile -> happened(new MobileEvent.MobilePlaced(mobile, place)));
     }
 
     /** Ends a mobile's walk where it is now. */
