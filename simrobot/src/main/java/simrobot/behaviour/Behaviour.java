@@ -25,12 +25,12 @@ public interface Behaviour {
 
     /** Sends an SMS through the robot's modem: at most one in 10 s, further ones are dropped. @param number 1 to 15 digits */
     default void sms(String number, String text) {
-        Requests.now().send(number, text);
+        Answer.ask(new Request.Sms(number, text));
     }
 
     /** Plays keys to the caller, 150 ms each; dropped without a call, and while earlier ones sound. @param keys at most 16 */
     default void play(String keys) {
-        Requests.now().play(keys);
+        Answer.ask(new Request.Tones(keys));
     }
 
     /**
@@ -38,22 +38,17 @@ public interface Behaviour {
      * fails if there is no such place, or no way.
      */
     default Steering goTo(String place) {
-        Requests.now().goTo(place);
+        Answer.ask(new Request.Drive(place));
         return Steering.STOP;
     }
 
     /** Draws a line on the floor, metres. The robot's newest 500 lines and texts are shown until its next process. */
     default void drawLine(double x, double y, double toX, double toY) {
-        Requests.now().draw(x, y, toX, toY, "");
+        Answer.ask(new Request.Mark(x, y, toX, toY, ""));
     }
 
     /** Writes on the floor, metres. @param text at most 60 characters */
     default void drawText(double x, double y, String text) {
-        Requests.now().draw(x, y, x, y, text);
-    }
-
-    /** Erases what the process has drawn. */
-    default void erase() {
-        Requests.now().erase();
+        Answer.ask(new Request.Mark(x, y, x, y, text));
     }
 }

@@ -35,14 +35,8 @@ public interface Senses {
     /** The true heading, anticlockwise from +X, in (-pi, pi]. */
     double headingRadians();
 
-    /** The place by the turns of the wheels alone, which slip: the true one when the process began. */
-    double odometryXMeters();
-
-    /** The place by the turns of the wheels alone. */
-    double odometryYMeters();
-
-    /** The heading by the turns of the wheels alone, anticlockwise from +X, in (-pi, pi]. */
-    double odometryHeadingRadians();
+    /** The place by the turns of the wheels alone, which slip; the true one when the process began. */
+    Place odometry();
 
     /** Speed of the wheels, negative back. */
     double metersPerSecond();
@@ -62,17 +56,24 @@ public interface Senses {
     /** True once {@link Behaviour#goTo} has come to its place, until another place is asked for. */
     boolean hasArrived();
 
+    /** The robot's telephone. */
+    Call call();
+
     /**
      * The key that the caller holds down, or has pressed since the last decision; {@link #NO_KEY} if none. Keys come while the
      * call is up in which {@code #*n} started the process; two stars begin an order and end the process.
      */
-    char key();
+    default char key() {
+        if (Answer.isOpen()) {
+            Answer.ask(new Request.Keys());
+        }
+        return call().key();
+    }
 
-    /** The keys pressed since the last decision, in their order; mostly empty. */
-    String pressedKeys();
-
-    /** The number that started the process by call or SMS, else that of the call that is up; empty if there is none. */
-    String caller();
+    /** The number that called, or started the process by SMS, last; empty if there is none. */
+    default String caller() {
+        return call().caller();
+    }
 
     /** The least range of several neighbouring sonars. @param first with the next one the numbers of the outer two */
     default double nearestMeters(int first, int last) {

@@ -53,8 +53,8 @@ final class RobotControl {
         robot.addFirstMotionListener(stopwatch::wheelsMoved);
         robot.autonomy().addListener(kind -> tell(new RobotEvent.BehaviourChanged(kind)));
         robot.autonomy().addEndListener(this::processEnded);
-        ProcessRequests requests = new ProcessRequests(modem, () -> callNumber, clockNanos, this::tell);
-        robot.autonomy().addRequestListener(requests::perform);
+        ProcessTelephone telephone = new ProcessTelephone(modem, () -> callNumber, clockNanos, this::tell);
+        robot.autonomy().addRequestListener((kind, asked) -> telephone.perform(kind.text(), asked));
     }
 
     /** Returns the first tone for a caller, by the newest status; callable on any thread. */
@@ -115,7 +115,7 @@ final class RobotControl {
 
     void callEnded(int cause) {
         tell(new RobotEvent.CallReleased(cause));
-        robot.autonomy().call().end();
+        robot.autonomy().call().release();
         veriCommand.callEnded();
     }
 

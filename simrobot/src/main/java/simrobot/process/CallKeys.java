@@ -1,42 +1,31 @@
 package simrobot.process;
 
+import simrobot.behaviour.Call;
 import simrobot.behaviour.Senses;
 
-/** The call of a robot as its process hears it: the caller and the keys. Owned by the robot's owner thread. */
+/** The call of a robot as its process hears it. Owned by the robot's owner thread. */
 public final class CallKeys {
-    /** Of a process that decides late, the newest keys are kept. */
+    /** For a process that decides late. */
     private static final int MOST_KEPT = 16;
 
-    private final StringBuilder pressed = new StringBuilder();
-    private char held = Senses.NO_KEY;
     private String caller = "";
+    private char held = Senses.NO_KEY;
+    private String pressed = "";
 
-    /** No call is up. */
+    /** Nobody has called. */
     public CallKeys() {}
 
-    /** A call is up. @param from empty if the network does not say */
-    public void begin(String from) {
-        end();
-        caller = from;
-    }
-
-    /** The call has ended. */
-    public void end() {
-        caller = "";
-        clear();
-    }
-
-    /** A process begins: earlier keys are not its own. */
-    public void clear() {
-        pressed.setLength(0);
+    /** Earlier keys are forgotten. @param number who has called, or has started a process; empty if it is not known */
+    public void begin(String number) {
+        caller = number;
         held = Senses.NO_KEY;
+        pressed = "";
     }
 
     /** A key is decided. */
     public void press(char key) {
         held = key;
-        pressed.append(key);
-        pressed.delete(0, Math.max(0, pressed.length() - MOST_KEPT));
+        pressed = (pressed + key).substring(Math.max(0, pressed.length() + 1 - MOST_KEPT));
     }
 
     /** The key that was pressed last sounds no longer. */
@@ -44,20 +33,11 @@ public final class CallKeys {
         held = Senses.NO_KEY;
     }
 
-    /** The key held, else the one pressed last since {@link #takePressed}. */
-    public char key() {
-        return held != Senses.NO_KEY || pressed.isEmpty() ? held : pressed.charAt(pressed.length() - 1);
-    }
-
-    /** The keys pressed since the last call, in their order. */
-    public String takePressed() {
-        String taken = pressed.toString();
-        pressed.setLength(0);
-        return taken;
-    }
-
-    /** Empty without a call, and if the network does not say. */
-    public String caller() {
-        return caller;
+    /** What the process hears in this decision; the keys pressed are handed over. */
+    public Call take() {
+        boolean tapped = held == Senses.NO_KEY && !pressed.isEmpty();
+        Call call = new Call(caller, tapped ? pressed.charAt(pressed.length() - 1) : held, pressed);
+        pressed = "";
+        return call;
     }
 }

@@ -1,18 +1,15 @@
 package simrobot.process;
 
-import simrobot.behaviour.Requests;
+import java.util.List;
+import simrobot.behaviour.Request;
 import simrobot.behaviour.Steering;
 
 /** What a process has decided. */
 public sealed interface Decision {
     /** The speeds until the next decision, and what else the process asks for. */
-    record Go(Requests asked) implements Decision {
+    record Go(Steering steering, List<Request> asked) implements Decision {
         public Go(Steering steering) {
-            this(Requests.only(steering));
-        }
-
-        public Steering steering() {
-            return asked.steering();
+            this(steering, List.of());
         }
     }
 
@@ -20,7 +17,7 @@ public sealed interface Decision {
     sealed interface End extends Decision {}
 
     /** The process has reached what it was for. */
-    record Done(Requests asked) implements End {}
+    record Done(List<Request> asked) implements End {}
 
     /** The robot has come to the place to which the process drove it. */
     record Arrived() implements End {}

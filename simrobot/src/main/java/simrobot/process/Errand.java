@@ -1,21 +1,22 @@
 package simrobot.process;
 
-import simrobot.behaviour.Requests;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 
-/** The drive to a place for which a process of a student has asked: it steers in the process's stead. */
+/** The drive to a place for which another process asks: the route steers in its stead. For the robot's owner thread. */
 public final class Errand {
+    /** Nothing is asked for. */
+    public static final Errand NONE = new Errand("", null);
+
     private final String place;
     private final RobotProcess route;
-    private long sinceNanos;
+    private long sinceNanos = RobotProcess.TICK_NANOS;
     private Decision last = new Decision.Go(Steering.STOP);
 
     /** @param route the process that drives to the place */
     public Errand(String place, RobotProcess route) {
         this.place = place;
         this.route = route;
-        sinceNanos = route.periodNanos();
     }
 
     public String place() {
@@ -30,8 +31,8 @@ public final class Errand {
         return last instanceof Decision.Arrived;
     }
 
-    /** The decision of the process with the steering of the route. @param passedNanos since the decision before */
-    public Decision step(Requests asked, Senses senses, long passedNanos) {
+    /** The decision of the other process, with the speeds of the route. @param passedNanos since its decision before */
+    public Decision step(Decision.Go asking, Senses senses, long passedNanos) {
         sinceNanos += passedNanos;
         if (!hasArrived() && sinceNanos >= route.periodNanos()) {
             sinceNanos = 0;
@@ -40,8 +41,7 @@ public final class Errand {
         if (last instanceof Decision.GivenUp givenUp) {
             return new Decision.Failed(0, "goTo(\"" + place + "\"): " + givenUp.text());
         }
-        boolean drives = last instanceof Decision.Go || hasArrived();
         Steering steering = last instanceof Decision.Go go ? go.steering() : Steering.STOP;
-        return drives ? new Decision.Go(asked.with(steering)) : last;
+        return last instanceof Decision.Collided ? last : new Decision.Go(steering, asking.asked());
     }
 }

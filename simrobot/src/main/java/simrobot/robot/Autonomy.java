@@ -1,13 +1,13 @@
 package simrobot.robot;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import simrobot.behaviour.Requests;
+import java.util.stream.Stream;
+import simrobot.behaviour.Request;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.process.CallKeys;
@@ -36,21 +36,16 @@ public final class Autonomy {
     private final Pioneer robot;
     private final List<Consumer<BehaviourKind>> listeners = new CopyOnWriteArrayList<>();
     private final List<EndListener> endListeners = new CopyOnWriteArrayList<>();
-    private final List<BiConsumer<BehaviourKind, Requests>> requestListeners = new CopyOnWriteArrayList<>();
+    private final List<BiConsumer<BehaviourKind, Request>> requestListeners = new CopyOnWriteArrayList<>();
     private BehaviourKind kind = BehaviourKind.NONE;
     /** Null if none runs. */
     private RobotProcess process;
 
     private ProcessSenses senses;
     private final CallKeys call = new CallKeys();
-    /** Who has ordered the process by telephone; empty for nobody. */
-    private String operator = "";
-
     private boolean takesKeys;
-    /** Null while the process steers itself. */
-    private Errand errand;
-
-    private List<Requests.Mark> marks = List.of();
+    private Errand errand = Errand.NONE;
+    private List<Request.Mark> marks = List.of();
     /** Of a process that has ended by itself, until the robot stands; else null. */
     private Decision.End ending;
 
@@ -107,17 +102,17 @@ public final class Autonomy {
             throw new IllegalStateException("process " + number + " is not possible in "
                     + robot.status().text());
         }
-        operator = from;
+        call.begin(from);
     }
 
     /** The way that the process is about to take; empty if it plans none. */
     public List<Position> path() {
-        RobotProcess driver = errand == null ? process : errand.route();
+        RobotProcess driver = errand == Errand.NONE ? process : errand.route();
         return isUnfinished() ? driver.path() : List.of();
     }
 
     /** What its process has drawn on the floor; a new list at every change. */
-    public List<Requests.Mark> marks() {
+    public List<Request.Mark> marks() {
         return marks;
     }
 
@@ -131,8 +126,8 @@ public final class Autonomy {
         return isUnfinished() && takesKeys;
     }
 
-    /** Adds a listener for what processes ask for, after each decision, on the owner thread. */
-    public void addRequestListener(BiConsumer<BehaviourKind, Requests> listener) {
+    /** Adds a listener for all that processes ask for, after each decision, on the owner thread. */
+    public void addRequestListener(BiConsumer<BehaviourKind, Request> listener) {
         requestListeners.add(listener);
     }
 
@@ -160,7 +155,6 @@ public final class Autonomy {
             return false;
         }
         change(next, next.begin(robot.surroundings()).orElse(null), new Decision.Replaced());
-        operator = "";
         prepare();
         return true;
     }
@@ -180,16 +174,12 @@ public final class Autonomy {
         prepare();
     }
 
-    private String caller() {
-        return operator.isEmpty() ? call.caller() : operator;
-    }
-
     private void prepare() {
-        call.clear();
+        call.take();
         takesKeys = false;
-        errand = null;
+        errand = Errand.NONE;
         marks = List.of();
-        senses = new ProcessSenses(robot, this::caller, call, () -> errand != null && errand.hasArrived());
+        senses = new ProcessSenses(robot, call::take, () -> errand.hasArrived());
         inCollisionNanos = 0;
         if (isActive()) {
             sinceDecisionNanos = process.periodNanos();
@@ -279,29 +269,36 @@ public final class Autonomy {
 
     /** The decision, with the speeds of the way to the place for which it asks. */
     private Decision driven(Decision decision) {
-        if (!(decision instanceof Decision.Go go) || go.asked().place().isEmpty()) {
-            errand = null;
+        List<Request.Drive> drives =
+                decision instanceof Decision.Go go ? requests(go.asked(), Request.Drive.class) : List.of();
+        if (drives.isEmpty()) {
+            errand = Errand.NONE;
             return decision;
         }
-        String place = go.asked().place();
-        if (errand == null || !errand.place().equals(place)) {
+        String place = drives.get(0).place();
+        if (!errand.place().equals(place)) {
             try {
-                errand = new Errand(place, choice.toPlace(place).begin(robot.surroundings()).orElseThrow());
+                RobotProcess route = choice.toPlace(place).begin(robot.surroundings()).orElseThrow();
+                errand = new Errand(place, route);
             } catch (IllegalArgumentException unknown) {
                 return new Decision.Failed(0, "goTo: " + unknown.getMessage());
             }
         }
-        return errand.step(go.asked(), senses, process.periodNanos());
+        return errand.step((Decision.Go) decision, senses, process.periodNanos());
     }
 
-    private void note(Requests asked) {
-        takesKeys |= asked.takesKeys();
-        if (asked.erases() || !asked.marks().isEmpty()) {
-            List<Requests.Mark> all = new ArrayList<>(asked.erases() ? List.of() : marks);
-            all.addAll(asked.marks());
-            marks = List.copyOf(all.subList(Math.max(0, all.size() - Requests.MOST_MARKS), all.size()));
+    private static <R extends Request> List<R> requests(List<Request> asked, Class<R> type) {
+        return asked.stream().filter(type::isInstance).map(type::cast).toList();
+    }
+
+    private void note(List<Request> asked) {
+        takesKeys |= asked.contains(new Request.Keys());
+        List<Request.Mark> drawn = requests(asked, Request.Mark.class);
+        if (!drawn.isEmpty()) {
+            List<Request.Mark> all = Stream.concat(marks.stream(), drawn.stream()).toList();
+            marks = all.subList(Math.max(0, all.size() - Request.Mark.MOST), all.size());
         }
-        requestListeners.forEach(listener -> listener.accept(kind, asked));
+        asked.forEach(request -> requestListeners.forEach(listener -> listener.accept(kind, request)));
     }
 
     private void perform(Decision decision) {

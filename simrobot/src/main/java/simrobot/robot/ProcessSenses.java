@@ -2,36 +2,34 @@ package simrobot.robot;
 
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
-import simrobot.behaviour.Requests;
+import simrobot.behaviour.Call;
+import simrobot.behaviour.Place;
 import simrobot.behaviour.Senses;
-import simrobot.process.CallKeys;
 import vericommand.Pose;
 import vericommand.RobotStatus;
 
 /** The senses of a process, measured when they are asked for, and the time since it began. */
 final class ProcessSenses implements Senses {
     private final Pioneer robot;
-    private final Supplier<String> caller;
-    private final CallKeys call;
+    private final Supplier<Call> call;
     private final BooleanSupplier arrived;
     private final Pose start;
     private final Pose odometryStart;
-    private final double turn;
     private long nanos;
+    private Call heard;
 
     /** @param arrived whether the robot has come to the place that the process asked for */
-    ProcessSenses(Pioneer robot, Supplier<String> caller, CallKeys call, BooleanSupplier arrived) {
+    ProcessSenses(Pioneer robot, Supplier<Call> call, BooleanSupplier arrived) {
         this.robot = robot;
-        this.caller = caller;
         this.call = call;
         this.arrived = arrived;
         start = robot.pose();
         odometryStart = robot.odometryPose();
-        turn = Math.toRadians(start.headingDegrees() - odometryStart.headingDegrees());
     }
 
     void elapse(long passedNanos) {
         nanos += passedNanos;
+        heard = null;
     }
 
     @Override
@@ -61,29 +59,23 @@ final class ProcessSenses implements Senses {
 
     @Override
     public double headingRadians() {
-        return Math.atan2(Math.sin(robot.headingRadians()), Math.cos(robot.headingRadians()));
+        return wrapped(robot.headingRadians());
+    }
+
+    private static double wrapped(double radians) {
+        return Math.atan2(Math.sin(radians), Math.cos(radians));
     }
 
     @Override
-    public double odometryXMeters() {
+    public Place odometry() {
         Pose now = robot.odometryPose();
-        return start.xMeters()
-                + (now.xMeters() - odometryStart.xMeters()) * Math.cos(turn)
-                - (now.yMeters() - odometryStart.yMeters()) * Math.sin(turn);
-    }
-
-    @Override
-    public double odometryYMeters() {
-        Pose now = robot.odometryPose();
-        return start.yMeters()
-                + (now.xMeters() - odometryStart.xMeters()) * Math.sin(turn)
-                + (now.yMeters() - odometryStart.yMeters()) * Math.cos(turn);
-    }
-
-    @Override
-    public double odometryHeadingRadians() {
-        double heading = Math.toRadians(robot.odometryPose().headingDegrees()) + turn;
-        return Math.atan2(Math.sin(heading), Math.cos(heading));
+        double dx = now.xMeters() - odometryStart.xMeters();
+        double dy = now.yMeters() - odometryStart.yMeters();
+        double turn = Math.toRadians(start.headingDegrees() - odometryStart.headingDegrees());
+        return new Place(
+                start.xMeters() + dx * Math.cos(turn) - dy * Math.sin(turn),
+                start.yMeters() + dx * Math.sin(turn) + dy * Math.cos(turn),
+                wrapped(Math.toRadians(now.headingDegrees()) + turn));
     }
 
     @Override
@@ -91,22 +83,11 @@ final class ProcessSenses implements Senses {
         return arrived.getAsBoolean();
     }
 
+    /** The keys are handed over when a decision first reads them. */
     @Override
-    public char key() {
-        Requests.noteKeys();
-        return call.key();
-    }
-
-    /** Each key once: reading them hands them over. */
-    @Override
-    public String pressedKeys() {
-        Requests.noteKeys();
-        return call.takePressed();
-    }
-
-    @Override
-    public String caller() {
-        return caller.get();
+    public Call call() {
+        heard = heard == null ? call.get() : heard;
+        return heard;
     }
 
     @Override

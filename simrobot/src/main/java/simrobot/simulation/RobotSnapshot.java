@@ -1,7 +1,7 @@
 package simrobot.simulation;
 
 import java.util.List;
-import simrobot.behaviour.Requests;
+import simrobot.behaviour.Request;
 import simrobot.process.BehaviourKind;
 import simrobot.robot.Condition;
 import simrobot.robot.Trail;
@@ -35,7 +35,7 @@ public record RobotSnapshot(
         Trail.Points trail,
         BehaviourKind behaviour,
         List<Position> path,
-        List<Requests.Mark> marks,
+        List<Request.Mark> marks,
         boolean simulated) {
     /** Whether the other robot has the same pose. */
     public boolean isAtPoseOf(RobotSnapshot other) {

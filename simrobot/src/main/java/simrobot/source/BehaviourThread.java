@@ -3,8 +3,8 @@ package simrobot.source;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.concurrent.Callable;
+import simrobot.behaviour.Answer;
 import simrobot.behaviour.Behaviour;
-import simrobot.behaviour.Requests;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 import simrobot.process.Decision;
@@ -143,12 +143,15 @@ final class BehaviourThread implements RobotProcess {
             Senses senses = next();
             Behaviour behaviour = senses == null ? null : maker.call();
             while (senses != null) {
-                Requests asked = Requests.of(behaviour, senses);
-                if (asked.steering() == null) {
+                Answer made = Answer.of(behaviour, senses);
+                if (made.steering() == null) {
                     answer(new Decision.Failed(0, "decide returned null, expected a Steering"));
                     return;
                 }
-                answer(asked.isDone() ? new Decision.Done(asked) : new Decision.Go(asked));
+                answer(
+                        made.isDone()
+                                ? new Decision.Done(made.asked())
+                                : new Decision.Go(made.steering(), made.asked()));
                 senses = next();
             }
         } catch (Throwable thrown) {

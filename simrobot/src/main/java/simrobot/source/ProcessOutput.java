@@ -3,9 +3,10 @@ package simrobot.source;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import simrobot.behaviour.Requests;
+import simrobot.behaviour.Answer;
+import simrobot.behaviour.Request;
 
-/** A {@code System.out} that notes what processes print, and passes on what others do. */
+/** A {@code System.out} that notes the lines which processes print, and passes on what others do. */
 public final class ProcessOutput extends ByteArrayOutputStream {
     private final PrintStream others;
 
@@ -18,13 +19,16 @@ public final class ProcessOutput extends ByteArrayOutputStream {
         System.setOut(new PrintStream(new ProcessOutput(others), true, StandardCharsets.UTF_8));
     }
 
-    /** A print stream writes whole characters before it flushes. */
+    /** A print stream flushes after each of its calls; the beginning of a line waits for its end. */
     @Override
     public synchronized void flush() {
-        String text = toString(StandardCharsets.UTF_8);
-        reset();
-        if (!Requests.notePrinted(text)) {
-            others.print(text);
+        if (!Answer.isOpen()) {
+            others.print(toString(StandardCharsets.UTF_8));
+            reset();
+        } else if (count > 0 && buf[count - 1] == '\n') {
+            String lines = toString(StandardCharsets.UTF_8);
+            reset();
+            Answer.ask(new Request.Printed(lines));
         }
     }
 }

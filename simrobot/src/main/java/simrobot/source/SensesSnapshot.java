@@ -1,7 +1,8 @@
 package simrobot.source;
 
 import java.util.stream.IntStream;
-import simrobot.behaviour.Requests;
+import simrobot.behaviour.Call;
+import simrobot.behaviour.Place;
 import simrobot.behaviour.Senses;
 
 /**
@@ -20,13 +21,9 @@ record SensesSnapshot(
         double metersPerSecond,
         boolean isBlocked,
         double seconds,
-        double odometryXMeters,
-        double odometryYMeters,
-        double odometryHeadingRadians,
+        Place odometry,
         boolean hasArrived,
-        char heldKey,
-        String newKeys,
-        String caller)
+        Call call)
         implements Senses {
     private static final int BUMPERS = 5;
 
@@ -47,13 +44,9 @@ record SensesSnapshot(
                 live.metersPerSecond(),
                 live.isBlocked(),
                 live.seconds(),
-                live.odometryXMeters(),
-                live.odometryYMeters(),
-                live.odometryHeadingRadians(),
+                live.odometry(),
                 live.hasArrived(),
-                live.key(),
-                live.pressedKeys(),
-                live.caller());
+                live.call());
     }
 
     private static double[] laser(Senses live) {
@@ -77,18 +70,6 @@ record SensesSnapshot(
             throw new UnsupportedOperationException("this robot has no laser, expected sonarMeters");
         }
         return laser[reading];
-    }
-
-    @Override
-    public char key() {
-        Requests.noteKeys();
-        return heldKey;
-    }
-
-    @Override
-    public String pressedKeys() {
-        Requests.noteKeys();
-        return newKeys;
     }
 
     @Override

@@ -9,8 +9,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simrobot.behaviour.Answer;
 import simrobot.behaviour.Behaviour;
-import simrobot.behaviour.Requests;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 import simrobot.process.BehaviourKind;
@@ -24,14 +24,14 @@ class TelephoneOfProcessTest {
     private final ControlBench bench = new ControlBench();
     private final List<String> heard = new ArrayList<>();
     private final Behaviour joystick = senses -> {
-        heard.add(senses.key() + senses.pressedKeys());
+        heard.add(senses.key() + senses.call().pressed());
         return senses.key() == '2' ? new Steering(0.3, 0) : Steering.STOP;
     };
 
     private void offer(Behaviour behaviour) {
         bench.simulation.behaviours().put(new BehaviourKind("Mine", around -> senses -> {
-            Requests asked = Requests.of(behaviour, senses);
-            return asked.isDone() ? new Decision.Done(asked) : new Decision.Go(asked);
+            Answer answer = Answer.of(behaviour, senses);
+            return new Decision.Go(answer.steering(), answer.asked());
         }));
     }
 
@@ -130,8 +130,9 @@ class TelephoneOfProcessTest {
         };
         if (bySms) {
             offer(asks);
-            bench.control.message(CALLER, "**#*3**");
             bench.control.callBegan(1, "5550101");
+            bench.control.callEnded(16);
+            bench.control.message(CALLER, "**#*3**");
         } else {
             call(asks);
         }

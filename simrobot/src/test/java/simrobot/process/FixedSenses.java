@@ -1,6 +1,8 @@
 package simrobot.process;
 
 import java.util.Arrays;
+import simrobot.behaviour.Call;
+import simrobot.behaviour.Place;
 import simrobot.behaviour.Senses;
 
 /** Senses of a robot at the origin that hears nothing but what a test sets. */
@@ -73,18 +75,8 @@ public final class FixedSenses implements Senses {
     }
 
     @Override
-    public double odometryXMeters() {
-        return 0;
-    }
-
-    @Override
-    public double odometryYMeters() {
-        return 0;
-    }
-
-    @Override
-    public double odometryHeadingRadians() {
-        return 0;
+    public Place odometry() {
+        return new Place(0, 0, 0);
     }
 
     @Override
@@ -93,17 +85,7 @@ public final class FixedSenses implements Senses {
     }
 
     @Override
-    public char key() {
-        return NO_KEY;
-    }
-
-    @Override
-    public String pressedKeys() {
-        return "";
-    }
-
-    @Override
-    public String caller() {
-        return "";
+    public Call call() {
+        return new Call("", NO_KEY, "");
     }
 }

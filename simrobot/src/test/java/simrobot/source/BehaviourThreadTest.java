@@ -17,7 +17,7 @@ import simrobot.process.Decision;
 import simrobot.process.WaitBudget;
 
 class BehaviourThreadTest {
-    private static final Map<Class<?>, Object> NOTHING = Map.of(double.class, 0.0, boolean.class, false, char.class, Senses.NO_KEY);
+    private static final Map<Class<?>, Object> NOTHING = Map.of(double.class, 0.0, boolean.class, false);
     private static final Senses SENSES = (Senses) Proxy.newProxyInstance(
             Senses.class.getClassLoader(),
             new Class<?>[] {Senses.class},

@@ -1,0 +1,40 @@
+package simrobot.behaviour;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a process answered to its senses, with all that it asked for meanwhile; immutable.
+ *
+ * @param steering null if it returned none
+ */
+public record Answer(Steering steering, boolean isDone, List<Request> asked) {
+    private static final int MOST_REQUESTS = 1000;
+    private static final ThreadLocal<List<Request>> NOW = new ThreadLocal<>();
+
+    /** Has a process decide, on this thread. */
+    public static Answer of(Behaviour behaviour, Senses senses) {
+        List<Request> asked = new ArrayList<>();
+        NOW.set(asked);
+        try {
+            Steering steering = behaviour.decide(senses);
+            return new Answer(steering, behaviour.isDone(), List.copyOf(asked));
+        } finally {
+            NOW.remove();
+        }
+    }
+
+    /** Whether a process decides on this thread now. */
+    public static boolean isOpen() {
+        return NOW.get() != null;
+    }
+
+    /** Notes a request of the process that decides on this thread. */
+    public static void ask(Request request) {
+        if (!isOpen() || NOW.get().size() == MOST_REQUESTS) {
+            throw new IllegalStateException(
+                    isOpen() ? "more than 1000 requests in a decision, expected fewer" : "expected within decide");
+        }
+        NOW.get().add(request);
+    }
+}

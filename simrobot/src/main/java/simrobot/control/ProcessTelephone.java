@@ -1,0 +1,53 @@
+package simrobot.control;
+
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import simrobot.behaviour.Request;
+
+/** The telephone of one robot as its process uses it, and what the process prints. For the simulation's thread. */
+final class ProcessTelephone {
+    /** The least time between two SMS of a robot's process, so that a loop does not flood the network. */
+    private static final long MESSAGE_NANOS = 10_000_000_000L;
+
+    /** A tone of 150 ms and its pause of 70 ms. */
+    private static final long TONE_NANOS = 220_000_000;
+
+    private final ModemPort modem;
+    private final LongSupplier callNumber;
+    private final LongSupplier clockNanos;
+    private final Consumer<RobotEvent> listener;
+    private long nextMessageNanos;
+    private long nextToneNanos;
+    private boolean isRefused;
+
+    ProcessTelephone(
+            ModemPort modem, LongSupplier callNumber, LongSupplier clockNanos, Consumer<RobotEvent> listener) {
+        this.modem = modem;
+        this.callNumber = callNumber;
+        this.clockNanos = clockNanos;
+        this.listener = listener;
+        nextMessageNanos = clockNanos.getAsLong();
+        nextToneNanos = nextMessageNanos;
+    }
+
+    void perform(String process, Request asked) {
+        long now = clockNanos.getAsLong();
+        if (asked instanceof Request.Printed printed) {
+            printed.text().lines().forEach(line -> listener.accept(new RobotEvent.Printed(process, line)));
+        } else if (asked instanceof Request.Tones tones && now - nextToneNanos >= 0) {
+            tones.keys().chars().forEach(key -> modem.sendTone(callNumber.getAsLong(), (char) key));
+            nextToneNanos = now + TONE_NANOS * tones.keys().length();
+        } else if (asked instanceof Request.Sms sms && now - nextMessageNanos >= 0) {
+            if (modem.sendMessage(sms.to(), sms.text())) {
+                nextMessageNanos = now + MESSAGE_NANOS;
+                isRefused = false;
+                listener.accept(new RobotEvent.ReplySent(sms.to(), sms.text()));
+            }
+        } else if (asked instanceof Request.Sms sms && !isRefused) {
+            // told once until the next one leaves
+            isRefused = true;
+            listener.accept(new RobotEvent.RequestRefused(
+                    process + ": sms to " + sms.to() + " is not sent, expected at most one in 10 s"));
+        }
+    }
+}
