@@ -20,7 +20,7 @@ public sealed interface Request {
         }
     }
 
-    /** A drive to a named goal of the world. */
+    /** A drive to a goal, dock or home of the world, by its name. */
     record Drive(String place) implements Request {}
 
     /** A line on the floor, metres; with a text, that text at the line's first end. */

@@ -46,8 +46,8 @@ final class ProcessTelephone {
         } else if (asked instanceof Request.Sms sms && !isRefused) {
             // told once until the next one leaves
             isRefused = true;
-            listener.accept(new RobotEvent.RequestRefused(
-                    process + ": sms to " + sms.to() + " is not sent, expected at most one in 10 s"));
+            String text = "error: sms to " + sms.to() + " is not sent, expected at most one in 10 s";
+            listener.accept(new RobotEvent.Printed(process, text));
         }
     }
 }

@@ -111,13 +111,9 @@ public sealed interface RobotEvent {
     @EventLine("behaviour-failed robot= name= line= text=")
     record BehaviourFailed(String name, int line, String text) implements RobotEvent {}
 
-    /** A line that a process has printed. */
+    /** A line that a process has printed, or an error of what it asked for. */
     @EventLine("printed robot= name= text=")
     record Printed(String name, String text) implements RobotEvent {}
-
-    /** What a process asked for is not done. */
-    @EventLine("error robot= text=")
-    record RequestRefused(String text) implements RobotEvent {}
 
     /** {@code goto} has reached its place. */
     @EventLine("arrived robot= x=pose.xMeters:4 y=pose.yMeters:4")

@@ -6,6 +6,7 @@ import simgsm.draw.Canvas;
 import simgsm.draw.Face;
 import simgsm.draw.Ink;
 import simgsm.draw.Outline;
+import simrobot.behaviour.Request;
 import simrobot.robot.Laser;
 import simrobot.robot.LaserField;
 import simrobot.robot.Pioneer2Dx;
@@ -89,6 +90,21 @@ public final class RobotPainter {
                 2 * radius,
                 2 * radius,
                 radius));
+    }
+
+    /** The lines and texts that its process has drawn. */
+    void marks(RobotSnapshot robot) {
+        g.ink(Ink.GOOD);
+        g.pen(2);
+        for (Request.Mark mark : robot.marks()) {
+            double x = view.screenX(mark.x());
+            double y = view.screenY(mark.y());
+            if (mark.text().isEmpty()) {
+                g.line(x, y, view.screenX(mark.toX()), view.screenY(mark.toY()));
+            } else {
+                g.text(mark.text(), Face.SMALL, x, y);
+            }
+        }
     }
 
     // ---- sonar -----------------------------------------------------------------------------------------------------

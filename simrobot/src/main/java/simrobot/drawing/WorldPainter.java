@@ -58,6 +58,7 @@ public final class WorldPainter {
             if (layers.trail()) {
                 painter.trail(robot, scene.timeNanos());
             }
+            painter.marks(robot);
         }
         for (RobotSnapshot robot : scene.robots()) {
             if (layers.sonar() && (alone || robot.name().equals(selected))) {

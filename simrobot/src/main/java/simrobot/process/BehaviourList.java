@@ -2,8 +2,10 @@ package simrobot.process;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
@@ -24,6 +26,7 @@ public final class BehaviourList {
     private final SortedMap<String, Fault> faults = new TreeMap<>();
     private final SortedMap<String, BehaviourKind> students = new TreeMap<>();
     private List<BehaviourKind> goals = List.of();
+    private Function<String, Optional<BehaviourKind>> places = name -> Optional.empty();
 
     /** A list of the built-in kinds. */
     public BehaviourList() {}
@@ -71,16 +74,19 @@ public final class BehaviourList {
         goals = List.copyOf(kinds);
     }
 
+    /** Sets where to find the process that drives to a place of the world. */
+    public synchronized void setPlaces(Function<String, Optional<BehaviourKind>> find) {
+        places = find;
+    }
+
     /**
      * Returns the process that drives to a place.
      *
-     * @throws IllegalArgumentException if the world has no goal of this name; the message lists them
+     * @throws IllegalArgumentException if the world has no place of this name
      */
-    public synchronized BehaviourKind toPlace(String place) {
-        return goals.stream()
-                .filter(kind -> kind.text().equals("goto " + place))
-                .findFirst()
-                .orElseThrow(() -> BehaviourKind.unknown(goals, "goto " + place));
+    public synchronized BehaviourKind toPlace(String name) {
+        return places.apply(name)
+                .orElseThrow(() -> new IllegalArgumentException("expected a goal or home of the world, found " + name));
     }
 
     /**

@@ -62,6 +62,7 @@ public final class Simulation {
         floor = new SimulatedFloor(world);
         random = new Random(seed);
         behaviours.setGoals(destinations.kinds(world));
+        behaviours.setPlaces(place -> destinations.to(this.world, place));
         this.seed = seed;
     }
 

@@ -163,8 +163,8 @@ class TelephoneOfProcessTest {
         assertEquals(
                 List.of(
                         "reply robot=robot to=5550100 text=\"Obstacle: ñ €\"",
-                        "error robot=robot text=\"Mine: sms to 5550100 is not sent, expected at most one in 10 s\""),
-                bench.lines("reply", "error"));
+                        "printed robot=robot name=Mine text=\"error: sms to 5550100 is not sent, expected at most one in 10 s\""),
+                bench.lines("reply", "printed"));
         bench.seconds(2);
         assertEquals(1, bench.lines("reply").size());
     }

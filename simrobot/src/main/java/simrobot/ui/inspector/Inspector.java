@@ -180,7 +180,7 @@ public final class Inspector extends JPanel {
         robots.setLive(newest.timeline().isEmpty());
         wheels.setVisible(newest.timeline().isEmpty());
         selected.ifPresent(wheels::show);
-        processes.show(newest.simulation(), selected);
+        processes.show(newest.simulation(), selected, newest.events());
         events.show(newest.events(), selected.map(RobotSnapshot::name).orElse(""));
         selected.ifPresent(this::show);
         selected.ifPresent(robot -> camera.show(newest.simulation(), robot));

@@ -21,6 +21,7 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.VerticalScrollPane;
+import simrobot.control.LoggedEvent;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.simulation.RobotSnapshot;
@@ -31,10 +32,14 @@ import simrobot.ui.WrappedText;
 
 /** All processes by their numbers, to be started in the selected robot, and what is wrong with those of students. */
 final class ProcessesCard extends JPanel {
+    /** Of what the selected robot's processes have printed last. */
+    private static final int SHOWN_LINES = 8;
+
     private final TextBundle texts;
     private final DefaultListModel<String> rows = new DefaultListModel<>();
     private final JList<String> list = new JList<>(rows);
     private final WrappedText faults;
+    private final WrappedText printed;
     private final UserAction stop;
     private List<BehaviourKind> kinds = List.of();
     private String robot = "";
@@ -54,6 +59,7 @@ final class ProcessesCard extends JPanel {
                         () -> operator.setBehaviour(robot, BehaviourKind.NONE))
                 .described(texts.of("processes.stop.hint"));
         faults = new WrappedText("processes.faults", texts.of("processes.faults"), Ink.DANGER);
+        printed = new WrappedText("processes.printed", texts.of("processes.printed"), Ink.TEXT);
         JPanel buttons = Arrange.row(
                 Theme.HALF,
                 ToolButtons.named(new JButton(), start),
@@ -61,7 +67,7 @@ final class ProcessesCard extends JPanel {
                 Arrange.spring());
         add(new Card(
                 texts.of("processes.title"),
-                Arrange.column(Theme.GRID, buttons, Arrange.growing(new VerticalScrollPane(list)), faults)));
+                Arrange.column(Theme.GRID, buttons, Arrange.growing(new VerticalScrollPane(list)), printed, faults)));
     }
 
     private void start(OperatorActions operator) {
@@ -71,7 +77,7 @@ final class ProcessesCard extends JPanel {
         }
     }
 
-    void show(SimulationSnapshot scene, Optional<RobotSnapshot> selected) {
+    void show(SimulationSnapshot scene, Optional<RobotSnapshot> selected, List<LoggedEvent> events) {
         robot = selected.map(RobotSnapshot::name).orElse("");
         BehaviourKind running = selected.map(RobotSnapshot::behaviour).orElse(BehaviourKind.NONE);
         stop.setEnabled(!running.equals(BehaviourKind.NONE));
@@ -82,6 +88,12 @@ final class ProcessesCard extends JPanel {
         showRows(running);
         String text = scene.behaviourFaults().stream().map(this::fault).collect(Collectors.joining("\n"));
         faults.show(text);
+        List<String> lines = events.stream()
+                .filter(event ->
+                        event.robot().equals(robot) && event.line().name().equals("printed"))
+                .map(event -> event.line().fields().get("text"))
+                .toList();
+        printed.show(String.join("\n", lines.subList(Math.max(0, lines.size() - SHOWN_LINES), lines.size())));
     }
 
     /** Changed rows are replaced one by one, so that the selection stays. */

@@ -4,11 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Locale;
+import java.util.stream.IntStream;
 import javax.swing.AbstractButton;
 import javax.swing.JList;
 import javax.swing.JTextArea;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import simrobot.control.LoggedEvent;
+import simrobot.control.RobotEvent;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.ui.panel.WindowBench;
@@ -36,6 +39,18 @@ class ProcessesCardTest {
         assertEquals(1, list().getSelectedIndex());
         ((AbstractButton) bench.component("processes.stop")).doClick(0);
         assertTrue(bench.acts.contains("behaviour anna none"), bench.acts.toString());
+    }
+
+    @Test
+    void theLast8LinesThatTheSelectedRobotHasPrintedAreShown() {
+        bench.events = IntStream.rangeClosed(0, 9)
+                .mapToObj(line -> new LoggedEvent(
+                        line, line == 5 ? "bert" : "anna", new RobotEvent.Printed("Dance", "step " + line)))
+                .toList();
+        bench.show();
+        assertEquals(
+                "step 1\nstep 2\nstep 3\nstep 4\nstep 6\nstep 7\nstep 8\nstep 9",
+                ((JTextArea) bench.component("processes.printed")).getText());
     }
 
     @Test

@@ -54,7 +54,7 @@ public final class WindowBench implements OperatorActions {
     public boolean paused;
     String notice = "";
     List<OpenPort> ports = List.of();
-    List<LoggedEvent> events = List.of();
+    public List<LoggedEvent> events = List.of();
     public Optional<Timeline> timeline = Optional.empty();
     boolean worldChanged;
     public Optional<Path> recording = Optional.empty();
