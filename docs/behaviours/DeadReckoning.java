@@ -12,46 +12,34 @@ public class DeadReckoning implements Behaviour {
     private static final double SIDE = 1;
     private static final int CORNERS = 5 * 4;
 
-    private Place start;
     private Place last;
-    private int corner = 1;
+    private double sideHeading;
+    private double cornerX;
+    private double cornerY;
+    private int passed = -1;
 
     @Override
     public Steering decide(Senses senses) {
         Place believed = senses.odometry();
-        if (start == null) {
-            start = believed;
+        if (last == null) {
             last = believed;
+            sideHeading = believed.headingRadians() + Math.PI / 2;
+            cornerX = believed.xMeters();
+            cornerY = believed.yMeters();
         }
         if (distance(believed, last.xMeters(), last.yMeters()) > 0.05) {
             drawLine(last.xMeters(), last.yMeters(), believed.xMeters(), believed.yMeters());
             last = believed;
         }
-
-        double dx = cornerX() - believed.xMeters();
-        double dy = cornerY() - believed.yMeters();
-        if (Math.hypot(dx, dy) < 0.03) {
+        if (distance(believed, cornerX, cornerY) < 0.03) {
             report(believed, senses);
-            corner++;
-            return Steering.STOP;
+            sideHeading -= Math.PI / 2;
+            cornerX += SIDE * Math.cos(sideHeading);
+            cornerY += SIDE * Math.sin(sideHeading);
         }
-        double error = Math.IEEEremainder(Math.atan2(dy, dx) - believed.headingRadians(), 2 * Math.PI);
+        double direction = Math.atan2(cornerY - believed.yMeters(), cornerX - believed.xMeters());
+        double error = Math.IEEEremainder(direction - believed.headingRadians(), 2 * Math.PI);
         return Math.abs(error) > 0.2 ? new Steering(0, Math.signum(error) * 0.8) : new Steering(0.25, 2 * error);
-    }
-
-    /** Corners 0, 1, 2, 3 are passed clockwise; 4 is 0 again. */
-    private double cornerX() {
-        return along(corner % 4 == 1 || corner % 4 == 2, Math.cos(start.headingRadians()), start.xMeters())
-                + along(corner % 4 == 2 || corner % 4 == 3, Math.sin(start.headingRadians()), 0);
-    }
-
-    private double cornerY() {
-        return along(corner % 4 == 1 || corner % 4 == 2, Math.sin(start.headingRadians()), start.yMeters())
-                - along(corner % 4 == 2 || corner % 4 == 3, Math.cos(start.headingRadians()), 0);
-    }
-
-    private static double along(boolean isFar, double direction, double from) {
-        return isFar ? from + SIDE * direction : from;
     }
 
     private static double distance(Place place, double x, double y) {
@@ -59,13 +47,14 @@ public class DeadReckoning implements Behaviour {
     }
 
     private void report(Place believed, Senses senses) {
+        passed++;
         double off = distance(believed, senses.xMeters(), senses.yMeters());
         drawText(senses.xMeters(), senses.yMeters(), String.format(Locale.ROOT, "%.2f", off));
-        System.out.printf(Locale.ROOT, "corner %d: off by %.2f m%n", corner, off);
+        System.out.printf(Locale.ROOT, "corner %d: off by %.2f m%n", passed, off);
     }
 
     @Override
     public boolean isDone() {
-        return corner > CORNERS;
+        return passed == CORNERS;
     }
 }
