@@ -22,18 +22,10 @@ final class ClassBoard {
 
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
-    private final double goalX;
-    private final double goalY;
     private final Map<String, Result> results = new LinkedHashMap<>();
     private ClassView.Phase phase = ClassView.Phase.FREE;
     private long startedNanos;
     private long stoppedNanos;
-
-    /** The goal in metres. */
-    ClassBoard(double goalX, double goalY) {
-        this.goalX = goalX;
-        this.goalY = goalY;
-    }
 
     /**
      * A student's result; seconds to the goal from the beginning of the challenge, without one from the first key or message; not
@@ -42,6 +34,8 @@ final class ClassBoard {
     static final class Result {
         final String phone;
         final String number;
+        private final double goalX;
+        private final double goalY;
         private String name = "";
         private int keys;
         private int orders;
@@ -52,9 +46,11 @@ final class ClassBoard {
 
         private double seconds = Double.NaN;
 
-        private Result(String phone, String number) {
+        private Result(String phone, String number, double goalX, double goalY) {
             this.phone = phone;
             this.number = number;
+            this.goalX = goalX;
+            this.goalY = goalY;
         }
 
         private void begin(long nowNanos) {
@@ -93,9 +89,9 @@ final class ClassBoard {
         }
     }
 
-    /** @param robot name of the student's robot; @param phone the student's number; @param number the robot's */
-    void add(String robot, String phone, String number) {
-        results.put(robot, new Result(phone, number));
+    /** @param robot name of the student's robot; @param phone the student's number; @param number the robot's; its goal in metres */
+    void add(String robot, String phone, String number, double goalX, double goalY) {
+        results.put(robot, new Result(phone, number, goalX, goalY));
     }
 
     /** A browser has become a student's phone. @param name typed there, may be empty; @return whether a result has changed */
@@ -140,7 +136,7 @@ final class ClassBoard {
     private void pose(Result result, Event event, long nowNanos) {
         double x = Double.parseDouble(event.fields().getOrDefault("x", "NaN"));
         double y = Double.parseDouble(event.fields().getOrDefault("y", "NaN"));
-        if (result.beganNanos >= 0 && Math.hypot(x - goalX, y - goalY) <= GOAL_RADIUS_METERS) {
+        if (result.beganNanos >= 0 && Math.hypot(x - result.goalX, y - result.goalY) <= GOAL_RADIUS_METERS) {
             result.seconds = (nowNanos - result.beganNanos) / NANOS_PER_SECOND;
         }
     }

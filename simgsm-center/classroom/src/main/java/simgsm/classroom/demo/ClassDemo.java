@@ -3,6 +3,8 @@ package simgsm.classroom.demo;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.net.SocketException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -29,12 +31,9 @@ public final class ClassDemo {
     /** The console of SimRobot. */
     static final String ROBOTS = "robots";
 
-    private static final int MOST_STUDENTS = 30;
-    private static final String WORLD = "worlds/office.map";
-    /** Place of the goal "Exit" in that world, in metres. */
-    private static final double GOAL_X = 17.6;
-
-    private static final double GOAL_Y = 6.0;
+    private static final int LEAST_STUDENTS = 2;
+    private static final int MOST_STUDENTS = 40;
+    private static final String WORLD = "class.map";
 
     /** Console lines that each phone performs without a display. */
     private static final List<String> MOVES = List.of(
@@ -51,16 +50,17 @@ public final class ClassDemo {
     final CenterSettings settings;
     final ClassRoll roll;
     /** Locked by each thread that uses it. */
-    final ClassBoard board = new ClassBoard(GOAL_X, GOAL_Y);
+    final ClassBoard board = new ClassBoard();
 
     private final PrintStream out = Program.standardOutput();
 
     private ClassDemo(Arguments arguments, CenterSettings settings) throws UsageException, SocketException {
         this.arguments = arguments;
         this.settings = settings;
-        roll = new ClassRoll((int) arguments.integer("class", 1, 1, MOST_STUDENTS), settings);
+        roll = new ClassRoll((int) arguments.integer("class", 0, LEAST_STUDENTS, MOST_STUDENTS), settings);
+        ClassWorld world = new ClassWorld(roll.students());
         for (int i = 0; i < roll.students(); i++) {
-            board.add(roll.name(i), roll.phone(i), roll.robot(i));
+            board.add(ClassRoll.name(i), roll.phone(i), roll.robot(i), world.goalXMeters(i), world.goalYMeters(i));
         }
     }
 
@@ -73,7 +73,7 @@ public final class ClassDemo {
             boolean isHeadless = arguments.has("headless") || !Display.isAvailable();
             if (isHeadless && WebLink.isWanted(arguments)) {
                 // The students' phones are browsers.
-                List<String> options = demo.robotOptions(Stream.of("--headless"));
+                List<String> options = demo.robotOptions(session, Stream.of("--headless"));
                 return WebLink.serve(arguments, session, ROBOTS, options, demo.phoneNumbers());
             }
             if (!WebLink.isWanted(arguments)) {
@@ -114,18 +114,20 @@ public final class ClassDemo {
         }
     }
 
-    private List<String> robotOptions(Stream<String> more) {
+    /** The options of SimRobot with the class's world, which is written into the session's folder. */
+    private List<String> robotOptions(Session session, Stream<String> more) throws IOException {
+        Path file = Files.writeString(session.folder().resolve(WORLD), new ClassWorld(roll.students()).map());
         Stream<String> robots = IntStream.range(0, roll.students())
                 .boxed()
-                .flatMap(i -> Stream.of("--robot", roll.name(i) + "=" + roll.robot(i)));
-        Stream<String> world = Stream.of("--no-sound", "--world", WORLD);
+                .flatMap(i -> Stream.of("--robot", ClassRoll.name(i) + "=" + roll.robot(i)));
+        Stream<String> world = Stream.of("--no-sound", "--world", file.toString());
         return Stream.of(world, robots, more, WebLink.robotOptions(arguments))
                 .flatMap(each -> each)
                 .toList();
     }
 
     void startRobots(Session session, Stream<String> more) throws IOException {
-        session.start(ROBOTS, "simrobot", roll.robot(0), robotOptions(more));
+        session.start(ROBOTS, "simrobot", roll.robot(0), robotOptions(session, more));
     }
 
     /** The numbers of the students' phones, which browsers take. */

@@ -30,7 +30,7 @@ final class ClassRoll {
         return students;
     }
 
-    String name(int student) {
+    static String name(int student) {
         return "robot" + (student + 1);
     }
 

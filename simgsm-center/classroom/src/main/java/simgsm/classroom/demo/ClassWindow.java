@@ -132,7 +132,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
         Optional<String> link = WebLink.start(demo.arguments, session, ClassDemo.ROBOTS, demo.phoneNumbers());
         link.ifPresent(url -> demo.print(Event.of("link").with("url", url)));
         for (int i = 0; i < roll.students(); i++) {
-            session.consoles().perform(ClassDemo.ROBOTS + " @" + roll.name(i) + " pose");
+            session.consoles().perform(ClassDemo.ROBOTS + " @" + ClassRoll.name(i) + " pose");
         }
         return link;
     }

@@ -12,12 +12,12 @@ import simgsm.console.CommandException;
 import simgsm.console.Event;
 
 class ClassBoardTest {
-    private final ClassBoard board = new ClassBoard(10, 5);
+    private final ClassBoard board = new ClassBoard();
 
     @BeforeEach
     void students() {
-        board.add("a", "100", "200");
-        board.add("b", "101", "201");
+        board.add("a", "100", "200", 10, 5);
+        board.add("b", "101", "201", 10, 5);
     }
 
     private boolean event(double seconds, String line) {
