@@ -1,4 +1,4 @@
-/** Demo, class and lessons: they start the programs and read their consoles. */
+/** Demo, class and lessons; they start the programs and read their consoles. */
 module simgsm.classroom {
     requires simgsm.center;
     requires simgsm.lesson;

@@ -7,12 +7,12 @@ import simgsm.speech.CallAudioListener;
 import simgsm.speech.CallRecorder;
 import simrobot.control.Fleet;
 
-/** Opens the WAV files in which calls are recorded. */
+/** Opens the WAV files of recorded calls. */
 public final class CallRecordings implements Fleet.CallRecorders {
     private final Optional<Path> file;
     private boolean named;
 
-    /** @param single whether the file is the first robot's; otherwise each robot's name is added before the ending */
+    /** @param single true if the file is the only robot's; otherwise each robot's name is added before the extension */
     public CallRecordings(Optional<Path> file, boolean single) {
         this.file = file;
         named = !single;
@@ -28,7 +28,7 @@ public final class CallRecordings implements Fleet.CallRecorders {
         return CallRecorder.open(path);
     }
 
-    /** The file with the robot's name before the ending. */
+    /** Adds the robot's name before the extension. */
     static Path pathOf(Path file, String robot) {
         if (file.getFileName() == null) {
             return file;

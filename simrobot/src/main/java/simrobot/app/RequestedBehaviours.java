@@ -16,7 +16,7 @@ import simrobot.process.BehaviourList;
 import simrobot.source.BehaviourFolder;
 import simrobot.source.ProcessOutput;
 
-/** The processes that a command line asks for: {@code --behaviours DIR} and {@code --behaviour NAME}. */
+/** The processes of a command line: {@code --behaviours DIR} and {@code --behaviour NAME}. */
 public final class RequestedBehaviours implements AutoCloseable {
     private final BehaviourList list;
     private final Optional<BehaviourFolder> folder;
@@ -29,14 +29,14 @@ public final class RequestedBehaviours implements AutoCloseable {
     /**
      * Loads the folder's processes into the list.
      *
-     * @throws UsageException if the folder is none
+     * @throws UsageException if the path is no folder
      */
     public static RequestedBehaviours of(Arguments arguments, BehaviourList list) throws UsageException, IOException {
         Optional<Path> place = arguments.path("behaviours");
         if (place.isEmpty()) {
             return new RequestedBehaviours(list, Optional.empty());
         }
-        // what a process prints must not come between the console's events
+        // output of a process must not appear between the console's events
         ProcessOutput.install(System.err);
         try {
             return new RequestedBehaviours(
@@ -52,8 +52,8 @@ public final class RequestedBehaviours implements AutoCloseable {
     }
 
     /**
-     * The same for one of several runs without a clock: gives the loaded processes to the list of its simulation, and chooses
-     * from that, which has goals of its own. Its processes are waited for.
+     * Chooses for one of several runs without a clock: adds the loaded processes, which are waited for, to the list of
+     * its simulation and chooses from that, because it has goals of its own.
      */
     public BehaviourKind chosenForRun(Arguments arguments, BehaviourList ofRun) throws UsageException {
         folder.ifPresent(BehaviourFolder::waitForDecisions);
@@ -78,7 +78,9 @@ public final class RequestedBehaviours implements AutoCloseable {
         return arguments.value("behaviour", from::of).orElseThrow();
     }
 
-    /** Reports what was loaded, and from now on what changes; robots go on with the new version of a changed process. */
+    /**
+     * Reports the loaded processes, and changes from now on; robots continue with the new version of a changed process.
+     */
     public void start(SimRobot simRobot, Consumer<Event> out) {
         if (folder.isEmpty()) {
             return;

@@ -20,7 +20,7 @@ import simrobot.pioneer.RobotParameters;
 import simrobot.world.Home;
 import simrobot.world.World;
 
-/** The robots that a command line asks for. */
+/** The robots of a command line. */
 public final class RequestedRobots {
     static final String SINGLE_NAME = "robot";
     private static final Msisdn DEFAULT_NUMBER = new Msisdn("5550200");
@@ -30,7 +30,7 @@ public final class RequestedRobots {
     /**
      * At least one robot; names and numbers are all different.
      *
-     * @param slot if it holds exactly one card, a single robot has its number
+     * @param slot with exactly one card, a single robot has its number
      */
     public static List<RobotName> of(Arguments arguments, SimSlot slot, World world) throws UsageException {
         Msisdn number = firstNumber(arguments, slot);
@@ -98,7 +98,11 @@ public final class RequestedRobots {
         return address;
     }
 
-    /** The units of a real robot, from a file. @throws IOException if it cannot be read, or describes no robot */
+    /**
+     * The units of a real robot, from a file.
+     *
+     * @throws IOException if it cannot be read, or describes no robot
+     */
     public static Optional<RobotParameters> parameters(Arguments arguments) throws UsageException, IOException {
         Optional<Path> file = arguments.path("pioneer-params");
         return file.isEmpty() ? Optional.empty() : Optional.of(RobotParameters.read(file.get()));
@@ -146,7 +150,7 @@ public final class RequestedRobots {
         return robots;
     }
 
-    /** Appends a number to names that occur before; in constant time per name. */
+    /** Appends a number to repeated names, in constant time per name. */
     private static final class UniqueNames {
         private final Set<String> taken = new HashSet<>();
         private final Map<String, Integer> counts = new HashMap<>();

@@ -11,27 +11,31 @@ import simrobot.replay.SessionRecorder;
 import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationThread;
 
-/** A recording of the session that can be started and stopped, by {@code --record} or from the window. */
+/** Records the session; started and stopped by {@code --record} or from the window. */
 public final class SessionRecording implements AutoCloseable {
-    /** A file that could not be written to the end. */
+    /** A file whose writing failed. */
     public record Failure(Path file, IOException why) {}
 
     private final SimulationThread simulation;
     private volatile SessionRecorder recorder;
     private volatile Path file;
 
-    /** Nothing is recorded yet. */
+    /** Creates an idle instance. */
     public SessionRecording(SimulationThread simulation) {
         this.simulation = simulation;
     }
 
-    /** Starts it; on the simulation's thread, or before that runs. */
+    /** Starts a recording; on the simulation's thread, or before that runs. */
     public void start(Path path, Simulation owned) throws IOException {
         recorder = SessionRecorder.open(path, owned, simulation);
         file = path;
     }
 
-    /** Stops it, and starts another one if a file is named. @param problem takes the failure, on any thread */
+    /**
+     * Stops the recording, and starts another one if a file is named.
+     *
+     * @param problem receives the failure, on any thread
+     */
     public void restart(Optional<Path> path, BiConsumer<Path, IOException> problem) {
         simulation.withSimulation(owned -> {
             close();
@@ -45,12 +49,12 @@ public final class SessionRecording implements AutoCloseable {
         });
     }
 
-    /** The file that is being written; empty when its disk has refused it. */
+    /** The file being written; empty after a failure. */
     public Optional<Path> file() {
         return failure().isPresent() ? Optional.empty() : Optional.ofNullable(file);
     }
 
-    /** Why the recording ended by itself, such as a full disk, until it is stopped or another one starts. */
+    /** The failure, such as a full disk, until the next stop or start. */
     public Optional<Failure> failure() {
         SessionRecorder current = recorder;
         Path path = file;
@@ -59,7 +63,7 @@ public final class SessionRecording implements AutoCloseable {
                 : current.failure().map(why -> new Failure(path, why));
     }
 
-    /** Records an event, if a recording runs; any thread may call. */
+    /** Records an event, if a recording runs; callable on any thread. */
     public void event(Event event) {
         SessionRecorder current = recorder;
         if (current != null) {
@@ -72,7 +76,7 @@ public final class SessionRecording implements AutoCloseable {
         return event -> event(event.line(robot));
     }
 
-    /** Stops it; on the simulation's thread, or when that has ended. */
+    /** Stops the recording; on the simulation's thread, or after its end. */
     @Override
     public void close() {
         SessionRecorder current = recorder;

@@ -19,7 +19,7 @@ import simrobot.control.RobotConsole;
 import simrobot.process.BehaviourKind;
 import vericommand.VeriCommandSettings;
 
-/** SimRobot's options, and what they are read into. */
+/** SimRobot's options and their values. */
 public final class SimRobotOptions {
     private static final double MIN_SPEED = 0.001;
     private static final double MAX_SPEED = 1000;
@@ -31,13 +31,13 @@ public final class SimRobotOptions {
                 .commands(RobotConsole.COMMANDS);
     }
 
-    /** Simulated seconds per second; 0 begins in pause. */
+    /** Simulated seconds per second; 0 starts paused. */
     public static double speed(Arguments arguments) throws UsageException {
         boolean isPaused = arguments.has("speed") && arguments.number("speed", 1, 0, MAX_SPEED) == 0;
         return isPaused ? 0 : arguments.number("speed", 1, MIN_SPEED, MAX_SPEED);
     }
 
-    /** @param single whether there is one robot, whose calls are recorded in the named file itself */
+    /** @param single true if there is one robot; its calls are recorded in the named file itself */
     public static Fleet.Kit kit(Arguments arguments, SimSlot slot, boolean single, long seed, BehaviourKind behaviour)
             throws UsageException {
         boolean power = arguments.choice("power", "on", "off").equals("on");
@@ -58,7 +58,7 @@ public final class SimRobotOptions {
                 number -> Arguments.checked(() -> slot.card(Optional.of(number))));
     }
 
-    /** A window shows at once whether there is a device; a console opens it with the first sound. */
+    /** Opens the output: a window shows at once if there is no device; a console opens it with the first sound. */
     public static AudioOutput sound(Arguments arguments) {
         if (arguments.has("no-sound")) {
             return AudioOutput.SILENT;
@@ -66,14 +66,14 @@ public final class SimRobotOptions {
         return arguments.has("headless") ? SoundCard.openWhenPlayed() : SoundCard.open();
     }
 
-    /** The one that is given, or another each time. */
+    /** The given seed, else a random one. */
     public static long seed(Arguments arguments) throws UsageException {
         return arguments.has("seed")
                 ? arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE)
                 : new Random().nextLong();
     }
 
-    /** Who may command, in which language the answers are, and what becomes of a motion whose call is lost. */
+    /** The commanders, the language of answers, and the handling of a motion after its call is lost. */
     public static VeriCommandSettings settings(Arguments arguments) throws UsageException {
         Set<String> operators =
                 arguments.value("operators", SimRobotOptions::operators).orElse(Set.of());

@@ -15,7 +15,7 @@ import simrobot.world.WorldReader;
 
 /**
  * Finds a world file: as named, in {@code worlds/}, upward from the folder of the jar or the image, with or without
- * {@code worlds/}, or among the worlds that the program carries itself.
+ * {@code worlds/}, or among the built-in worlds.
  */
 public final class WorldFile {
     private static final Path FOLDER = Path.of("worlds");
@@ -43,14 +43,14 @@ public final class WorldFile {
         return WorldReader.read(place, content);
     }
 
-    /** The option --resolution: metres a pixel. */
+    /** The option --resolution: metres per pixel. */
     public static OptionalDouble resolution(Arguments arguments) throws UsageException {
         return arguments.has("resolution")
                 ? OptionalDouble.of(arguments.number("resolution", 0, 1e-4, 10))
                 : OptionalDouble.empty();
     }
 
-    /** The place of the world's file; as named if it is not found. */
+    /** The path of the world's file; as named if it is not found. */
     public static Path find(Optional<Path> name) {
         return ProgramFolder.find(WorldFile.class, FOLDER, name.orElse(DEFAULT));
     }

@@ -1,34 +1,41 @@
 package simrobot.behaviour;
 
 /**
- * A process of one robot, written by you: SimRobot asks it every 50 ms of simulated time how fast the robot is to drive.
+ * A process of one robot, written by you: SimRobot asks it every 50 ms of simulated time for the robot's speeds.
  *
- * <p>The class needs a constructor without parameters; every robot that runs the process has an object of its own, and a
- * thread of its own that calls all methods. A decision that computes for more than 50 ms, or does not come within 1 s, ends
- * the process, as does everything that it throws; the robot then brakes.
+ * <p>The class needs a constructor without parameters; every robot that runs the process has its own object, and one
+ * thread that calls all its methods. A decision that computes for more than 50 ms, or takes more than 1 s, ends the
+ * process, as does every exception; the robot then brakes.
  */
 public interface Behaviour {
     /**
-     * Makes one decision. It takes effect 50 ms of simulated time after the moment of the measurements.
+     * Makes one decision. It takes effect 50 ms of simulated time after the measurements.
      *
-     * @param senses what the robot measures; the object stays as it is, so it may be kept
+     * @param senses the robot's measurements; immutable
      * @return the speeds until the next decision
      */
     Steering decide(Senses senses);
 
-    /** Asked after each decision: true ends the process, the robot brakes, and an order that started it is answered by 3. */
+    /**
+     * Returns true to end the process; called after each decision. The robot brakes, and an order that started the
+     * process is answered by 3.
+     */
     default boolean isDone() {
         return false;
     }
 
-    // ---- what it may ask for in decide ---------------------------------------------------------------------------
+    // ---- requests, valid in decide -------------------------------------------------------------------------------
 
     /** Sends an SMS through the robot's modem: at most one in 10 s, further ones are dropped. @param number 1 to 15 digits */
     default void sms(String number, String text) {
         Answer.ask(new Request.Sms(number, text));
     }
 
-    /** Plays keys to the caller, 150 ms each; dropped without a call, and while earlier ones sound. @param keys at most 16 */
+    /**
+     * Plays keys to the caller, 150 ms each; dropped without a call, and while earlier keys sound.
+     *
+     * @param keys at most 16
+     */
     default void play(String keys) {
         Answer.ask(new Request.Tones(keys));
     }

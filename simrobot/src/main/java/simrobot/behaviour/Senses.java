@@ -1,6 +1,6 @@
 package simrobot.behaviour;
 
-/** What a robot measures at one moment. Metres, radians anticlockwise, seconds. */
+/** A robot's measurements at one moment. Metres, radians anticlockwise, seconds. */
 public interface Senses {
     /** The number of sonars. */
     int SONARS = 16;
@@ -9,27 +9,27 @@ public interface Senses {
     int LASER_READINGS = 181;
 
     /**
-     * The range of one sonar, 0.1 to 5 m, 5 m also where there is no echo: as it was when the sonar last fired, up to 320 ms
-     * ago, for the eight of an array fire in turn.
+     * The range of one sonar, 0.1 to 5 m; 5 m also without an echo. The eight sonars of an array fire in turn, so the
+     * value is up to 320 ms old.
      *
      * @param sonar 0 to 15, clockwise: 0 looks to the left, 3 and 4 ahead, 7 to the right, 11 and 12 back
      */
     double sonarMeters(int sonar);
 
     /**
-     * The range of one reading of the laser, 0 to 32 m; 32 m also where there is nothing.
+     * The range of one reading of the laser, 0 to 32 m; 32 m also without an obstacle.
      *
      * @param reading 0 to 180, anticlockwise by the degree: 0 looks to the right, 90 ahead, 180 to the left
      */
     double laserMeters(int reading);
 
-    /** {@link #key} while the caller presses none. */
+    /** Result of {@link #key} while the caller presses no key. */
     char NO_KEY = ' ';
 
-    /** The true place in the world. */
+    /** The true x coordinate in the world. */
     double xMeters();
 
-    /** The true place in the world. */
+    /** The true y coordinate in the world. */
     double yMeters();
 
     /** The true heading, anticlockwise from +X, in (-pi, pi]. */
@@ -44,24 +44,32 @@ public interface Senses {
     /** True while a collision keeps the robot from moving; it may turn and back away. */
     boolean isBlocked();
 
-    /** Whether a front bumper is pressed. @param bumper 0 to 4, from the left to the right */
+    /**
+     * True while a front bumper is pressed.
+     *
+     * @param bumper 0 to 4, from the left to the right
+     */
     boolean isFrontBumperPressed(int bumper);
 
-    /** Whether a rear bumper is pressed. @param bumper 0 to 4, from the right to the left */
+    /**
+     * True while a rear bumper is pressed.
+     *
+     * @param bumper 0 to 4, from the right to the left
+     */
     boolean isRearBumperPressed(int bumper);
 
     /** Simulated time since the process began. */
     double seconds();
 
-    /** True once {@link Behaviour#goTo} has come to its place, until another place is asked for. */
+    /** True once {@link Behaviour#goTo} has reached its place, until another place is requested. */
     boolean hasArrived();
 
     /** The robot's telephone. */
     Call call();
 
     /**
-     * The key that the caller holds down, or has pressed since the last decision; {@link #NO_KEY} if none. Keys come while the
-     * call is up in which {@code #*n} started the process; two stars begin an order and end the process.
+     * The key that the caller holds, or has pressed since the last decision; {@link #NO_KEY} if none. Only the call in
+     * which {@code #*n} started the process delivers keys; two stars begin an order and end the process.
      */
     default char key() {
         if (Answer.isOpen()) {
@@ -75,7 +83,11 @@ public interface Senses {
         return call().caller();
     }
 
-    /** The least range of several neighbouring sonars. @param first with the next one the numbers of the outer two */
+    /**
+     * The smallest range of neighbouring sonars.
+     *
+     * @param first the first and last sonar
+     */
     default double nearestMeters(int first, int last) {
         double nearest = Double.POSITIVE_INFINITY;
         for (int sonar = first; sonar <= last; sonar++) {

@@ -8,7 +8,7 @@ package simrobot.behaviour;
  * @param radiansPerSecond anticlockwise
  */
 public record Steering(double metersPerSecond, double radiansPerSecond) {
-    /** Stand still. */
+    /** Both speeds 0. */
     public static final Steering STOP = new Steering(0, 0);
 
     /** @throws IllegalArgumentException if a speed is infinite or not a number */
@@ -19,7 +19,11 @@ public record Steering(double metersPerSecond, double radiansPerSecond) {
         }
     }
 
-    /** Speeds with the turn in degrees. @param degreesPerSecond anticlockwise: positive turns to the left */
+    /**
+     * Creates speeds with the turn in degrees.
+     *
+     * @param degreesPerSecond anticlockwise: positive turns to the left
+     */
     public static Steering ofDegrees(double metersPerSecond, double degreesPerSecond) {
         return new Steering(metersPerSecond, Math.toRadians(degreesPerSecond));
     }

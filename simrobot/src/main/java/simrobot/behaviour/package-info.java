@@ -1,7 +1,7 @@
 /**
- * For processes of your own: a class that implements {@link simrobot.behaviour.Behaviour} maps what a robot
- * {@linkplain simrobot.behaviour.Senses measures} to the {@linkplain simrobot.behaviour.Steering speeds} of its wheels.
+ * Processes of your own: a class that implements {@link simrobot.behaviour.Behaviour} maps a robot's {@linkplain
+ * simrobot.behaviour.Senses measurements} to the {@linkplain simrobot.behaviour.Steering speeds} of its wheels.
  *
- * <p>{@code docs/BEHAVIOUR.md} leads from an empty file to a driving robot.
+ * <p>{@code docs/BEHAVIOUR.md} is the tutorial.
  */
 package simrobot.behaviour;

@@ -6,7 +6,7 @@ import java.util.OptionalInt;
 import simgsm.console.Event;
 import simgsm.event.EventLine;
 
-/** An answer of the console that is no event of a robot. */
+/** A console answer that is not an event of a robot. */
 public interface ConsoleRow {
     /** The line as printed. */
     default Event line() {
@@ -25,7 +25,7 @@ public interface ConsoleRow {
     @EventLine("sonar robot= ranges=")
     record SonarRanges(String robot, List<Integer> ranges) implements ConsoleRow {}
 
-    /** 181 ranges in mm, 32000 where there is nothing; from -90 degrees (right) to 90 (left). */
+    /** 181 ranges in mm, from -90 degrees (right) to 90 (left); 32000 without an obstacle. */
     @EventLine("laser robot= ranges=")
     record LaserRanges(String robot, List<Integer> ranges) implements ConsoleRow {}
 
@@ -53,7 +53,7 @@ public interface ConsoleRow {
     @EventLine("behaviour-loaded name=")
     record BehaviourLoaded(String name) implements ConsoleRow {}
 
-    /** A file of {@code --behaviours} is gone. */
+    /** A file of {@code --behaviours} was removed. */
     @EventLine("behaviour-removed name=")
     record BehaviourRemoved(String name) implements ConsoleRow {}
 }

@@ -9,6 +9,6 @@ import java.util.function.LongSupplier;
  *
  * @param stations runs tasks in order on the thread that owns the modem's station
  * @param simulation runs tasks in order on the thread that owns the robot
- * @param clockNanos clock for measurements and for the limit of replies to messages; it only goes forward
+ * @param clockNanos monotonic clock for measurements and the time limit of replies to messages
  */
 public record ControlThreads(Executor stations, Executor simulation, LongSupplier clockNanos) {}

@@ -14,22 +14,22 @@ import java.util.function.Consumer;
 import simgsm.file.FileReplacement;
 import simrobot.simulation.SimulationSnapshot;
 
-/** Writes pictures of the world and tracks of robots to files; the file's ending selects which. */
+/** Writes pictures of the world and tracks of robots to files; the file name's extension selects the format. */
 public final class FileExports {
-    /** Draws the world with its robots; implemented beside the windows. */
+    /** Draws the world with its robots; implemented by the windows. */
     public interface Pictures {
         /**
          * The content of a picture file.
          *
          * @param ending png or svg
-         * @param selected the robot that is drawn as selected
+         * @param selected the robot drawn as selected
          */
         byte[] of(SimulationSnapshot scene, String selected, String ending) throws IOException;
     }
 
     /** The tracks of the robots. */
     public interface Tracks {
-        /** A robot's track with a header line, as {@link TrackSeries.Samples#writeCsv} has it. */
+        /** A robot's track with a header line, as by {@link TrackSeries.Samples#writeCsv}. */
         String csv(String robot) throws IOException;
     }
 
@@ -41,7 +41,7 @@ public final class FileExports {
         this.pictures = pictures;
     }
 
-    /** Whether the file's ending is one of png, svg and csv. */
+    /** True if the extension is png, svg or csv. */
     public static boolean hasKnownEnding(Path file) {
         return isPicture(file) || ending(file).equals("csv");
     }
@@ -50,7 +50,7 @@ public final class FileExports {
         return ending(file).equals("png") || ending(file).equals("svg");
     }
 
-    /** Returns the ending in lower case, without the dot. */
+    /** Returns the extension in lower case, without the dot. */
     private static String ending(Path file) {
         String name = String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
         return name.substring(name.lastIndexOf('.') + 1);
@@ -66,8 +66,8 @@ public final class FileExports {
     }
 
     /**
-     * Does the same without blocking the caller: pictures are painted at once, because the event thread owns the
-     * colours; tracks are formatted and all files written on the worker.
+     * Exports without blocking the caller: pictures are painted at once, because the event thread owns the colours; the
+     * worker formats tracks and writes all files.
      *
      * @param answer receives the failure, if any, on either thread
      */

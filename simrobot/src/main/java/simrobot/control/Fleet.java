@@ -37,7 +37,7 @@ public final class Fleet {
         CallAudioListener of(String robot) throws IOException;
     }
 
-    /** What a process of a real robot may know: the world by the map, and no other robots. */
+    /** Surroundings of a real robot's process: the world by its map, and no other robots. */
     private record Alone(Simulation simulation) implements Surroundings {
         @Override
         public int robotNumber() {
@@ -66,12 +66,12 @@ public final class Fleet {
     }
 
     /**
-     * Settings common to all robots.
+     * Settings of all robots.
      *
      * @param seed determines, with a robot's number, its modem's IMEI
-     * @param power whether robots start switched on
-     * @param motors whether their motors start switched on
-     * @param answerAfterMillis how long a modem rings before it answers
+     * @param power true if robots start switched on
+     * @param motors true if their motors start switched on
+     * @param answerAfterMillis time that a modem rings before it answers
      */
     public record Kit(
             long seed,
@@ -83,7 +83,7 @@ public final class Fleet {
             CallRecorders recording,
             Cards cards) {}
 
-    /** Why a robot cannot be created as requested. */
+    /** Reasons to refuse a robot. */
     public enum Reason {
         NAME_TAKEN,
         NUMBER_TAKEN,
@@ -119,7 +119,11 @@ public final class Fleet {
         this.kit = kit;
     }
 
-    /** Creates a robot before the start, on the first free home. @param modem the real modem in M2's place */
+    /**
+     * Creates a robot before the start, on the first free home.
+     *
+     * @param modem the real modem that replaces M2
+     */
     public TelephoneRobot addFirst(RobotName name, Simulation simulation, Optional<LineAddress> modem)
             throws IOException, UsageException {
         SimulatedRobot robot = placed(name, simulation, Optional.empty());
@@ -129,7 +133,7 @@ public final class Fleet {
     /**
      * Adds a real robot before the start; its assumed pose is the world's first home.
      *
-     * @param modem the real modem in M2's place
+     * @param modem the real modem that replaces M2
      */
     public TelephoneRobot addReal(
             RobotName name,
@@ -167,7 +171,7 @@ public final class Fleet {
     /**
      * Creates a robot while the simulation runs; callable on any thread but the simulation's.
      *
-     * @param place its pose; empty selects the first free home, or a place beside it
+     * @param place its pose; empty selects the first free home, or a place near it
      * @throws RobotRefusal if name, number or place is taken
      */
     public TelephoneRobot add(RobotName name, Optional<Pose> place)
@@ -207,7 +211,10 @@ public final class Fleet {
         }
     }
 
-    /** Returns why the robot was not placed; called in the same task as the attempt, so nothing has changed since. */
+    /**
+     * Returns the reason why the robot was not placed; called in the same task as the attempt, so nothing has changed
+     * since.
+     */
     private Reason reason(Simulation simulation, RobotName name, Optional<Pose> place) {
         if (simulation.robot(name.name()).isPresent()) {
             return Reason.NAME_TAKEN;
@@ -238,7 +245,7 @@ public final class Fleet {
                 name.name(), new Position(pose.xMeters(), pose.yMeters()), Math.toRadians(pose.headingDegrees()));
     }
 
-    /** The process of the kit in the version that the list has now; none if the list has it no more. */
+    /** The current version of the chosen process; none if the list no longer has it. */
     private BehaviourKind newest(Simulation simulation) {
         return simulation.behaviours().kinds().stream()
                 .filter(kit.behaviour()::equals)

@@ -9,7 +9,7 @@ import simgsm.console.Event;
  * @param line as the console prints it
  */
 public record LoggedEvent(long timeNanos, Event line) {
-    /** The event of a robot. The log shows an unknown type in the user's language, the console as an error. */
+    /** Creates a robot's event. The log shows an unknown type in the user's language, the console as an error. */
     public LoggedEvent(long timeNanos, String robot, RobotEvent event) {
         this(
                 timeNanos,

@@ -1,10 +1,10 @@
 package simrobot.control;
 
 /**
- * How a robot's modem reaches its network, or a real modem's line; callable on any thread.
+ * The connection of a robot's modem to its network, or the line of a real modem; callable on any thread.
  *
  * @param begin connects, and keeps connected
- * @param end disconnects in order, while the program goes on; returns at once
- * @param close releases what is left when the program ends
+ * @param end disconnects in order while the program continues; returns at once
+ * @param close releases all resources when the program ends
  */
 record ModemConnection(Runnable begin, Runnable end, Runnable close) {}

@@ -30,7 +30,7 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
     /** Samples of a speech frame, 20 ms; a key is decided within the newest frame. */
     private static final long FRAME_SAMPLES = 160;
 
-    /** Reported in place of a key that could not be read: it fits no order. */
+    /** Replaces a key that could not be read; it fits no order. */
     private static final char UNREADABLE_KEY = '?';
 
     private final M modem;
@@ -45,7 +45,7 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
     /** Number of the newest call, from 1; requests for earlier calls are dropped. */
     private long callNumber;
 
-    /** Replies on their way, by their ids. */
+    /** Pending replies by their ids. */
     private final Map<Integer, RobotEvent.ReplyFailed> replies = new HashMap<>();
 
     private boolean accepted;
@@ -114,7 +114,7 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         } else if (event instanceof StationEvent.Released released) {
             callEnded(released.cause());
         } else if (event instanceof StationEvent.ShortMessageReceived message) {
-            // operators are listed without the plus sign of an international number
+            // lists of operators omit the plus sign of an international number
             String sender = message.from().replaceFirst("^\\+(?=[0-9]+$)", "");
             simulation.execute(() -> control.message(sender, message.text()));
         } else if (event instanceof StationEvent.UssdReceived question && modem.isAskedByNetwork()) {
@@ -191,8 +191,8 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
     }
 
     /**
-     * Counts to the end of the current frame, which has arrived whole: later than the deciding sample. A key that a modem
-     * reports has no frame.
+     * Counts to the end of the current frame, which has arrived whole, after the deciding sample. A key reported by a
+     * modem has no frame.
      */
     long samplesSinceStart(DtmfDigit digit) {
         long now = digit.isMeasured() ? heardSamples + FRAME_SAMPLES : digit.decidedAtSample();

@@ -5,17 +5,17 @@ interface ModemPort {
     /**
      * Sends a tone.
      *
-     * @param call number of the call in which it is sent; it is dropped if that call has ended
+     * @param call number of the tone's call; the tone is dropped if that call has ended
      * @param key of the telephone
      */
     void sendTone(long call, char key);
 
-    /** Clears this call, and no later one, after the tones requested so far have been sent. */
+    /** Clears this call, and no later one, after the tones requested so far. */
     void clearCall(long call);
 
     /** @return false if {@code to} is not a valid number for a short message */
     boolean sendMessage(String to, String text);
 
-    /** While an order is being executed, the modem's idle timer is paused. */
+    /** Pauses the modem's idle timer during an order. */
     void setOrderUnderWay(boolean underWay);
 }

@@ -24,12 +24,12 @@ final class OrderLatencyLog {
         this.clockNanos = clockNanos;
     }
 
-    /** A key was received by tone; the latency of an order that it ends is measured from {@code nanos}. */
+    /** A key was received by tone; the latency of the order that it completes is measured from {@code nanos}. */
     void keyBegan(long nanos) {
         keyBeganNanos = nanos;
     }
 
-    /** Clears the key's time, after a key or before a short message: there is no key to measure from. */
+    /** Clears the key's time, after a key or before a short message, which has no key. */
     void noKey() {
         keyBeganNanos = UNKNOWN;
     }
@@ -55,7 +55,7 @@ final class OrderLatencyLog {
         return millis;
     }
 
-    /** Logs an order that ends before the wheels have moved. */
+    /** Logs an order that ended before the wheels moved. */
     void orderEnded() {
         if (!waiting.isEmpty()) {
             log(waiting + "; the wheels did not move");

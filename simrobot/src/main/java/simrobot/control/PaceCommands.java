@@ -8,14 +8,14 @@ import simgsm.console.CommandException;
 import simgsm.console.ConsoleCommand;
 import simrobot.simulation.SimulationThread;
 
-/** Commands about the pace of the simulation. */
+/** Commands for the simulation's pace. */
 final class PaceCommands {
     static final double MIN_SPEED = 0.001;
     static final double MAX_SPEED = 1000;
     /** 100 s of simulated time. */
     static final int MAX_STEPS = 10_000;
 
-    /** Without Java's suffixes and hexadecimal digits. */
+    /** Excludes Java's suffixes and hexadecimal digits. */
     private static final Pattern DECIMAL = Pattern.compile("[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?");
 
     private final RobotConsole console;
@@ -50,7 +50,7 @@ final class PaceCommands {
         return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
     }
 
-    /** {@code step [N]}, of a paused simulation. */
+    /** {@code step [N]}, for a paused simulation. */
     void step(ConsoleCommand command) throws CommandException {
         List<String> words = command.words();
         if (words.size() > 1) {

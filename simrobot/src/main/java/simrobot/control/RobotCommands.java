@@ -246,7 +246,7 @@ final class RobotCommands {
                 + (text.isEmpty() ? "nothing after it" : text));
     }
 
-    /** Reads three words: metres, metres, degrees. */
+    /** Parses three words: metres, metres, degrees. */
     static Pose pose(String command, List<String> words) throws CommandException {
         return new Pose(
                 number(command, "X", words.get(0), MAX_METERS),

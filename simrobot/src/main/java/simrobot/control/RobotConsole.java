@@ -22,7 +22,7 @@ import simrobot.world.Segment;
 import simrobot.world.World;
 import vericommand.Pose;
 
-/** SimRobot's console: commands about the run, and, with or without {@code @NAME} in front, about one robot. */
+/** SimRobot's console: commands about the run and, optionally prefixed by {@code @NAME}, about one robot. */
 public final class RobotConsole implements Console.Commands {
     /** All commands, for the console and for the reference. */
     public static final CommandTable<Request> COMMANDS = new CommandTable<Request>(
@@ -47,7 +47,7 @@ public final class RobotConsole implements Console.Commands {
             .add("robots", (to, command) -> to.console.list())
             .add("world", (to, command) -> to.console.world(command));
 
-    /** A command with the robot to which it is addressed. */
+    /** A command and the robot that it addresses. */
     public static final class Request {
         private final RobotConsole console;
         private final Optional<TelephoneRobot> addressed;

@@ -57,12 +57,12 @@ final class RobotControl {
         robot.autonomy().addRequestListener((kind, asked) -> telephone.perform(kind.text(), asked));
     }
 
-    /** Returns the first tone for a caller, by the newest status; callable on any thread. */
+    /** Returns the first tone for a caller by the current status; callable on any thread. */
     ReplyTone admission(String caller) {
         return settings.admission(caller, status);
     }
 
-    /** Returns the state that a window shows; callable on any thread. */
+    /** Returns the state for a window; callable on any thread. */
     VeriCommandSnapshot snapshot() {
         return snapshot;
     }
@@ -76,12 +76,12 @@ final class RobotControl {
         listeners.add(listener);
     }
 
-    /** Passes an event to all listeners, in the order in which they were added. */
+    /** Passes an event to all listeners in the order of their registration. */
     void tell(RobotEvent event) {
         listeners.forEach(listener -> listener.accept(event));
     }
 
-    /** @param call number of the call, by which the modem recognises late replies */
+    /** @param call number of the call; late replies carry it */
     void callBegan(long call, String caller) {
         callNumber = call;
         robot.autonomy().call().begin(caller);
@@ -97,7 +97,7 @@ final class RobotControl {
         stopwatch.noKey();
     }
 
-    /** The key that came last sounds no longer. */
+    /** The newest key was released. */
     void keyEnded() {
         robot.autonomy().call().release();
     }
@@ -106,7 +106,7 @@ final class RobotControl {
         veriCommand.speech(samples);
     }
 
-    /** The modem clears the call, which had no key for 60 s; {@link #callEnded} follows. */
+    /** The modem clears the call after 60 s without a key; {@link #callEnded} follows. */
     void callIdle(int seconds) {
         LOG.log(Level.INFO, robot.name() + ": the call is ended, no key has come for " + seconds + " s");
         tell(new RobotEvent.CallIdle(seconds));
@@ -124,13 +124,17 @@ final class RobotControl {
         veriCommand.message(from, text, clockNanos.getAsLong());
     }
 
-    /** An order of a program; see {@link VeriCommand#order}. */
+    /** Submits an order of a program; see {@link VeriCommand#order}. */
     void order(String operator, String text, Consumer<OrderReport> follower) {
         tell(new RobotEvent.OrderSubmitted(operator, text));
         veriCommand.order(operator, text, follower);
     }
 
-    /** A question of the network by USSD. @return the verifier's reply */
+    /**
+     * Answers a USSD request of the network.
+     *
+     * @return the verifier's reply
+     */
     String question(String text) {
         String reply = veriCommand.query(text);
         tell(new RobotEvent.UssdAnswered(text, reply));

@@ -47,7 +47,11 @@ public sealed interface RobotEvent {
     @EventLine("keys robot= keys=key")
     record KeyReceived(char key) implements RobotEvent {}
 
-    /** An order is accepted, refused or invalid; before anything moves. @param verdict accepted, refused or invalid */
+    /**
+     * An order is accepted, refused or invalid; sent before any motion.
+     *
+     * @param verdict accepted, refused or invalid
+     */
     @EventLine("order robot= text=keys verdict=")
     record OrderVerified(String keys, String verdict) implements RobotEvent {}
 
@@ -63,11 +67,11 @@ public sealed interface RobotEvent {
     @EventLine("reply robot= to= text=")
     record ReplySent(String to, String text) implements RobotEvent {}
 
-    /** A reply SMS was refused, or not taken for 10 minutes. */
+    /** A reply SMS was refused, or not accepted within 10 minutes. */
     @EventLine("reply-failed robot= to= text=")
     record ReplyFailed(String to, String text) implements RobotEvent {}
 
-    /** USSD of the network, and its answer. */
+    /** A USSD request of the network was answered. */
     @EventLine("ussd robot= text= reply=")
     record UssdAnswered(String text, String reply) implements RobotEvent {}
 
@@ -75,15 +79,23 @@ public sealed interface RobotEvent {
     @EventLine("sms robot= from= text=")
     record MessageReceived(String from, String text) implements RobotEvent {}
 
-    /** An order of a program was received. @param from whose key the program has */
+    /**
+     * An order of a program was received.
+     *
+     * @param from the owner of the program's key
+     */
     @EventLine("submitted robot= from= text=")
     record OrderSubmitted(String from, String text) implements RobotEvent {}
 
-    /** No key came for 60 s; {@link CallReleased} follows. */
+    /** No key was received for 60 s; {@link CallReleased} follows. */
     @EventLine("call-idle robot= seconds=")
     record CallIdle(int seconds) implements RobotEvent {}
 
-    /** A call is cleared, before the status that this causes. @param cause of TS 24.008, 10.5.4.11 */
+    /**
+     * A call is cleared; sent before the status that this causes.
+     *
+     * @param cause of TS 24.008, 10.5.4.11
+     */
     @EventLine("released robot= cause=")
     record CallReleased(int cause) implements RobotEvent {}
 
@@ -104,7 +116,7 @@ public sealed interface RobotEvent {
     record BehaviourChanged(BehaviourKind kind) implements RobotEvent {}
 
     /**
-     * A process has thrown something, not decided in time, or cannot be compiled.
+     * A process has thrown an exception, decided too late, or cannot be compiled.
      *
      * @param line of its source; 0 if unknown
      */
@@ -143,7 +155,7 @@ public sealed interface RobotEvent {
         }
     }
 
-    /** A Pioneer program's text for the operator (SIM_MESSAGE). */
+    /** A text for the operator from a Pioneer program (SIM_MESSAGE). */
     @EventLine("client-message robot= text=")
     record ClientMessage(String text) implements RobotEvent {}
 }

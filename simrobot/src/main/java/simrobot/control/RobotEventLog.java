@@ -12,7 +12,7 @@ import simgsm.event.EventForm;
 
 /** The last 2000 events of all robots. Filled on the simulation's thread, read by any. */
 public final class RobotEventLog {
-    /** Some hours with a few robots, some seconds with a crowd. */
+    /** Some hours with a few robots, some seconds with a hundred. */
     public static final int CAPACITY = 2000;
 
     private static final Set<String> KEPT = names();
@@ -45,7 +45,7 @@ public final class RobotEventLog {
         return published;
     }
 
-    /** Whether the log keeps this event: one of a robot, but no key, tone or pose. */
+    /** True if the log keeps this event: one of a robot, but no key, tone or pose. */
     public static boolean keeps(Event line) {
         return line.fields().containsKey("robot") && KEPT.contains(line.name());
     }

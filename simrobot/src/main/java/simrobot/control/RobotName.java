@@ -3,7 +3,7 @@ package simrobot.control;
 import simgsm.air.Msisdn;
 
 /**
- * The name of a robot in consoles and windows, and its modem's number.
+ * A robot's name in consoles and windows, and its modem's number.
  *
  * @param name one word without {@code @} and {@code =}
  */

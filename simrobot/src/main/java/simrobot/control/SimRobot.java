@@ -111,7 +111,7 @@ public final class SimRobot implements AutoCloseable {
         return add(robot, StationIdentity.ofOpenNumber(number, imei, UNIT_NAME), Sim.WITHOUT_KEY, options);
     }
 
-    /** Does the same with a SIM card in the modem. */
+    /** Adds a robot whose modem has a SIM card. */
     public TelephoneRobot add(Pioneer robot, SimCard card, Imei imei, ModemOptions options) {
         return add(robot, StationIdentity.ofCard(card, imei, UNIT_NAME), Sim.of(card), options);
     }
@@ -151,7 +151,7 @@ public final class SimRobot implements AutoCloseable {
     }
 
     /**
-     * Adds a robot behind a real modem; before the start.
+     * Adds a robot with a real modem, before the start.
      *
      * @param number the SIM's
      * @throws IllegalArgumentException if another robot has the number
@@ -215,7 +215,7 @@ public final class SimRobot implements AutoCloseable {
         toldOfLeaving.add(listener);
     }
 
-    /** Adds an action that {@link #close} performs first, while all threads still run. */
+    /** Adds an action that {@link #close} performs first, while all threads run. */
     void onClose(Runnable goodbye) {
         goodbyes.add(goodbye);
     }
@@ -228,7 +228,7 @@ public final class SimRobot implements AutoCloseable {
         robots.forEach(robot -> connections.get(robot).begin().run());
     }
 
-    /** Returns the robots; the first is the default where none is named. */
+    /** Returns the robots; the first is the default of commands without a name. */
     public List<TelephoneRobot> robots() {
         return List.copyOf(robots);
     }
@@ -263,7 +263,7 @@ public final class SimRobot implements AutoCloseable {
         return simulation.snapshot();
     }
 
-    /** The same with the robots' laser ranges; for the simulation's thread only. */
+    /** Returns {@link #scene} with the robots' laser ranges; for the simulation's thread only. */
     public SimulationSnapshot sceneWithLasers() {
         return simulation.snapshotWithLasers();
     }
@@ -271,7 +271,7 @@ public final class SimRobot implements AutoCloseable {
     /**
      * Performs a task on the simulation's thread and waits for it.
      *
-     * @throws IllegalStateException if the task failed, or was not begun within 5 s; then it is cancelled
+     * @throws IllegalStateException if the task failed, or was cancelled because it had not begun within 5 s
      */
     public <T> T onSimulation(Callable<T> act) throws InterruptedException {
         FutureTask<T> task = new FutureTask<>(act);

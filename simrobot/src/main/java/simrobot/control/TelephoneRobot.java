@@ -75,9 +75,9 @@ public final class TelephoneRobot {
     /**
      * Submits an order of a program, such as {@code ** #**20 **}. For the simulation's thread only.
      *
-     * @param operator whose key the program has
-     * @param follower told of the order's course on the simulation's thread, for the first time before this returns; never
-     *     again once it has ended
+     * @param operator owner of the program's key
+     * @param follower told of the order's progress on the simulation's thread, first before this returns, last at the
+     * order's end
      */
     public void order(String operator, String keys, Consumer<OrderReport> follower) {
         control.order(operator, keys, follower);
@@ -102,7 +102,7 @@ public final class TelephoneRobot {
         return robot() instanceof SimulatedRobot simulated ? Optional.of(simulated) : Optional.empty();
     }
 
-    /** M2, unless a real modem stands in its place. For the thread that owns it. */
+    /** M2; empty with a real modem. For the thread that owns it. */
     public Optional<Modem> m2() {
         return link.modem() instanceof Modem m2 ? Optional.of(m2) : Optional.empty();
     }
@@ -117,7 +117,7 @@ public final class TelephoneRobot {
         return link.modem().snapshot();
     }
 
-    /** Returns the same in words, as the console's {@code modem} answers; callable on any thread. */
+    /** Returns the modem's state in words, as the console's {@code modem} answers; callable on any thread. */
     public RobotEvent.ModemChanged modemState() {
         return link.state();
     }

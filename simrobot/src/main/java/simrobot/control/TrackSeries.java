@@ -10,8 +10,8 @@ import vericommand.Pose;
 import vericommand.RobotStatus;
 
 /**
- * One robot's poses and statuses over time, the same for a running and for a recorded session. Samples lie in blocks that
- * are only ever appended to or dropped whole, so {@link #samples} copies one reference per 64 samples.
+ * One robot's poses and statuses over time, for running and recorded sessions alike. Samples are kept in blocks that
+ * are only appended or dropped whole, so {@link #samples} copies one reference per 64 samples.
  */
 public final class TrackSeries {
     /** Sampling period of a moving robot, in simulated time. */
@@ -87,12 +87,12 @@ public final class TrackSeries {
     /** An empty series. */
     public TrackSeries() {}
 
-    /** Whether pose or status differ from the newest sample. */
+    /** True if pose or status differ from the newest sample. */
     public boolean isNews(Pose pose, RobotStatus status) {
         return isNews(status) || !lastPose.equals(pose);
     }
 
-    /** Whether the status differs from the newest sample's, or there is none. */
+    /** True if the status differs from the newest sample's, or there is none. */
     public boolean isNews(RobotStatus status) {
         return lastStatus != status;
     }
@@ -110,7 +110,7 @@ public final class TrackSeries {
         append(timeNanos, pose, status, room);
     }
 
-    /** Adds a sample and repeats nothing before it, as for a robot that was absent until now. */
+    /** Adds a sample without repeating the old pose, as for a robot that was absent until now. */
     public void append(long timeNanos, Pose pose, RobotStatus status, int room) {
         int at = count % BLOCK_SAMPLES;
         if (at == 0) {

@@ -9,17 +9,17 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
- * The processes that can be chosen now, in the order of their numbers: wander, wall-follow, those of students by name, then
- * those of the world's goals. Every method may be called on any thread.
+ * The available processes in the order of their numbers: wander, wall-follow, those of students by name, then those of
+ * the world's goals. Methods may be called on any thread.
  */
 public final class BehaviourList {
-    /** Orders name a process by one digit. */
+    /** The largest number, because orders name a process by one digit. */
     public static final int MAX_NUMBER = 9;
 
     /**
-     * Why a file makes no process, or a process ended.
+     * The reason why a file makes no process, or a process ended.
      *
-     * @param line of the source; 0 if the fault belongs to none
+     * @param line of the source; 0 if unknown
      */
     public record Fault(String name, int line, String text) {}
 
@@ -31,7 +31,7 @@ public final class BehaviourList {
     /** A list of the built-in kinds. */
     public BehaviourList() {}
 
-    /** Returns all kinds that run something, the one with number 1 first. */
+    /** Returns all kinds that run something, in the order of their numbers, from 1. */
     public synchronized List<BehaviourKind> kinds() {
         List<BehaviourKind> kinds = new ArrayList<>(BehaviourKind.BUILT_IN);
         kinds.remove(BehaviourKind.NONE);
@@ -40,7 +40,7 @@ public final class BehaviourList {
         return List.copyOf(kinds);
     }
 
-    /** Returns the same with {@link BehaviourKind#NONE} in front. */
+    /** Returns {@link #kinds} with {@link BehaviourKind#NONE} in front. */
     public List<BehaviourKind> withNone() {
         return Stream.concat(Stream.of(BehaviourKind.NONE), kinds().stream()).toList();
     }

@@ -22,13 +22,13 @@ public final class CallKeys {
         pressed = "";
     }
 
-    /** A key is decided. */
+    /** A key was recognised. */
     public void press(char key) {
         held = key;
         pressed = (pressed + key).substring(Math.max(0, pressed.length() + 1 - MOST_KEPT));
     }
 
-    /** The key that was pressed last sounds no longer. */
+    /** The newest key was released. */
     public void release() {
         held = Senses.NO_KEY;
     }

@@ -4,7 +4,7 @@ import java.util.List;
 import simrobot.behaviour.Request;
 import simrobot.behaviour.Steering;
 
-/** What a process has decided. */
+/** A decision of a process. */
 public sealed interface Decision {
     /** The speeds until the next decision, and what else the process asks for. */
     record Go(Steering steering, List<Request> asked) implements Decision {
@@ -19,27 +19,31 @@ public sealed interface Decision {
     /** The process has reached what it was for. */
     record Done(List<Request> asked) implements End {}
 
-    /** The robot has come to the place to which the process drove it. */
+    /** The robot has reached the place of its process. */
     record Arrived() implements End {}
 
-    /** The process cannot reach what it was for. @param text why, in English */
+    /**
+     * The process cannot finish.
+     *
+     * @param text the reason, in English
+     */
     record GivenUp(String text) implements End {}
 
     /** The process has not freed the robot from a collision. */
     record Collided() implements End {}
 
     /**
-     * The process has thrown something, or has not decided in time.
+     * The process has thrown an exception, or decided too late.
      *
      * @param line of its source; 0 if unknown
      */
     record Failed(int line, String text) implements End {
-        /** {@code line 12: }, or nothing. */
+        /** {@code line 12: }, or empty. */
         public String where() {
             return line == 0 ? "" : "line " + line + ": ";
         }
     }
 
-    /** Another process, an order, a brake or a switch has ended it. */
+    /** Another process, an order, a brake or a switch has ended the process. */
     record Replaced() implements End {}
 }

@@ -7,7 +7,7 @@ import simrobot.world.Position;
 
 /** A running process of one robot; all methods are called by the robot's owner thread. */
 public interface RobotProcess {
-    /** Period of the built-in rules, equal to that of a Pioneer's information packets. */
+    /** Period of the built-in rules, that of a Pioneer's information packets. */
     long TICK_NANOS = 100_000_000;
 
     /** Simulated time between two decisions. */
@@ -15,13 +15,17 @@ public interface RobotProcess {
         return TICK_NANOS;
     }
 
-    /** Makes one decision. @param senses read when asked, so valid during the call only */
+    /**
+     * Makes one decision.
+     *
+     * @param senses live, so valid during the call only
+     */
     Decision decide(Senses senses);
 
-    /** Frees what the process holds; called once, whatever ended it. */
+    /** Frees the resources of the process; called once, however it ended. */
     default void close() {}
 
-    /** The way that the process is about to take, for drawing; empty if it plans none. */
+    /** The planned path, for drawing; empty if there is none. */
     default List<Position> path() {
         return List.of();
     }

@@ -1,6 +1,9 @@
 package simrobot.process;
 
-/** Real time for which the simulation's thread may wait for decisions in one step; all robots share it. For that thread. */
+/**
+ * Real time that the simulation's thread may wait for decisions in one step, shared by all robots. For that thread
+ * only.
+ */
 public final class WaitBudget {
     /** 50 ms. */
     private static final long STEP_NANOS = 50_000_000;

@@ -5,13 +5,13 @@ import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 
 /**
- * Follows a wall on the right. If the way ahead is blocked, the robot turns left on the spot. Otherwise it controls its
- * distance from the wall by the nearest echo on the right, and its angle to the wall by the two sonars that look to the right,
- * which fire one after the other. Where the wall ends it turns right round the corner. Until it has found a wall it drives
- * straight on.
+ * Follows a wall on the right. A robot with an obstacle ahead turns left on the spot. Otherwise it controls its
+ * distance from the wall by the nearest echo on the right, and its angle to the wall by the two sonars on the right,
+ * which fire one after the other. At the wall's end it turns right round the corner. It drives straight ahead until it
+ * finds a wall.
  */
 public final class WallFollow implements Behaviour {
-    /** Distance kept from the sonars, which lie about 0.14 m from the robot's centre. */
+    /** Distance kept from the sonars, about 0.14 m from the robot's centre. */
     static final double KEPT_METERS = 0.4;
 
     private static final double BLOCKED_METERS = 0.45;
@@ -23,7 +23,7 @@ public final class WallFollow implements Behaviour {
     private static final double BEND_PER_METER = 1.2;
     private static final double BEND_PER_RADIAN = 0.6;
 
-    /** The sonars that look to the right, and the distance between them along the robot. */
+    /** The right-hand sonars, and their distance along the robot. */
     private static final int FRONT_RIGHT = 7;
 
     private static final int REAR_RIGHT = 8;
@@ -57,7 +57,7 @@ public final class WallFollow implements Behaviour {
         return new Steering(METERS_PER_SECOND, within);
     }
 
-    /** Of the robot to the wall, positive away from it; 0 where only one of the two sonars sees the wall. */
+    /** Angle of the robot to the wall, positive away from it; 0 unless both sonars see the wall. */
     private static double angleRadians(Senses senses) {
         double front = senses.sonarMeters(FRONT_RIGHT);
         double rear = senses.sonarMeters(REAR_RIGHT);

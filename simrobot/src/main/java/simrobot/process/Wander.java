@@ -5,17 +5,17 @@ import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 
 /**
- * Drives ahead until an obstacle is near, then turns for a second: robots of even number left, of odd number right. The
- * speed comparison with other simulators prescribes this rule and its numbers.
+ * Drives ahead until an obstacle is near, then turns for 1 s: robots with even numbers left, with odd numbers right.
+ * The speed comparison with other simulators prescribes this rule and its numbers.
  */
 public final class Wander implements Behaviour {
-    /** The sonars that face ahead, from 50 degrees left to 50 degrees right. */
+    /** The forward sonars, from 50 degrees left to 50 degrees right. */
     private static final int FIRST_SONAR = 1;
 
     private static final int LAST_SONAR = 6;
     private static final double NEAR_METERS = 0.5;
     private static final int AVOIDING_TICKS = 10;
-    /** Speed ahead, the only one used. */
+    /** The only speed ahead. */
     public static final double METERS_PER_SECOND = 0.4;
 
     private static final double RADIANS_PER_SECOND = Math.toRadians(50);

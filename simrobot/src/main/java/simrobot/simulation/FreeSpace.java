@@ -5,15 +5,14 @@ import simrobot.world.MovingDisc;
 import simrobot.world.NearbyObstacles;
 
 /**
- * What is known of the space around one robot: from a place where it was looked up, how far the walls and the other robots
- * are. While the robot stays clear of them by these distances, a path needs no search for contacts; the search would find
- * none.
+ * Known free space around one robot: the distances to walls and other robots from a place where they were looked up.
+ * Paths within these distances need no search for contacts.
  */
 final class FreeSpace {
-    /** The circle's radius, and more than a contact's gap and all rounding. */
+    /** The circle's radius with a reserve for a contact's gap and rounding. */
     private static final double RIM_METERS = Pioneer2Dx.RADIUS_METERS + 4 * MovingDisc.SKIN_METERS;
 
-    /** After a look that found no free space, the next is this many steps later. */
+    /** Steps until the next look after one that found no free space. */
     private static final int PATIENCE_STEPS = 10;
 
     private double wallX;
@@ -26,17 +25,17 @@ final class FreeSpace {
     private long robotsStep = Long.MIN_VALUE / 2;
     private long robotsEpoch;
 
-    /** The obstacles in reach of its sonars; null before the first look. */
+    /** The obstacles within sonar range; null before the first look. */
     private NearbyObstacles obstacles;
 
-    /** The robots in reach of its sonars. */
+    /** The robots within sonar range. */
     private final NearbyRobots robots = new NearbyRobots();
 
     NearbyRobots robots() {
         return robots;
     }
 
-    /** Forgets the walls, for a change of the world. */
+    /** Forgets the walls after a change of the world. */
     void forgetWalls() {
         toWall = Double.NEGATIVE_INFINITY;
         obstacles = null;
@@ -59,12 +58,12 @@ final class FreeSpace {
         wallsStep = step;
     }
 
-    /** Whether a look may help; looks are dear where the walls are close. */
+    /** True if a look may help; looks are expensive near walls. */
     boolean mayLookForWalls(long step) {
         return step - wallsStep >= PATIENCE_STEPS;
     }
 
-    /** Whether no wall touches the robot on the path from (x, y) by (dx, dy). */
+    /** True if no wall touches the robot on the path from (x, y) by (dx, dy). */
     boolean isClearOfWalls(double x, double y, double dx, double dy) {
         return isWithin(x - wallX, y - wallY, dx, dy, toWall - RIM_METERS);
     }
@@ -84,19 +83,19 @@ final class FreeSpace {
     }
 
     /**
-     * Whether no robot touches this one on the path from (x, y) by (dx, dy).
+     * True if no robot touches this one on the path from (x, y) by (dx, dy).
      *
-     * @param mostPerStep that any robot has moved in a step of this epoch
+     * @param mostPerStep maximum motion of a robot in a step of this epoch
      */
     boolean isClearOfRobots(double x, double y, double dx, double dy, long step, long epoch, double mostPerStep) {
-        // in the step of the look and in the present one others may have moved, or not yet
+        // in the steps of the look and of this query others may or may not have moved
         double approached = (step - robotsStep + 1) * mostPerStep;
         return epoch == robotsEpoch
                 && isWithin(
                         x - robotX, y - robotY, dx, dy, toRobot - approached - Pioneer2Dx.RADIUS_METERS - RIM_METERS);
     }
 
-    /** Whether both ends of a path are nearer to the origin than this. */
+    /** True if both ends of a path are nearer to the origin than this. */
     private static boolean isWithin(double x, double y, double dx, double dy, double meters) {
         double square = meters * meters;
         double endX = x + dx;

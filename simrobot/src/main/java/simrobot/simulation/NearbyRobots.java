@@ -3,19 +3,19 @@ package simrobot.simulation;
 import java.util.Arrays;
 import simrobot.robot.SimulatedRobot;
 
-/** The robots that are in reach of another one's sensors, or may come there before the list is made anew. */
+/** The robots within reach of another one's sensors now, or possibly before the next lookup. */
 final class NearbyRobots {
     private SimulatedRobot[] robots = {};
     private int count;
     private long step = Long.MIN_VALUE / 2;
     private long epoch = -1;
 
-    /** Whether the list is of this epoch and at most this number of steps old. */
+    /** True if the list is of this epoch and at most this number of steps old. */
     boolean isValid(long now, long mostSteps, long presentEpoch) {
         return epoch == presentEpoch && now - step <= mostSteps;
     }
 
-    /** Begins anew. */
+    /** Empties the list. */
     void clear(long now, long presentEpoch) {
         count = 0;
         step = now;

@@ -13,7 +13,7 @@ import java.util.function.Consumer;
  * after the other between two moments of the scene, and read immutable snapshots.
  */
 public abstract class PacedThread implements Executor, AutoCloseable {
-    /** A speed without limit: steps follow each other as fast as the machine can. */
+    /** Unlimited speed. */
     public static final double AS_FAST_AS_IT_CAN = Double.POSITIVE_INFINITY;
 
     private static final Logger LOG = System.getLogger(PacedThread.class.getName());
@@ -34,8 +34,8 @@ public abstract class PacedThread implements Executor, AutoCloseable {
     }
 
     /**
-     * Sets what happens when an error ends the thread: called once, as the thread's last act. It must not wait for this
-     * thread.
+     * Sets the action after an error that ends the thread: called once, as the thread's last act. It must not wait for
+     * this thread.
      */
     public final void onFailure(Consumer<Throwable> listener) {
         onFailure = listener;
@@ -147,6 +147,6 @@ public abstract class PacedThread implements Executor, AutoCloseable {
 
     protected abstract void perform(Runnable act);
 
-    /** Real time has passed, and the acts posted so far are done. */
+    /** Handles elapsed real time after the posted acts. */
     protected abstract void pass(long wallNanos);
 }

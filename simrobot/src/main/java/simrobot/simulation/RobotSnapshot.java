@@ -14,8 +14,8 @@ import vericommand.RobotStatus;
  * @param headingRadians anticlockwise from +X, not wrapped
  * @param turnRadiansPerSecond anticlockwise
  * @param sonarRangesMeters sixteen, sonar 0 first; empty with over 16 robots unless this one is watched
- * @param path the way that its process is about to take; empty if it plans none
- * @param marks what its process has drawn on the floor
+ * @param path planned by its process; may be empty
+ * @param marks drawn on the floor by its process
  * @param laserRangesMeters 181, from 90 degrees at the right to 90 at the left; empty while the laser is off
  * @param simulated false for a real robot, which has no simulated camera
  */
@@ -37,7 +37,7 @@ public record RobotSnapshot(
         List<Position> path,
         List<Request.Mark> marks,
         boolean simulated) {
-    /** Whether the other robot has the same pose. */
+    /** True if the other robot has the same pose. */
     public boolean isAtPoseOf(RobotSnapshot other) {
         return xMeters == other.xMeters && yMeters == other.yMeters && headingRadians == other.headingRadians;
     }

@@ -26,22 +26,22 @@ final class SimulatedFloor implements Floor {
 
     private static final double[][] OCTAGON = Pioneer2Dx.octagon();
 
-    /** No corner of the octagon is farther from the centre of rotation. */
+    /** Largest distance of the octagon's corners from the centre of rotation. */
     private static final double OCTAGON_REACH = 0.29;
 
-    /** Sonars' mouths are at most this far from the centre of rotation. */
+    /** Largest distance of the sonars' mouths from the centre of rotation. */
     private static final double MOUTH_REACH = 0.26;
 
-    /** Walls and robots farther away are not looked for. */
+    /** Radius of the search for walls and robots. */
     private static final double LOOK_METERS = 2.5;
 
-    /** How far a robot moves before the list of obstacles around it is made anew. */
+    /** Motion of a robot after which its list of obstacles is rebuilt. */
     private static final double LIST_SPARE_METERS = 1;
 
     private final DiscGrid places = new DiscGrid();
     private final SonarClock sonarClock = new SonarClock(Simulation.STEP_NANOS);
 
-    /** By their numbers; null where none is. */
+    /** Robots by their numbers; null for unused numbers. */
     private SimulatedRobot[] robots = {};
 
     private List<Surface> surfaces = List.of();
@@ -49,20 +49,20 @@ final class SimulatedFloor implements Floor {
     private ObstacleGrid obstacles;
     private Area ground;
 
-    /** The robots in reach of the laser of {@link #seer}, looked up once for all its rays until a robot moves. */
+    /** The robots within laser range of {@link #seer}, looked up once for all its rays until a robot moves. */
     private final NearbyRobots inLaserReach = new NearbyRobots();
 
     private SimulatedRobot seer;
 
-    /** By the robots' numbers. */
+    /** Free spaces by the robots' numbers. */
     private FreeSpace[] spaces = {};
 
     private long steps;
 
-    /** Begins anew when a robot was put elsewhere, or has moved farther in a step than any before. */
+    /** Incremented when a robot is placed, or moves farther in a step than any before. */
     private long epoch;
 
-    /** What a robot moves in a step at most, with a reserve for accelerations; from the top speed of orders on. */
+    /** Maximum motion of a robot in a step, with a reserve for accelerations; at first the top speed of orders. */
     private double mostPerStep = 0.006;
 
     SimulatedFloor(World world) {
@@ -135,7 +135,11 @@ final class SimulatedFloor implements Floor {
         return sonarClock;
     }
 
-    /** A step of time begins. @param moving the robots, which have not moved yet */
+    /**
+     * Begins a step of time.
+     *
+     * @param moving the robots, which have not moved yet
+     */
     void beginStep(List<SimulatedRobot> moving) {
         steps++;
         waitBudget.renew();
@@ -286,7 +290,7 @@ final class SimulatedFloor implements Floor {
         return nearest;
     }
 
-    /** The obstacles in reach of the robot's sonars, looked up anew after each metre. */
+    /** The obstacles within reach of the robot's sonars, looked up after each metre. */
     private NearbyObstacles around(SimulatedRobot robot, double range, int moment) {
         FreeSpace space = spaces[robot.robotNumber()];
         NearbyObstacles nearby = space.obstacles();
@@ -303,12 +307,12 @@ final class SimulatedFloor implements Floor {
         return nearby;
     }
 
-    /** The robots that a sonar may measure at any moment that the clock remembers; looked up anew after as many steps. */
+    /** The robots that a sonar may measure at any remembered moment; looked up after as many steps. */
     private NearbyRobots inSonarReach(SimulatedRobot robot) {
         NearbyRobots nearby = spaces[robot.robotNumber()].robots();
         long most = sonarClock.rememberedSteps();
         if (!nearby.isValid(steps, most, epoch)) {
-            // both robots may move for the remembered time before the look and for as long after it
+            // both robots may move for the remembered time before and after the look
             double moved = 2 * (most + 1) * mostPerStep;
             lookUp(nearby, robot, Pioneer2Dx.SONAR_RANGE_METERS + moved);
         }

@@ -27,9 +27,9 @@ import simrobot.world.Position;
 import simrobot.world.World;
 
 /**
- * A world, its robots and simulated time, which advances in steps of 10 ms and uses no clock: the same seed and the same acts
- * at the same steps give the same poses, bit for bit. Owned by one thread: {@link SimulationThread}, or a caller that steps
- * it by hand.
+ * A world, its robots and simulated time, which advances in steps of 10 ms without a clock: the same seed and the same
+ * acts at the same steps give the same poses, bit for bit. Owned by one thread: {@link SimulationThread}, or a caller
+ * that steps it by hand.
  */
 public final class Simulation {
     public static final long STEP_NANOS = 10_000_000;
@@ -44,7 +44,9 @@ public final class Simulation {
     private final BehaviourList behaviours = new BehaviourList();
     private final Destinations destinations = new Destinations();
     private final SimulatedFloor floor;
-    /** In the order in which they were added; a new list at every change, so robots may be added while it is iterated. */
+    /**
+     * Robots in the order of their addition; a new list at every change, so robots may be added during an iteration.
+     */
     private List<SimulatedRobot> robots = List.of();
 
     private final long seed;
@@ -70,7 +72,7 @@ public final class Simulation {
         return world;
     }
 
-    /** The processes that its robots can run; any thread may change them. */
+    /** The processes of the robots; any thread may change them. */
     public BehaviourList behaviours() {
         return behaviours;
     }
@@ -85,22 +87,24 @@ public final class Simulation {
         return timeNanos;
     }
 
-    /** The one source of random numbers, so that a seed repeats a run. */
+    /** The only source of random numbers, so that a seed repeats a run. */
     public Random random() {
         return random;
     }
 
-    /** Sets the errors of wheels, sonars and laser of robots added from now on: 0 none, 1 MobileSim's, at most 10. */
+    /**
+     * Sets the errors of wheels, sonars and laser of robots added from now on: 0 none, 1 as in MobileSim, at most 10.
+     */
     public void setNoise(double scale) {
         noise = scale;
     }
 
-    /** Sets whether robots leave trails; needless where none is ever drawn. */
+    /** Enables trails; unneeded if none is drawn. */
     public void setTrails(boolean wanted) {
         trails = wanted;
     }
 
-    /** In a world without homes, robots added from now on start in its middle, not at its origin. */
+    /** Makes robots added from now on to a world without homes start in its middle, not at its origin. */
     public void setStartInMiddle(boolean middle) {
         fromMiddle = middle;
     }
@@ -179,9 +183,9 @@ public final class Simulation {
     }
 
     /**
-     * Replaces the world: every robot stops and goes to a home, its trail is cleared.
+     * Replaces the world: every robot stops and moves to a home, its trail is cleared.
      *
-     * @throws IllegalArgumentException when the robots do not all fit into it; then nothing has changed
+     * @throws IllegalArgumentException if the robots do not all fit into it; then nothing has changed
      */
     public void load(World next) {
         replace(next, new ObstacleGrid(next), robots);
@@ -189,11 +193,11 @@ public final class Simulation {
     }
 
     /**
-     * Changes the world around the robots: they stop and stay where they are. Robots that would overlap an obstacle, or be
-     * outside, go to homes.
+     * Changes the world around the robots, which stop in their places. Robots that would overlap an obstacle, or be
+     * outside, move to homes.
      *
-     * @return the number of robots that went to homes
-     * @throws IllegalArgumentException when these do not all fit into it; then nothing has changed
+     * @return the number of robots moved to homes
+     * @throws IllegalArgumentException if these do not all fit into it; then nothing has changed
      */
     public int change(World next) {
         ObstacleGrid obstacles = new ObstacleGrid(next);
@@ -222,7 +226,7 @@ public final class Simulation {
             Home home = homes.get(i);
             displaced.get(i).place(home.position().xMeters(), home.position().yMeters(), home.headingRadians());
         }
-        // placed anew, for the obstacle that a robot has touched may be gone
+        // placed again, because an obstacle in contact may have been removed
         staying.forEach(robot -> robot.place(robot.xMeters(), robot.yMeters(), robot.headingRadians()));
     }
 
@@ -263,7 +267,7 @@ public final class Simulation {
         }
     }
 
-    /** What all robots, real ones too, may wait in a step. */
+    /** The wait per step of all robots, including real ones. */
     public WaitBudget waitBudget() {
         return floor.waitBudget();
     }
@@ -304,12 +308,12 @@ public final class Simulation {
         return snapshot(robot -> robot.laser().isOn());
     }
 
-    /** The same with the laser ranges of all robots whose sonar ranges it holds, whether their lasers are on or not. */
+    /** Returns a snapshot with the laser ranges of all robots whose sonar ranges it holds, even with lasers off. */
     public SimulationSnapshot snapshotWithLasers() {
         return snapshot(robot -> true);
     }
 
-    /** The same with sonar and laser ranges of these robots, whatever the number of robots. */
+    /** Returns a snapshot with sonar and laser ranges of these robots, whatever the number of robots. */
     public SimulationSnapshot snapshotWithRanges(Set<String> names) {
         return snapshot(robot -> names.contains(robot.name()), robot -> names.contains(robot.name()));
     }

@@ -12,8 +12,8 @@ import simrobot.world.World;
  * A simulation at one instant; immutable.
  *
  * @param timeNanos simulated time since the start
- * @param behaviours the processes that robots can run, NONE first
- * @param behaviourFaults what is wrong with processes of students
+ * @param behaviours the available processes, NONE first
+ * @param behaviourFaults faults in students' processes
  */
 public record SimulationSnapshot(
         long timeNanos,
@@ -26,7 +26,7 @@ public record SimulationSnapshot(
         behaviours = List.copyOf(behaviours);
     }
 
-    /** Whether both snapshots have the same number of robots, and each pair of them is alike. */
+    /** True if both snapshots have the same number of robots, and each pair of them is alike. */
     public boolean hasRobotsAs(SimulationSnapshot other, BiPredicate<RobotSnapshot, RobotSnapshot> areAlike) {
         return robots.size() == other.robots.size()
                 && IntStream.range(0, robots.size()).allMatch(i -> areAlike.test(robots.get(i), other.robots.get(i)));

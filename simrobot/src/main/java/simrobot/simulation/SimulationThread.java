@@ -15,10 +15,10 @@ import java.util.function.Consumer;
 public final class SimulationThread extends PacedThread {
     private static final Logger LOG = System.getLogger(SimulationThread.class.getName());
 
-    /** Real time that is made up for after a stall, such as a suspended laptop. */
+    /** Maximum real time caught up after a stall, such as a suspended laptop. */
     private static final long MAX_DEBT_NANOS = 250_000_000;
 
-    /** Longest run of steps before posted acts are performed. */
+    /** Maximum duration of steps between posted acts. */
     private static final long BURST_NANOS = 4_000_000;
 
     private static final int MOST_STEPS_IN_BURST = 100;
@@ -32,7 +32,7 @@ public final class SimulationThread extends PacedThread {
     private long bankNanos;
     private boolean changed;
     private long publishedAt;
-    /** True during a step, and for ever after one that failed. */
+    /** True during a step, and for ever after a failed one. */
     private boolean stepping;
 
     /** A thread that has not started; until then the caller may still use the simulation. */
@@ -97,7 +97,7 @@ public final class SimulationThread extends PacedThread {
         publish(System.nanoTime());
     }
 
-    /** The newest snapshot. Asking for one makes the thread take the next: without readers it takes none. */
+    /** The newest snapshot. A request makes the thread take the next: without readers it takes none. */
     @Override
     public SimulationSnapshot snapshot() {
         wanted = true;
@@ -115,7 +115,7 @@ public final class SimulationThread extends PacedThread {
         return Math.max(0, Math.min(picture, (long) toStep));
     }
 
-    /** Logs an act that fails, and goes on; a step that fails leaves the world half moved, so it ends the simulation. */
+    /** Logs an act that fails, and continues; a failed step leaves the world half moved, so it ends the simulation. */
     @Override
     protected void perform(Runnable act) {
         changed = true;

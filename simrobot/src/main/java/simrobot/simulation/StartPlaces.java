@@ -37,12 +37,12 @@ final class StartPlaces {
     private int nextHome;
     private int nextRing;
 
-    /** @param free takes a robot into account as soon as it stands on its place */
+    /** @param free takes each placed robot into account */
     StartPlaces(World world, Free free) {
         this(world, free, false);
     }
 
-    /** @param fromMiddle whether the places of a world without homes are searched from its middle */
+    /** @param fromMiddle true to search worlds without homes from their middle */
     StartPlaces(World world, Free free, boolean fromMiddle) {
         this.world = world;
         this.free = free;
@@ -70,12 +70,12 @@ final class StartPlaces {
         throw new NoSuchElementException("no free place in " + world.name());
     }
 
-    /** The middle of a large box is far from its sides, but no way leads there. */
+    /** The middle of a large box is far from its sides, but no path leads there. */
     private boolean isInBox(Position place) {
         return world.items(Box.class).stream().anyMatch(box -> box.area().contains(place.xMeters(), place.yMeters()));
     }
 
-    /** Whether a robot there would stand nearer to one at home than to its neighbours, so that their first orders meet. */
+    /** True if a robot there would be nearer to one at home than to its neighbours, so that their first orders meet. */
     private boolean isNearHome(Position place) {
         return world.items(Home.class).stream()
                 .map(Home::position)
@@ -88,9 +88,9 @@ final class StartPlaces {
     }
 
     /**
-     * Places for a number of robots at once, in a world where other robots stand already.
+     * Places for several robots, in a world with other robots.
      *
-     * @throws IllegalArgumentException when there are too few
+     * @throws IllegalArgumentException if there are too few
      */
     static List<Home> find(World world, ObstacleGrid obstacles, int count, List<Position> occupied) {
         DiscGrid taken = new DiscGrid();

@@ -23,13 +23,13 @@ import javax.tools.StandardJavaFileManager;
 import simgsm.file.Utf8Text;
 import simrobot.behaviour.Behaviour;
 
-/** Compiles a source file, and what it uses of its folder, to classes in memory. */
+/** Compiles a source file, and the files of its folder that it uses, to classes in memory. */
 final class BehaviourCompiler {
     private static final int MOST_ERRORS = 10;
 
     private final JavaCompiler compiler;
 
-    /** @param compiler the JDK's; null on a Java without one */
+    /** @param compiler null on a Java without a compiler */
     BehaviourCompiler(JavaCompiler compiler) {
         this.compiler = compiler;
     }
@@ -38,7 +38,7 @@ final class BehaviourCompiler {
      * Compiles one file.
      *
      * @return the classes by their names
-     * @throws SourceException with the errors that the compiler finds, at most 10, and the line of the first
+     * @throws SourceException with at most 10 compiler errors and the line of the first
      */
     Map<String, byte[]> compile(Path file) throws SourceException {
         if (compiler == null) {
@@ -87,7 +87,7 @@ final class BehaviourCompiler {
                 (int) Math.max(0, errors.get(0).getLineNumber()), text(errors.get(0), name) + further);
     }
 
-    /** @param name of the file that is compiled; of an error in another one that comes first */
+    /** @param name of the compiled file; omitted from errors in it */
     private static String text(Diagnostic<? extends JavaFileObject> error, String name) {
         String text =
                 error.getMessage(Locale.ENGLISH).lines().map(String::strip).collect(Collectors.joining("; "));
@@ -102,7 +102,7 @@ final class BehaviourCompiler {
         return path.substring(path.lastIndexOf('/') + 1);
     }
 
-    /** Where the interface lies that the source implements. */
+    /** The location of the compiled interface {@link Behaviour}. */
     private static String ownClasses() {
         try {
             return Path.of(Behaviour.class
@@ -116,7 +116,7 @@ final class BehaviourCompiler {
         }
     }
 
-    /** A source file whose text is here. */
+    /** A source file held in memory. */
     static final class Source extends SimpleJavaFileObject {
         private final String text;
 

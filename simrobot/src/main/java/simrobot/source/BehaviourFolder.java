@@ -30,17 +30,21 @@ import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 
 /**
- * Keeps a list of processes up to date with a folder: each {@code .java} file is one process, named after its class, and
- * each jar those that it names as services. A thread looks every 500 ms; after a change all sources are compiled, for one
- * may use another. A file with an error leaves the process that was made from it before.
+ * Updates a list of processes from a folder: each {@code .java} file is one process, named after its class, and each
+ * jar provides those that it names as services. A thread scans every 500 ms; after a change all sources are compiled,
+ * because one may use another. A file with an error keeps the process of its last valid version.
  */
 public final class BehaviourFolder implements AutoCloseable {
-    /** Learns what has changed; called on the thread that looks. */
+    /** Is told of changes on the scanning thread. */
     public interface Listener {
         /** A process is new or changed. */
         default void loaded(BehaviourKind kind) {}
 
-        /** A file makes no process. @param line 0 if the fault belongs to none */
+        /**
+         * A file makes no process.
+         *
+         * @param line 0 if unknown
+         */
         default void failed(String name, int line, String text) {}
 
         default void removed(String name) {}
@@ -51,7 +55,7 @@ public final class BehaviourFolder implements AutoCloseable {
     private static final String SOURCE = ".java";
     private static final String JAR = ".jar";
 
-    /** When a file was written, and its size. */
+    /** A file's time of modification and size. */
     private record Stamp(long millis, long size) {}
 
     private final Path folder;
@@ -60,7 +64,7 @@ public final class BehaviourFolder implements AutoCloseable {
     private final AtomicInteger threads = new AtomicInteger();
     private final Thread thread = new Thread(this::look, "behaviour folder");
     private Map<Path, Stamp> seen = Map.of();
-    /** By file: the classes of the last version without an error. */
+    /** The classes of the last valid version, by file. */
     private final Map<Path, SortedMap<String, byte[]>> compiled = new HashMap<>();
 
     private final Map<Path, Set<String>> names = new HashMap<>();
@@ -68,9 +72,9 @@ public final class BehaviourFolder implements AutoCloseable {
     private volatile boolean patient;
 
     /**
-     * Looks at the folder once.
+     * Scans the folder once.
      *
-     * @throws NotDirectoryException if it is none
+     * @throws NotDirectoryException if the path is no folder
      */
     public BehaviourFolder(Path folder, BehaviourList list, Listener listener) throws IOException {
         this(folder, list, listener, ToolProvider.getSystemJavaCompiler());
@@ -88,13 +92,17 @@ public final class BehaviourFolder implements AutoCloseable {
         thread.setDaemon(true);
     }
 
-    /** Looks every 500 ms from now on. @param told receives the changes */
+    /**
+     * Scans every 500 ms from now on.
+     *
+     * @param told receives the changes
+     */
     public void start(Listener told) {
         listener = told;
         thread.start();
     }
 
-    /** Processes that begin from now on are waited for: up to 1 s for each decision, instead of 50 ms. */
+    /** Makes processes that begin from now on wait up to 1 s for each decision, instead of 50 ms. */
     public void waitForDecisions() {
         patient = true;
     }
@@ -114,7 +122,7 @@ public final class BehaviourFolder implements AutoCloseable {
         }
     }
 
-    /** Looks once: compiles and loads what has changed. */
+    /** Scans once: compiles and loads changed files. */
     void scan() throws IOException {
         Map<Path, Stamp> now = stamps();
         Map<Path, Stamp> before = seen;
@@ -194,7 +202,7 @@ public final class BehaviourFolder implements AutoCloseable {
         } catch (SourceException fault) {
             fail(file, fault.line(), fault.getMessage());
         } catch (RuntimeException | LinkageError e) {
-            // one file that the compiler or the class loader fails at leaves the others
+            // a file that fails leaves the others in place
             fail(file, 0, "cannot be loaded: " + FaultPlace.text(e));
         }
     }
@@ -227,7 +235,7 @@ public final class BehaviourFolder implements AutoCloseable {
                 && classes.keySet().stream().allMatch(name -> Arrays.equals(classes.get(name), before.get(name)));
     }
 
-    /** A copy is loaded, so that the jar itself can be replaced. */
+    /** Loads a copy, so that the jar itself can be replaced. */
     private List<BehaviourKind> ofJar(Path jar) throws SourceException {
         List<BehaviourKind> kinds = new ArrayList<>();
         try {
@@ -269,7 +277,7 @@ public final class BehaviourFolder implements AutoCloseable {
                         patient));
     }
 
-    /** Stops looking; running processes go on. */
+    /** Stops scanning; running processes continue. */
     @Override
     public void close() {
         thread.interrupt();

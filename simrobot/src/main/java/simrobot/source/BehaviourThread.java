@@ -12,13 +12,13 @@ import simrobot.process.RobotProcess;
 import simrobot.process.WaitBudget;
 
 /**
- * One process on a thread of its own. The robot hands over its senses every 50 ms of simulated time and takes the decision
- * with the next: so the delay is the same in every run. A decision that is late makes the robot brake; one that has computed
- * for 50 ms, or has not come within 1 s, ends the process. In the first second the limit is 1 s for both, for classes are
+ * One process on its own thread. The robot passes its senses every 50 ms of simulated time and receives the decision
+ * with the next ones, so the delay is the same in every run. The robot brakes while a decision is late; a decision that
+ * computes for 50 ms, or takes 1 s, ends the process. In the first second both limits are 1 s, because classes are
  * loaded then.
  *
- * <p>A simulation at its usual pace never waits here; one that is faster waits for the decisions of all robots at most 50 ms a
- * step. A run without a clock waits 1 s for each: there no decision is late, and a loaded machine changes no pose.
+ * <p>A simulation at normal pace never waits here; a faster one waits at most 50 ms a step for the decisions of all
+ * robots. A run without a clock waits 1 s for each decision, so the machine's load changes no pose.
  */
 final class BehaviourThread implements RobotProcess {
     private static final long PERIOD_NANOS = 50_000_000;
@@ -55,7 +55,7 @@ final class BehaviourThread implements RobotProcess {
      * @param maker called on that thread
      * @param place finds the line of a fault
      * @param budget of the simulation's step
-     * @param isPatient whether to wait for every decision until it ends the process
+     * @param isPatient true to wait for every decision until the limit ends the process
      */
     BehaviourThread(String name, Callable<Behaviour> maker, FaultPlace place, WaitBudget budget, boolean isPatient) {
         this.maker = maker;
@@ -99,7 +99,7 @@ final class BehaviourThread implements RobotProcess {
         notifyAll();
     }
 
-    /** Null if there is no decision in time after the question. */
+    /** Null if no decision arrives in time. */
     private synchronized Decision await() {
         long began = System.nanoTime();
         long end = isPatient
@@ -131,7 +131,7 @@ final class BehaviourThread implements RobotProcess {
         return new Decision.Failed(place.line(thread.getStackTrace()), text);
     }
 
-    /** CPU time of the thread; 0 if the machine does not count it. */
+    /** CPU time of the thread; 0 if the machine does not measure it. */
     private long computed() {
         return THREADS.isThreadCpuTimeSupported() ? Math.max(0, THREADS.getThreadCpuTime(thread.getId())) : 0;
     }
@@ -180,7 +180,7 @@ final class BehaviourThread implements RobotProcess {
             closed = true;
             notifyAll();
         }
-        // a loop of a compiled source ends by this, see LoopChecks
+        // LoopChecks makes the loops of a source react to this
         thread.interrupt();
     }
 }

@@ -5,7 +5,7 @@ import java.util.Objects;
 
 /** Finds the line of a student's source in a stack trace. @param file name of the source file; null for a jar's */
 record FaultPlace(String file) {
-    /** The innermost line of the source; of a jar, the innermost outside the JDK and SimRobot. 0 if there is none. */
+    /** The innermost line of the source; for a jar, the innermost line outside the JDK and SimRobot. 0 if unknown. */
     int line(StackTraceElement[] trace) {
         return Arrays.stream(trace)
                 .filter(this::isStudents)
@@ -20,7 +20,7 @@ record FaultPlace(String file) {
                 : Objects.equals(frame.getFileName(), file);
     }
 
-    /** {@code ArithmeticException: / by zero}. */
+    /** The exception in words: {@code ArithmeticException: / by zero}. */
     static String text(Throwable thrown) {
         String name = thrown.getClass().getSimpleName();
         return thrown.getMessage() == null ? name : name + ": " + thrown.getMessage();

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import simrobot.behaviour.Behaviour;
 
-/** Loads compiled classes, anew for every version of their source. */
+/** Loads compiled classes; each version of a source gets a loader of its own. */
 final class LoadedClasses extends ClassLoader {
     private final Map<String, byte[]> classes;
 
@@ -27,7 +27,7 @@ final class LoadedClasses extends ClassLoader {
     }
 
     /**
-     * Returns the class that is the process: the one with the file's name, else the only one that implements the interface.
+     * Returns the process's class: the one with the file's name, else the only one that implements the interface.
      *
      * @throws SourceException if there is none
      */
@@ -73,7 +73,7 @@ final class LoadedClasses extends ClassLoader {
         }
     }
 
-    /** Creates an object; what its constructor throws is thrown. */
+    /** Creates an object; exceptions of its constructor are passed on. */
     static Behaviour create(Class<? extends Behaviour> type) throws Exception {
         Constructor<? extends Behaviour> constructor = type.getDeclaredConstructor();
         constructor.setAccessible(true);

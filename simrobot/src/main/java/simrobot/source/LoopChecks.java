@@ -19,11 +19,11 @@ import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
 
 /**
- * Puts a check into each loop of a source, so that an interrupted thread leaves it: Java cannot end a thread that computes.
- * Lines stay where they are. A source with a syntax error stays as it is; the compiler reports that.
+ * Inserts a check into each loop of a source, so that an interrupted thread leaves it: Java cannot end a computing
+ * thread. Line numbers do not change. A source with a syntax error is left to the compiler.
  */
 final class LoopChecks {
-    /** An error, for a student's catch of exceptions would keep the loop running. */
+    /** Throws an error, because a student's catch of exceptions would keep the loop running. */
     private static final String BEFORE =
             "{if(java.lang.Thread.currentThread().isInterrupted())throw new java.lang.Error(\"ended\");";
 

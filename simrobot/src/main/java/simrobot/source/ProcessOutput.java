@@ -14,7 +14,11 @@ public final class ProcessOutput extends ByteArrayOutputStream {
         this.others = others;
     }
 
-    /** Puts it in place of {@code System.out}, for the whole program. @param others receives what no process prints */
+    /**
+     * Replaces {@code System.out} for the whole program.
+     *
+     * @param others receives output that no process prints
+     */
     public static void install(PrintStream others) {
         System.setOut(new PrintStream(new ProcessOutput(others), true, StandardCharsets.UTF_8));
     }

@@ -9,7 +9,7 @@ import simrobot.behaviour.Senses;
  * Senses at one moment, for another thread.
  *
  * @param laser null if the robot has none
- * @param bumpers pressed or not: the front ones, then the rear ones
+ * @param bumpers true if pressed: the front ones, then the rear ones
  */
 record SensesSnapshot(
         double[] sonars,

@@ -1,10 +1,10 @@
 package simrobot.source;
 
-/** A file from which no process can be made. */
+/** A file that makes no process. */
 final class SourceException extends Exception {
     private final int line;
 
-    /** @param line of the source; 0 if the fault belongs to none */
+    /** @param line of the source; 0 if unknown */
     SourceException(int line, String text) {
         super(text);
         this.line = line;

@@ -42,7 +42,7 @@ public final class SuiteLauncher implements CenterLauncher {
                 .runAndExit(args, SuiteLauncher::run);
     }
 
-    /** Options without a window; {@code --lessons} with {@code --demo} has windows. */
+    /** Options of runs without windows; {@code --lessons} with {@code --demo} has windows. */
     private static String[] windowless(String... args) {
         return QuickDemo.isDemo(args)
                 ? new String[] {"headless", "new-sim", "check"}
@@ -115,7 +115,7 @@ public final class SuiteLauncher implements CenterLauncher {
         return lessons(arguments, isZoomGiven, chosen);
     }
 
-    /** Opens the lesson that was chosen, and those that are chosen in its windows. */
+    /** Opens the chosen lesson, then those chosen in its windows. */
     private static int lessons(Arguments arguments, boolean isZoomGiven, Optional<String> first) throws Exception {
         Optional<String> next = first;
         while (next.isPresent()) {

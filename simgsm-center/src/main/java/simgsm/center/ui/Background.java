@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 
-/** Runs actions that may wait, away from the event thread, and their completion on it. */
+/** Runs blocking actions away from the event thread, and their completion on it. */
 record Background(Executor worker, Executor eventThread) {
     /** Runs everything at once on the calling thread; for tests. */
     static final Background NONE = new Background(Runnable::run, Runnable::run);
@@ -14,7 +14,7 @@ record Background(Executor worker, Executor eventThread) {
         void run() throws IOException;
     }
 
-    /** @param completion receives the exception with which the action has failed, if it has */
+    /** @param completion receives the action's exception, if any */
     void run(Action action, Consumer<Optional<Exception>> completion) {
         worker.execute(() -> {
             Optional<Exception> failure = Optional.empty();

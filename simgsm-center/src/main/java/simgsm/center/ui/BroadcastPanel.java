@@ -37,14 +37,14 @@ import simgsm.ui.pane.ScrolledColumn;
  * stopped.
  */
 final class BroadcastPanel extends DressedPanel {
-    /** The default channel of handsets: area names (050). */
+    /** The default channel of phones: area names (050). */
     private static final int FIRST_CHANNEL = 50;
 
     private static final int MAX_CHANNEL = 0xffff;
     private static final int RUNNING_UNITS = 110;
     /** Two lines of text, also in a low window. */
     private static final int LEAST_TEXT_UNITS = 42;
-    /** Six lines, so that the button stays beside the text in a high window. */
+    /** Six lines, so that the button stays next to the text in a high window. */
     private static final int MOST_TEXT_UNITS = 112;
     /** Room for five digits. */
     private static final int NUMBER_COLUMNS = 4;
@@ -157,7 +157,7 @@ final class BroadcastPanel extends DressedPanel {
                 Arrange.growing(rest));
     }
 
-    /** What these channels carry; nothing for others. */
+    /** Names the content of known channels; empty for others. */
     private void nameChannel() {
         int number = (Integer) channel.getValue();
         String name = number == FIRST_CHANNEL
@@ -167,7 +167,7 @@ final class BroadcastPanel extends DressedPanel {
         channelName.setToolTipText(name.isEmpty() ? null : name);
     }
 
-    /** The text has the height that the other parts leave, within its bounds. */
+    /** Gives the text the remaining height, within its bounds. */
     @Override
     public void doLayout() {
         int others = form.getPreferredSize().height - field.getPreferredSize().height;
@@ -186,7 +186,7 @@ final class BroadcastPanel extends DressedPanel {
         return label;
     }
 
-    /** Shows the repeated broadcasts; without any the text has their room. */
+    /** Shows the repeated broadcasts; without any the text uses their space. */
     void show(List<BroadcastView> broadcasts) {
         if (running.isVisible() == broadcasts.isEmpty()) {
             running.setVisible(!broadcasts.isEmpty());
@@ -257,7 +257,7 @@ final class BroadcastPanel extends DressedPanel {
         showOutcome();
     }
 
-    /** Shows the number of pages; a text that is too long or empty cannot be sent. */
+    /** Shows the number of pages; disables sending if the text is too long or empty. */
     private void count() {
         String written = text.getText();
         try {

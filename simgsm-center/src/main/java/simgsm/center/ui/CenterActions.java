@@ -6,8 +6,8 @@ import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.ExchangeSnapshot;
 
 /**
- * What the window shows and does. Any thread may call these methods; those that change something may wait up to 5 s for the
- * centre, so the event thread must not call them, {@link #quit} aside.
+ * Content and actions of the window. Callable on any thread; methods that change something may wait up to 5 s for the
+ * centre, so the event thread must not call them, except {@link #quit}.
  */
 public interface CenterActions {
     /** The port on which terminals are served. */
@@ -38,11 +38,11 @@ public interface CenterActions {
     /** Starts another SimRobot; as {@link #newPhone}. */
     void newRobot() throws IOException;
 
-    /** Shows the link by which browsers become phones, on the event thread; empty where there is none. */
+    /** Shows the link by which browsers become phones, on the event thread; empty if there is none. */
     default Optional<Runnable> link() {
         return Optional.empty();
     }
 
-    /** Ends the centre and the programs that it has started. */
+    /** Ends the centre and the programs started by it. */
     void quit();
 }

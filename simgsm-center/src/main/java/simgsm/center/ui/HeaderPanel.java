@@ -40,7 +40,7 @@ final class HeaderPanel extends DressedPanel {
     private boolean areWordsShown = true;
     private final Rates rates = new Rates();
 
-    /** @param folding takes whether the fields below the header are shown */
+    /** @param folding receives true to show the fields below the header */
     HeaderPanel(TextBundle texts, CenterActions operator, Consumer<Boolean> folding) {
         this.texts = texts;
         setOpaque(false);
@@ -86,7 +86,7 @@ final class HeaderPanel extends DressedPanel {
         return all;
     }
 
-    /** Places these in front of the buttons; they leave when another container takes them. */
+    /** Adds buttons before the header's own until another container takes them. */
     void take(JButton... more) {
         for (int i = 0; i < more.length; i++) {
             buttons.add(more[i], i);
@@ -96,14 +96,14 @@ final class HeaderPanel extends DressedPanel {
         revalidate();
     }
 
-    /** The buttons of {@link #take} are to go elsewhere. */
+    /** Releases the buttons of {@link #take}. */
     void release() {
         starters = List.of();
     }
 
     /**
-     * Where there is no room for all, the words of the buttons go, or who may register, which the port's tool tip says, too. That
-     * other machines may goes last.
+     * Hides the words of the buttons if space is short, then the registration policy, which the port's tool tip
+     * repeats. The notice that other machines may register is hidden last.
      */
     @Override
     public void doLayout() {
@@ -132,7 +132,7 @@ final class HeaderPanel extends DressedPanel {
                 .sum();
     }
 
-    /** What is as it should be is not touched, since each change asks for another layout. */
+    /** Leaves unchanged components alone, because each change requests another layout. */
     private void show(boolean withWords, boolean withNetwork) {
         areWordsShown = withWords;
         starters.stream()

@@ -6,7 +6,7 @@ import javax.swing.JTextArea;
 import simgsm.ui.HintedTextField;
 import simgsm.ui.Theme;
 
-/** A text area that shows a hint while it is empty, which takes no room for a label. */
+/** A text area that shows a hint while it is empty, which saves a label. */
 final class HintedTextArea extends JTextArea {
     private final String hint;
 

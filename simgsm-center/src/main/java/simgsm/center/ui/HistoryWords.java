@@ -27,7 +27,7 @@ final class HistoryWords {
 
     private HistoryWords() {}
 
-    /** The state of a message; of one that has ended, how it ended. */
+    /** The state of a message, or its outcome after its end. */
     static StateWord state(MessageRow row, TextBundle texts) {
         MessageHistory history = row.history();
         if (history.waitReason() == WaitReason.ENDED) {
@@ -83,7 +83,7 @@ final class HistoryWords {
         return lines;
     }
 
-    /** With the date, if it differs from that of the first event. */
+    /** The time, with the date if it differs from that of the first event. */
     private static String clock(Instant at, Instant first) {
         boolean isSameDay = LocalDate.ofInstant(at, ZONE).equals(LocalDate.ofInstant(first, ZONE));
         return (isSameDay ? CLOCK : DAY).format(at);

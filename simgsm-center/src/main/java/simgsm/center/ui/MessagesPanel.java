@@ -14,14 +14,14 @@ import simgsm.ui.Theme;
 import simgsm.ui.pane.DividedPanel;
 import simgsm.ui.pane.Divider;
 
-/** The queue of messages and those that have ended recently; below, the history of the selected one. */
+/** The queue of messages and the recently ended ones; below, the history of the selected one. */
 final class MessagesPanel extends DressedPanel {
     private static final int HISTORY_UNITS = 132;
-    /** The history takes at most this part of the height at first; in a panel below {@link #LOW_UNITS} it is hidden. */
+    /** Maximum initial share of the history in the height; a panel below {@link #LOW_UNITS} hides it. */
     private static final double HISTORY_SHARE = 0.35;
 
     private static final int LOW_UNITS = 150;
-    /** Of rows and history, where the divider is moved. */
+    /** Minimum height of rows and history when the divider is moved. */
     private static final int LEAST_UNITS = 40;
 
     private final TextBundle texts;
@@ -57,7 +57,7 @@ final class MessagesPanel extends DressedPanel {
         }
     }
 
-    /** The rows come first, until the user moves the divider. */
+    /** Gives the rows priority until the user moves the divider. */
     private static int historyHeight(int room) {
         return Math.min(Theme.px(HISTORY_UNITS), (int) (room * HISTORY_SHARE));
     }

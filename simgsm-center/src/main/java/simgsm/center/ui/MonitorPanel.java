@@ -37,14 +37,14 @@ public final class MonitorPanel extends DressedPanel {
     private static final int LADDER_UNITS = 570;
     private static final int LEAST_LISTS_UNITS = 366;
     private static final int LEAST_LADDER_UNITS = 440;
-    /** In a lower panel the buttons stand in the header, the lists are folded at first, and the ladder has no heading. */
+    /** A lower panel has the buttons in the header, the lists folded at first, and no heading of the ladder. */
     private static final int LOW_UNITS = 420;
 
     private static final int MARGIN_UNITS = 12;
     private static final int LOW_MARGIN_UNITS = 6;
     private static final int LOW_FIELDS_MARGIN_UNITS = 3;
     private static final int GAP_UNITS = 8;
-    /** Of what room is to spare or to give up. */
+    /** The lists' share of a change of width. */
     private static final double LEFT_SHARE = 0.3;
 
     private final TextBundle texts;
@@ -72,7 +72,10 @@ public final class MonitorPanel extends DressedPanel {
     private boolean areFieldsShown = true;
     private boolean isLow;
 
-    /** @param texts of the centre's bundle; @param operator performs what the buttons request, by the background's worker */
+    /**
+     * @param texts of the centre's bundle;
+     * @param operator performs the requests of buttons, on the background's worker
+     */
     MonitorPanel(TextBundle texts, CenterActions operator, Background background) {
         this.texts = texts;
         this.background = background;
@@ -145,7 +148,7 @@ public final class MonitorPanel extends DressedPanel {
         showLists();
     }
 
-    /** The ladder takes the screen and the room of the header, the fields and the lists, and gives it back. */
+    /** Shows the ladder in full screen without header, fields and lists, or restores them. */
     private void showAlone() {
         boolean isAlone = aloneSwitch.isSelected();
         header.setVisible(!isAlone);
@@ -155,7 +158,7 @@ public final class MonitorPanel extends DressedPanel {
         ladder.requestFocusInWindow();
     }
 
-    /** Out of the chosen message, then out of the large ladder. */
+    /** Closes the selected message, then the large ladder. */
     private void back() {
         if (isLow && listsSwitch.isSelected()) {
             fold(true);
@@ -176,7 +179,7 @@ public final class MonitorPanel extends DressedPanel {
         column.setOpaque(false);
     }
 
-    /** @param key of the text; with {@code .why} of its tool tip */
+    /** @param key of the text; the key of its tool tip has the suffix {@code .why} */
     private JButton starter(String id, String key, Symbol symbol, Background.Action action) {
         UserAction starting = UserAction.of(texts, id, key, () -> start(action)).with(symbol.icon());
         return ComponentNames.name(new JButton(starting), id, texts.of(key + ".why"));
@@ -200,7 +203,7 @@ public final class MonitorPanel extends DressedPanel {
         lists.revalidate();
     }
 
-    /** In a low panel the message has a tab among the lists, so that the ladder keeps its room. */
+    /** Shows the message; in a low panel as a tab among the lists, so that the ladder keeps its space. */
     private void showMessage() {
         if (isLow) {
             if (tabs.indexOfComponent(ladder.detail()) < 0) {
@@ -233,18 +236,18 @@ public final class MonitorPanel extends DressedPanel {
         super.doLayout();
     }
 
-    /** A second or so has passed: what flows is measured anew. */
+    /** Updates the rates; called about every second. */
     public void tick(long nowNanos) {
         header.tick(nowNanos);
     }
 
-    /** The lists come first for the keyboard; while they are folded, the ladder. */
+    /** Focuses the lists; while they are folded, the ladder. */
     @Override
     public boolean requestFocusInWindow() {
         return listsCard.isVisible() ? tabs.requestFocusInWindow() : ladder.requestFocusInWindow();
     }
 
-    /** Shows the newest picture; called on the event thread. */
+    /** Shows the newest snapshot; called on the event thread. */
     public void show(ExchangeSnapshot snapshot) {
         header.show(snapshot);
         passing.show(snapshot);
@@ -284,7 +287,7 @@ public final class MonitorPanel extends DressedPanel {
         }
     }
 
-    /** A low panel spares its margins for the lists and the ladder. */
+    /** Removes the margins of a low panel. */
     private void space() {
         int units = isLow ? LOW_MARGIN_UNITS : MARGIN_UNITS;
         setBorder(Theme.padding(units));
@@ -292,7 +295,7 @@ public final class MonitorPanel extends DressedPanel {
         passingCard.setPadding(isLow ? LOW_FIELDS_MARGIN_UNITS : MARGIN_UNITS);
     }
 
-    /** What room is to spare, or to give up, the lists and the ladder share. */
+    /** The ladder's share of a width; lists and ladder share a surplus or shortage. */
     private static int ladderWidth(int room) {
         int spare = room - Theme.px(LISTS_UNITS) - Theme.px(LADDER_UNITS);
         int own = Theme.px(LADDER_UNITS) + (int) (spare * (1 - LEFT_SHARE));

@@ -18,7 +18,7 @@ public final class MonitorWindow {
 
     private MonitorWindow() {}
 
-    /** To be called on the event thread. */
+    /** Creates the content; called on the event thread. */
     public static ProgramWindow.Content content(CenterActions operator, TextBundle texts) {
         ExecutorService worker = Executors.newSingleThreadExecutor(action -> {
             Thread thread = new Thread(action, "window actions");

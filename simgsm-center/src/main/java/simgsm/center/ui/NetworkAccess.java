@@ -1,6 +1,6 @@
 package simgsm.center.ui;
 
-/** Which terminals may register. */
+/** Terminals that may register. */
 public enum NetworkAccess {
     /** Terminals on this machine, with any free number. */
     OPEN,

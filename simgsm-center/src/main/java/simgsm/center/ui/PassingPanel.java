@@ -77,7 +77,7 @@ final class PassingPanel extends DressedPanel {
         revalidate();
     }
 
-    /** In a wide window all fields are in one row. */
+    /** Puts all fields in one row if the window is wide. */
     @Override
     public void doLayout() {
         boolean hasRoom = getWidth() >= Theme.px(ONE_ROW_UNITS);
@@ -95,7 +95,7 @@ final class PassingPanel extends DressedPanel {
         });
     }
 
-    /** The state of the call, or that it is over. */
+    /** The state of the call, or the word for its end. */
     private String callWord(ExchangeSnapshot snapshot, ExchangeSnapshot.Passing passing) {
         return snapshot.calls().stream()
                 .filter(call -> call.from().equals(passing.from()) && call.to().equals(passing.to()))
@@ -113,7 +113,7 @@ final class PassingPanel extends DressedPanel {
         }
     }
 
-    /** A growing text shows its end. */
+    /** Shows the end of a growing text. */
     private static void setToEnd(JTextField field, String text) {
         boolean grows = !field.getText().isEmpty() && text.startsWith(field.getText());
         if (!field.getText().equals(text)) {

@@ -15,7 +15,7 @@ final class Rates {
     private long messagesPerSecond;
     private long framesPerSecond;
 
-    /** Takes over the counts so far. */
+    /** Stores the current counts. */
     void saw(ExchangeSnapshot snapshot) {
         messages = snapshot.ladderCount();
         frames = snapshot.speechFrames();

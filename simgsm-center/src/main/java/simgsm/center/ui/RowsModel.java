@@ -13,7 +13,7 @@ final class RowsModel<T> extends AbstractTableModel {
         this.columns = List.copyOf(columns);
     }
 
-    /** @return whether a row has changed */
+    /** @return true if a row has changed */
     boolean update(List<T> newRows) {
         if (newRows.equals(rows)) {
             return false;

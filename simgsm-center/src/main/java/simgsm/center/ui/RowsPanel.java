@@ -34,7 +34,7 @@ final class RowsPanel<T> extends DressedPanel {
     private final RowsModel<T> model;
     private final JTable table;
     private final List<Column<T>> columns;
-    /** What identifies a row when it changes. */
+    /** The part of a row that survives changes. */
     private Function<T, Object> identity = row -> row;
 
     /** @param name of the component; @param title for assistive technology; @param empty text without rows */
@@ -51,13 +51,13 @@ final class RowsPanel<T> extends DressedPanel {
         dress();
     }
 
-    /** A changed row stays selected if this is equal. */
+    /** Keeps a changed row selected if this is equal. */
     RowsPanel<T> identifiedBy(Function<T, Object> newIdentity) {
         identity = newIdentity;
         return this;
     }
 
-    /** Calls back with the row that the user selects. */
+    /** Calls back with the selected row. */
     RowsPanel<T> onChoice(Consumer<T> choice) {
         table.getSelectionModel().addListSelectionListener(event -> {
             if (!event.getValueIsAdjusting()) {
@@ -67,7 +67,7 @@ final class RowsPanel<T> extends DressedPanel {
         return this;
     }
 
-    /** Takes over the rows; the selection is kept if its row is still there. */
+    /** Shows the rows; keeps the selection if its row still exists. */
     void show(List<T> rows) {
         Optional<T> chosen = selected();
         if (model.update(rows) && chosen.isPresent()) {
@@ -103,7 +103,7 @@ final class RowsPanel<T> extends DressedPanel {
             this.empty = empty;
         }
 
-        /** A look that goes takes the renderers with it. */
+        /** Restores the renderers, which a look-and-feel change removes. */
         @Override
         public void updateUI() {
             super.updateUI();

@@ -5,7 +5,7 @@ import simgsm.draw.StatusMark;
 
 /** A state in a table: shape, colour and word. */
 record StateWord(StatusMark mark, Ink ink, String word) {
-    /** For assistive technology and for sorting. */
+    /** Used by assistive technology and for sorting. */
     @Override
     public String toString() {
         return word;

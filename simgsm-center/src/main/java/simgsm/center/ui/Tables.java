@@ -53,12 +53,12 @@ final class Tables {
                                         .orElse(""))));
     }
 
-    /** Normal call clearing in plain words. */
+    /** Names a cause; normal call clearing in plain words. */
     private static String title(Cause cause, TextBundle texts) {
         return cause == Cause.NORMAL_CALL_CLEARING ? texts.of("window.cause.normal") : cause.title(texts.language());
     }
 
-    /** Minutes and seconds, as on a phone's display; nothing if the call has not been active. */
+    /** Minutes and seconds, as on a phone's display; empty if the call has not been active. */
     private static Object duration(CallView call) {
         long seconds = call.activeSeconds();
         boolean wasActive = call.state() == CallProgress.ACTIVE || seconds > 0;

@@ -28,8 +28,8 @@ import simrobot.simulation.Simulation;
 import simrobot.world.World;
 
 /**
- * {@code --run SECONDS}: simulates that long, as fast as the machine can, on the main thread alone: no centre, no modem, no
- * console. The simulation is the one that windows and consoles use. {@code --runs N} does so for N seeds.
+ * {@code --run SECONDS}: simulates that time at full speed on the main thread alone, without centre, modem or console,
+ * by the same simulation as windows and consoles. {@code --runs N} repeats it with N seeds.
  */
 public final class BatchRun {
     private static final double MAX_SECONDS = 1e9;
@@ -96,7 +96,7 @@ public final class BatchRun {
 
     private void record(Simulation simulation) throws UsageException, IOException {
         Optional<Path> record = arguments.path("record");
-        // without a thread that performs acts, records are written when they are full
+        // without a thread for it, the recorder writes whenever its buffer is full
         try (SessionRecorder recorder =
                 record.isPresent() ? SessionRecorder.open(record.get(), simulation, act -> {}) : null) {
             if (recorder != null) {
@@ -151,7 +151,7 @@ public final class BatchRun {
         return simulation;
     }
 
-    /** A process may have a thread, which ends with it. */
+    /** Ends processes, which may have threads. */
     private static void endAll(Simulation simulation) {
         simulation.robots().forEach(robot -> robot.autonomy().end());
     }

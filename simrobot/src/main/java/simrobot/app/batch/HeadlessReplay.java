@@ -10,8 +10,8 @@ import simrobot.replay.RecordedEvent;
 import simrobot.replay.Recording;
 
 /**
- * {@code --replay FILE --headless}: prints the events of a recorded session as the console printed them, at a pace or
- * without pauses.
+ * {@code --replay FILE --headless}: prints the events of a recorded session as the console did, at a pace or without
+ * pauses.
  */
 public final class HeadlessReplay {
     private final PrintStream out;
@@ -29,7 +29,7 @@ public final class HeadlessReplay {
     /**
      * Plays the whole recording.
      *
-     * @throws IOException if it cannot be read, or, after the events before the damage, if it is damaged
+     * @throws IOException if it cannot be read, or, after the valid events, if it is damaged
      */
     public int play(Path file) throws IOException, InterruptedException {
         try (Recording recording = Recording.open(file)) {

@@ -14,7 +14,7 @@ import simgsm.net.LineAddress;
 public final class ModemCheckRun {
     private ModemCheckRun() {}
 
-    /** @return exit status 0 if the modem can take M2's place, else 1 */
+    /** @return exit status 0 if the modem can replace M2, else 1 */
     public static int run(LineAddress address, PrintStream out) throws InterruptedException {
         CompletableFuture<Boolean> canServe = new CompletableFuture<>();
         try (ModemLine line = new ModemLine("modem check", address, cause -> FatalError.end("simrobot", cause))) {

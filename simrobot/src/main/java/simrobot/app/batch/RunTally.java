@@ -8,7 +8,7 @@ import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import vericommand.RobotStatus;
 
-/** What the robots of one run of {@code --runs} have done, as a line of CSV. */
+/** Sums up one run of {@code --runs} as a line of CSV. */
 final class RunTally {
     static final String HEADER = "seed,robots,simulated,travelled,collisions,moving";
 
@@ -51,7 +51,7 @@ final class RunTally {
         }
     }
 
-    /** Metres of all robots together, collisions, and the share of the time in which a robot moves. */
+    /** Returns metres of all robots together, collisions, and the share of time in motion. */
     String line(long seed, double seconds) {
         return String.format(
                 Locale.ROOT,

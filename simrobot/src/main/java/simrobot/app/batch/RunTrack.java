@@ -12,7 +12,7 @@ import simrobot.control.TrackSeries;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 
-/** {@code --track FILE.csv}: the robots of a run every 0.1 s, from its beginning to its end. */
+/** {@code --track FILE.csv}: the robots of a run every 0.1 s, from beginning to end. */
 final class RunTrack implements AutoCloseable {
     static final String HEADER = "robot,time,x,y,heading,status";
 
@@ -20,7 +20,7 @@ final class RunTrack implements AutoCloseable {
     private final Simulation simulation;
     private final BufferedWriter out;
 
-    /** Writes the header, and the robots as they stand. */
+    /** Writes the header and the robots' start. */
     RunTrack(Path file, Simulation simulation) throws IOException {
         this.simulation = simulation;
         this.file = file;

@@ -19,9 +19,9 @@ import simrobot.simulation.Simulation;
 import simrobot.world.World;
 
 /**
- * Loads the worlds that Pioneer programs ask for, and passes their texts to the robot's listeners. One thread reads the files;
- * of the requests that come meanwhile only the newest is kept. While a robot is under order requests are refused, because a
- * new world ends all orders.
+ * Loads the worlds that Pioneer programs request, and passes their texts to the robot's listeners. One thread reads the
+ * files and keeps only the newest waiting request. Requests are refused while a robot executes an order, because a new
+ * world ends all orders.
  */
 public final class ClientRequests implements SimulatorRequests {
     private static final Logger LOG = System.getLogger(ClientRequests.class.getName());
@@ -53,7 +53,7 @@ public final class ClientRequests implements SimulatorRequests {
         return thread;
     }
 
-    /** Whether no robot executes an order, so that a client may change the world; on the simulation's thread. */
+    /** True if no robot executes an order, so that a client may change the world; on the simulation's thread. */
     public static boolean mayLoad(Simulation simulation) {
         boolean free = simulation.robots().stream().noneMatch(SimulatedRobot::isUnderOrder);
         if (!free) {
@@ -62,7 +62,7 @@ public final class ClientRequests implements SimulatorRequests {
         return free;
     }
 
-    /** Sets what loads a world file in place of this, such as a window that shows its name. */
+    /** Replaces the loader of world files, for a window that shows the file's name. */
     void setLoader(Consumer<Path> newLoader) {
         loader = newLoader;
     }

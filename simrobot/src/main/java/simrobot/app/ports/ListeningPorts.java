@@ -72,7 +72,7 @@ public final class ListeningPorts implements AutoCloseable {
                 port, () -> FirstExchange.with(address, port, P2osServer.FIRST_REQUESTS), () -> serving.remove(robot)));
     }
 
-    /** Opens the ports, before the simulation starts. They are served from {@link #start} on. */
+    /** Opens the ports before the simulation starts; {@link #start} serves them. */
     public static ListeningPorts open(Arguments arguments, SimRobot simRobot) throws UsageException, IOException {
         ListeningPorts opened = new ListeningPorts(arguments, simRobot);
         try {
@@ -115,7 +115,7 @@ public final class ListeningPorts implements AutoCloseable {
         return file.isPresent() ? Optional.of(AccessKeys.read(file.get())) : Optional.empty();
     }
 
-    /** Empty if the port is in use: of several simulators on a machine the first answers. */
+    /** Empty if the port is in use: with several simulators on a machine the first answers. */
     private static Optional<DiscoveryPort> discovery(InetAddress address) {
         try {
             return Optional.of(DiscoveryPort.open(new InetSocketAddress(address, DiscoveryPort.USUAL_PORT)));
@@ -157,12 +157,12 @@ public final class ListeningPorts implements AutoCloseable {
         }
     }
 
-    /** Sets what loads a world that a P2OS client asks for, in place of the simulation alone. */
+    /** Sets the loader of worlds that a P2OS client requests; without one only the simulation loads them. */
     public void setWorldLoader(Consumer<Path> loader) {
         requests.setLoader(loader);
     }
 
-    /** A robot's P2OS port, if it has one; any thread may ask. */
+    /** A robot's P2OS port, if it has one; callable on any thread. */
     public Optional<Integer> p2os(String robot) {
         return p2os.of(robot);
     }
@@ -179,7 +179,7 @@ public final class ListeningPorts implements AutoCloseable {
         return ros.map(serving -> web.with("ros", serving.port())).orElse(web);
     }
 
-    /** Serves the ports; the simulation runs already. */
+    /** Serves the ports; called after the simulation's start. */
     public void start() {
         server.ifPresent(serving -> serving.start(cause -> FatalError.end("simrobot", cause)));
         discovery.ifPresent(DiscoveryPort::start);

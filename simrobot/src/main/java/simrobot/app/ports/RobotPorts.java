@@ -23,11 +23,11 @@ final class RobotPorts implements AutoCloseable {
     /**
      * A robot's open port.
      *
-     * @param exchange makes a first exchange with it
+     * @param exchange performs a first exchange with it
      */
     record RobotPort(int number, Runnable exchange, Runnable closing) {}
 
-    /** Opens a robot's port; empty for a robot that has none of this kind. */
+    /** Opens a robot's port; empty if the robot cannot have one. */
     interface Opener {
         Optional<RobotPort> open(TelephoneRobot robot, InetSocketAddress address) throws IOException;
     }
@@ -45,7 +45,7 @@ final class RobotPorts implements AutoCloseable {
         this.opener = opener;
     }
 
-    /** Opens a port for each robot, before the start, and for each one that is added later. */
+    /** Opens a port for each robot, before the start, and for each later one. */
     void open(Arguments arguments, SimRobot simRobot) throws UsageException, IOException {
         next = (int) arguments.integer(option, 0, 0, ListeningPorts.MAX_PORT);
         if (!arguments.has(option)) {
@@ -93,7 +93,7 @@ final class RobotPorts implements AutoCloseable {
                                 .collect(Collectors.joining(",")));
     }
 
-    /** A robot's port, if it has one; any thread may ask. */
+    /** A robot's port, if it has one; callable on any thread. */
     Optional<Integer> of(String robot) {
         return Optional.ofNullable(ports.get(robot)).map(RobotPort::number);
     }

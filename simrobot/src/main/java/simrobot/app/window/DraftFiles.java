@@ -9,11 +9,11 @@ import java.util.concurrent.Executor;
 import simrobot.world.MapWriter;
 import simrobot.world.World;
 
-/** Copies of unsaved drafts on the disk. A draft that is dropped while its copy waits to be written is not written any more. */
+/** Copies of unsaved drafts on the disk. A copy whose draft is dropped before the write is not written. */
 final class DraftFiles {
     private static final Logger LOG = System.getLogger(DraftFiles.class.getName());
 
-    /** Counts what was dropped. */
+    /** Number of drops. */
     private long drops;
 
     /** Writes a copy on the worker's thread. */
@@ -37,13 +37,13 @@ final class DraftFiles {
         }
     }
 
-    /** Deletes the copy, if there is one, and those that wait to be written. */
+    /** Deletes the copy, if there is one, and cancels waiting ones. */
     synchronized void drop(Path file) {
         drops++;
         try {
             Files.deleteIfExists(file);
         } catch (IOException stays) {
-            // The next draft of this file replaces it.
+            // the next draft of this file replaces it
         }
     }
 }

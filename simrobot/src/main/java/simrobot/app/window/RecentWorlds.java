@@ -17,14 +17,14 @@ import simrobot.app.WorldFile;
 import simrobot.world.World;
 
 /**
- * The worlds that the user of the window has chosen, the newest first, at most 8; kept from run to run where windows are
- * remembered. A window that is started without {@code --world} shows the newest one that is still there.
+ * The worlds chosen in the window, newest first, at most 8; remembered between runs with the windows. A window started
+ * without {@code --world} shows the newest that still exists.
  */
 public final class RecentWorlds {
     private static final int MOST = 8;
     private static final String LIST = "robot-worlds";
 
-    /** Options of a SimRobot that the demo, a lesson or the centre has started, or without a window. */
+    /** Options of a run without a window, or started by the demo, a lesson or the centre. */
     private static final List<String> OF_OTHER_PROGRAMS =
             List.of("end-with-input", "console", "remember-as", "headless", "run", "print-world");
 
@@ -40,7 +40,7 @@ public final class RecentWorlds {
                 .toList();
     }
 
-    /** Empty for a text that something else has written. */
+    /** Empty if the text is no path. */
     private static Optional<Path> path(String text) {
         try {
             return Optional.of(Path.of(text));
@@ -49,19 +49,19 @@ public final class RecentWorlds {
         }
     }
 
-    /** Those of the user; empty where nothing is remembered. */
+    /** The user's worlds; empty if nothing is remembered. */
     public static RecentWorlds of(Arguments arguments) {
         return new RecentWorlds(WindowMemory.of(arguments));
     }
 
     /**
-     * The world to begin with.
+     * The initial world.
      *
      * @param file empty for the demo's world
      */
     public record Start(Optional<Path> file, World world) {}
 
-    /** {@code --world}; else the newest one that can be read, if the user has started a window and no other program has. */
+    /** {@code --world}; else the newest readable one, if the user, not another program, started a window. */
     public Start start(Arguments given) throws UsageException, IOException {
         OptionalDouble resolutionMeters = WorldFile.resolution(given);
         Optional<Path> named = given.path("world");
@@ -79,19 +79,19 @@ public final class RecentWorlds {
         return new Start(named, WorldFile.read(named, resolutionMeters));
     }
 
-    /** Those that are still there; any thread may ask. */
+    /** The worlds that still exist; callable on any thread. */
     public synchronized List<Path> files() {
         return files.stream()
                 .filter(file -> Files.isReadable(file) && !unreadable.contains(file))
                 .toList();
     }
 
-    /** A world could not be read; it is not listed in this run until it is added again. */
+    /** Removes an unreadable world from this run's list until it is added again. */
     synchronized void leaveOut(Path world) {
         unreadable.add(world.toAbsolutePath().normalize());
     }
 
-    /** Puts a world first, unless it is one that the program carries itself. */
+    /** Moves a world to the front, unless it is built in. */
     public synchronized void add(Path world) {
         Path file = world.toAbsolutePath().normalize();
         unreadable.remove(file);

@@ -10,7 +10,7 @@ import simrobot.replay.ReplayCursor;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 
-/** A robot's whole track from a recording, read with a cursor of its own. */
+/** A robot's whole track from a recording, read with its own cursor. */
 final class RecordedTrack {
     private static final int MAX_SAMPLES = 10_000_000;
 

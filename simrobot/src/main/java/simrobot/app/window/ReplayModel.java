@@ -17,7 +17,7 @@ import simrobot.ui.inspector.RefusalTexts;
 import simrobot.world.World;
 import vericommand.Pose;
 
-/** A recorded session as the window shows it: a view that can be moved in time, but not changed. */
+/** A recorded session for the window: a view with a movable time that cannot be changed. */
 public final class ReplayModel extends SessionModel {
     private final ReplayThread replay;
     private final RefusalTexts refusals;
@@ -57,7 +57,7 @@ public final class ReplayModel extends SessionModel {
                 false);
     }
 
-    /** The events up to then; the same list as long as there are no more. */
+    /** The events up to that time; the same list while there are no more. */
     private List<LoggedEvent> until(long nanos) {
         int low = 0;
         int high = events.size();
@@ -87,7 +87,8 @@ public final class ReplayModel extends SessionModel {
         replay.watch(robot == null ? "" : robot);
     }
 
-    // ---- what a recording refuses -----------------------------------------------------------------------------------
+    // ---- actions that a recording refuses
+    // ----------------------------------------------------------------------------
 
     @Override
     public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {

@@ -14,14 +14,17 @@ import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldPictures;
 import simrobot.ui.inspector.RefusalTexts;
 
-/** What a running simulation and a recording have in common for the window: pace, notices, exports, and a thread for files. */
+/**
+ * The common parts of a running simulation and a recording for the window: pace, notices, exports, and a thread for
+ * files.
+ */
 public abstract class SessionModel implements OperatorActions, AutoCloseable {
     private static final long NOTICE_NANOS = TimeUnit.SECONDS.toNanos(12);
 
     private final PacedThread session;
     private final RefusalTexts refusals;
     private final FileExports exports;
-    /** Formats tracks, reads and writes files; once closed, it ignores what is asked. */
+    /** Formats tracks, reads and writes files; ignores tasks once closed. */
     private final ThreadPoolExecutor worker = new ThreadPoolExecutor(
             1,
             1,
@@ -51,13 +54,13 @@ public abstract class SessionModel implements OperatorActions, AutoCloseable {
         return worker;
     }
 
-    /** Ends the worker once it has performed what was asked; the window has been closed. */
+    /** Closes the window's session: the worker ends after its queued tasks. */
     @Override
     public final void close() {
         worker.shutdown();
     }
 
-    /** The newest snapshot; the same object as long as nothing has changed. For the event thread only. */
+    /** The newest snapshot; the same object until a change. For the event thread only. */
     public final WindowSnapshot snapshot() {
         WindowSnapshot now = observe();
         if (!now.equals(newest)) {
@@ -94,7 +97,7 @@ public abstract class SessionModel implements OperatorActions, AutoCloseable {
         session.stepOnce();
     }
 
-    /** Pictures show the current moment; the track of a recording goes from its beginning to its end. */
+    /** Exports the current moment as a picture, or the whole track. */
     @Override
     public final void export(String robot, Path file, Consumer<Optional<String>> answer) {
         exports.export(

@@ -37,7 +37,7 @@ import simrobot.world.MapWriter;
 import simrobot.world.World;
 import vericommand.Pose;
 
-/** The running program as the window shows it: combines the snapshots of all threads and passes actions to their owners. */
+/** The running program for the window: combines the snapshots of all threads and passes actions to their owners. */
 public final class WindowModel extends SessionModel {
     private static final Logger LOG = System.getLogger(WindowModel.class.getName());
 
@@ -66,7 +66,7 @@ public final class WindowModel extends SessionModel {
 
         private volatile String keys = "";
 
-        /** At most 24, the newest last; any thread may ask. */
+        /** At most 24, newest last; callable on any thread. */
         String keys() {
             return keys;
         }
@@ -82,7 +82,7 @@ public final class WindowModel extends SessionModel {
         }
     }
 
-    /** To be constructed before the start, for it listens to the robots. */
+    /** Listens to the robots, so it is created before the start. */
     public WindowModel(
             SimRobot simRobot,
             Fleet fleet,
@@ -121,12 +121,12 @@ public final class WindowModel extends SessionModel {
         log.add(robot.name(), new RobotEvent.Removed(robot.number().digits()));
     }
 
-    /** Reports when a recording that another part runs, as {@code --record} does, ends by itself. */
+    /** Reports when a recording of another part, such as {@code --record}, fails. */
     public void watch(SessionRecording other) {
         recordings.add(other);
     }
 
-    /** The width of a pixel, for pictures that are loaded from now on. */
+    /** The width of a pixel of pictures loaded from now on. */
     public void setResolution(OptionalDouble meters) {
         resolutionMeters = meters;
     }
@@ -148,7 +148,7 @@ public final class WindowModel extends SessionModel {
                 watch.hasChanged());
     }
 
-    /** A recording that ends by itself is reported once. */
+    /** Reports the failure of a recording once. */
     private void tellOfFailure() {
         List<SessionRecording.Failure> failures = recordings.stream()
                 .flatMap(running -> running.failure().stream())
@@ -183,7 +183,7 @@ public final class WindowModel extends SessionModel {
                 callMonitor.isAudible());
     }
 
-    /** Performs an act on a robot, if it still exists. */
+    /** Performs an act on a robot, if it exists. */
     private void act(String name, Consumer<Pioneer> act) {
         simulation.post(() -> robot(name).map(TelephoneRobot::robot).ifPresent(act));
     }
@@ -341,7 +341,7 @@ public final class WindowModel extends SessionModel {
         drafts.drop(file);
     }
 
-    /** Loads a world; a file that cannot be read changes nothing and is reported. */
+    /** Loads a world; an unreadable file changes nothing and is reported. */
     void read(Path file) {
         read(file, owned -> true, () -> {});
     }

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 
-/** Detects that another program has changed the world's file; looks every 2 s. */
+/** Detects changes of the world's file by other programs; checks every 2 s. */
 final class WorldFileWatch {
     private static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(2);
 
@@ -25,14 +25,14 @@ final class WorldFileWatch {
         known = time(file);
     }
 
-    /** The file in its present state is the world of the simulation. */
+    /** Declares the file's current content to be the simulation's world. */
     void setCurrent(Path newFile) {
         file = newFile;
         known = time(newFile);
         changed = false;
     }
 
-    /** The result of the last look; starts a new one when it is due. For one thread. */
+    /** The result of the last check; starts a new one when due. For one thread. */
     boolean hasChanged() {
         long now = System.nanoTime();
         if (now - lookedNanos > PERIOD_NANOS) {
@@ -42,7 +42,7 @@ final class WorldFileWatch {
         return changed;
     }
 
-    /** A file that is missing now, or was missing before, has not changed. */
+    /** A file that is missing, or was missing before, has not changed. */
     void look() {
         Optional<FileTime> time = time(file);
         changed = known.isPresent() && time.isPresent() && !time.equals(known);

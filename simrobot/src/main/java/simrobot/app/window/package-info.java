@@ -1,5 +1,5 @@
 /**
- * What SimRobot's window shows and does: {@link simrobot.app.window.WindowModel} of a running simulation, {@link
- * simrobot.app.window.ReplayModel} of a recording.
+ * Content and actions of SimRobot's window: {@link simrobot.app.window.WindowModel} for a running simulation, {@link
+ * simrobot.app.window.ReplayModel} for a recording.
  */
 package simrobot.app.window;

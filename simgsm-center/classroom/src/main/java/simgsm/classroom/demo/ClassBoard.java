@@ -13,11 +13,11 @@ import simgsm.classroom.ui.ClassView;
 import simgsm.console.Event;
 
 /**
- * The results of a class: each student's orders, and when the robot stood at the goal. Events and their times
- * come in; one thread at a time.
+ * The results of a class: each student's orders and time of arrival at the goal. Fed with events and their times; one
+ * thread at a time.
  */
 final class ClassBoard {
-    /** A robot whose middle is nearer stands at the goal. */
+    /** The distance within which a robot's middle counts as at the goal. */
     static final double GOAL_RADIUS_METERS = 0.5;
 
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
@@ -28,8 +28,8 @@ final class ClassBoard {
     private long stoppedNanos;
 
     /**
-     * A student's result; seconds to the goal from the beginning of the challenge, without one from the first key or message; not
-     * a number before the goal.
+     * A student's result. The seconds to the goal count from the beginning of the challenge, without one from the first
+     * key or message; NaN before the goal.
      */
     static final class Result {
         final String phone;
@@ -41,7 +41,7 @@ final class ClassBoard {
         private int orders;
         private int collisions;
         private long beganNanos = -1;
-        /** Whether keys or messages have come since the beginning. */
+        /** True if keys or messages were received since the beginning. */
         private boolean hasPlayed;
 
         private double seconds = Double.NaN;
@@ -94,7 +94,12 @@ final class ClassBoard {
         results.put(robot, new Result(phone, number, goalX, goalY));
     }
 
-    /** A browser has become a student's phone. @param name typed there, may be empty; @return whether a result has changed */
+    /**
+     * Makes a browser a student's phone.
+     *
+     * @param name typed there, may be empty;
+     * @return true if a result has changed
+     */
     boolean joined(String phone, String name) {
         Optional<Result> student = results.values().stream()
                 .filter(result -> result.phone.equals(phone) && !result.name.equals(name))
@@ -103,7 +108,11 @@ final class ClassBoard {
         return student.isPresent();
     }
 
-    /** An event of SimRobot. What comes after the goal does not count. @return whether a result has changed */
+    /**
+     * Counts an event of SimRobot; events after the goal do not count.
+     *
+     * @return true if a result has changed
+     */
     boolean event(Event event, long nowNanos) {
         Result result = results.get(event.fields().getOrDefault("robot", ""));
         if (result == null || result.isAtGoal() || phase == ClassView.Phase.STOPPED) {
@@ -141,14 +150,14 @@ final class ClassBoard {
         }
     }
 
-    /** A challenge begins: all results are set back, and the time runs for all. */
+    /** Begins a challenge: resets all results, and starts the time for all. */
     void start(long nowNanos) {
         phase = ClassView.Phase.RUNNING;
         startedNanos = nowNanos;
         results.values().forEach(result -> result.begin(nowNanos));
     }
 
-    /** The challenge ends; what comes afterwards does not count. */
+    /** Ends the challenge; later events do not count. */
     void stop(long nowNanos) {
         if (phase == ClassView.Phase.RUNNING) {
             phase = ClassView.Phase.STOPPED;
@@ -169,7 +178,7 @@ final class ClassBoard {
         };
     }
 
-    /** When a student's run began; empty before. */
+    /** Start of a student's run; empty before. */
     OptionalLong beganNanos(String phone) {
         return results.values().stream()
                 .filter(result -> result.phone.equals(phone) && result.beganNanos >= 0)
@@ -177,7 +186,7 @@ final class ClassBoard {
                 .findFirst();
     }
 
-    /** For the window: {@link #ranked} with the first marked if it is at the goal. */
+    /** The window's rows: {@link #ranked} with the first marked if it is at the goal. */
     List<ClassView.Row> rows() {
         List<ClassView.Row> rows = new ArrayList<>();
         for (Result result : ranked()) {
@@ -186,7 +195,7 @@ final class ClassBoard {
         return rows;
     }
 
-    /** The best first: results at the goal by their time; then by whether keys were pressed, by collisions and by keys. */
+    /** Best first: results at the goal by their time; then by key presses, collisions and number of keys. */
     List<Result> ranked() {
         List<Result> ranked = new ArrayList<>(results.values());
         ranked.sort(Comparator.<Result>comparingDouble(

@@ -24,11 +24,11 @@ import simgsm.ui.window.Display;
 
 /**
  * {@code --demo --class N}: a robot for each student in one world, the teacher's windows, and a table of results. Each
- * student's own machine starts a phone by the command that is printed here. Without a display the phones run here, and each
- * moves its robot.
+ * student's machine starts a phone by the printed command. Without a display the phones run here, and each moves its
+ * robot.
  */
 public final class ClassDemo {
-    /** The console of SimRobot. */
+    /** Name of SimRobot's console. */
     static final String ROBOTS = "robots";
 
     private static final int LEAST_STUDENTS = 2;
@@ -130,7 +130,7 @@ public final class ClassDemo {
         session.start(ROBOTS, "simrobot", roll.robot(0), robotOptions(session, more));
     }
 
-    /** The numbers of the students' phones, which browsers take. */
+    /** The range of the students' phone numbers, assigned to browsers. */
     Optional<String> phoneNumbers() {
         return Optional.of(roll.phone(0) + "-" + roll.phone(roll.students() - 1));
     }

@@ -11,7 +11,7 @@ import simgsm.console.HostPort;
 import simgsm.console.UsageException;
 import simgsm.net.ReachableAddresses;
 
-/** The students of a class, counted from 0: their numbers, their robots, and what their machines start. */
+/** The students of a class, counted from 0: their numbers, their robots, and the commands of their machines. */
 final class ClassRoll {
     private static final long FIRST_PHONE = Long.parseLong(Session.PHONE_NUMBER);
     private static final long FIRST_ROBOT = Long.parseLong(Session.ROBOT_NUMBER);
@@ -38,7 +38,7 @@ final class ClassRoll {
         return Long.toString(FIRST_PHONE + student);
     }
 
-    /** The teacher's own phone has the number after the last student's. */
+    /** The teacher's phone has the number after the last student's. */
     String teacher() {
         return phone(students);
     }
@@ -47,7 +47,7 @@ final class ClassRoll {
         return Long.toString(FIRST_ROBOT + student);
     }
 
-    /** Of all students, then of all robots. */
+    /** Numbers of all students, then of all robots. */
     Stream<String> numbers() {
         return Stream.concat(
                 IntStream.range(0, students).mapToObj(this::phone),
@@ -68,12 +68,12 @@ final class ClassRoll {
         }
     }
 
-    /** The addresses of the centre, the likeliest first. */
+    /** The addresses of the centre, most likely first. */
     List<String> hosts() {
         return hosts;
     }
 
-    /** What a student's machine starts. */
+    /** The command that starts a student's phone. */
     String command(String number, String host, int port) {
         String card = settings.home().isClosed() ? " --sim " + number + ".sim" : "";
         return "java -jar simgsm-phone.jar --number " + number + " --center " + new HostPort(host, port) + card;

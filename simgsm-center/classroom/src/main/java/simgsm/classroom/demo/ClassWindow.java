@@ -43,7 +43,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
     private final ClassRoll roll;
     private final Session session;
     private final String recording;
-    /** Where each robot stood when the class began, as x, y and heading. */
+    /** Each robot's initial x, y and heading. */
     private final Map<String, String> homes = new LinkedHashMap<>();
 
     private ClassView view = new ClassView(List.of(), ClassView.Phase.FREE, 0, Optional.empty());
@@ -52,7 +52,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
     private long readyNanos;
     /** Language of the class's window. */
     private volatile Locale language;
-    /** On the event thread, once it is open. */
+    /** Owned by the event thread; null until opened. */
     private ClassFrame frame;
 
     ClassWindow(ClassDemo demo, Session session) throws IOException {
@@ -63,7 +63,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
         recording = recording(LocalDateTime.now()).toString();
     }
 
-    /** A file for the recording of this class; those of earlier ones stay. */
+    /** A new file for the recording of this class; earlier ones are kept. */
     private static Path recording(LocalDateTime now) throws IOException {
         Path folder = PrivateFiles.makeFolder(DataDirectory.defaultPath(System.getenv(), System.getProperties())
                 .resolve("lessons"));
@@ -75,7 +75,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
         return file;
     }
 
-    /** Returns when the centre's window is closed. */
+    /** Blocks until the centre's window is closed. */
     void run(boolean isZoomGiven) throws Exception {
         WindowPlace screen = Display.usableArea();
         int column = (int) (SHARE_OF_SCREEN * screen.width());
@@ -175,7 +175,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
         }
     }
 
-    /** The same object until something has changed. */
+    /** The same object until a change. */
     private ClassView view() {
         synchronized (demo.board) {
             long seconds = demo.board.seconds(System.nanoTime());
@@ -188,7 +188,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
         }
     }
 
-    /** The motors' switch ends what a robot does, so that it can be placed. */
+    /** Switching the motors off ends a robot's motion, so that it can be placed. */
     @Override
     public void start() {
         Map<String, String> places;
@@ -197,7 +197,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
             isChanged = true;
             places = new LinkedHashMap<>(homes);
         }
-        // Without the lock: SimRobot may wait until its events are taken before it reads on.
+        // without the lock, because SimRobot may wait until its events are read
         places.forEach((robot, place) -> Stream.of("motors off", "place " + place, "motors on")
                 .forEach(order -> order(ClassDemo.ROBOTS + " @" + robot + " " + order)));
     }
@@ -230,7 +230,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
         session.children().start("simrobot.jar", "", options, Redirect.DISCARD);
     }
 
-    /** The options of a SimRobot that shows a recording in the teacher's language, zoom and colours. */
+    /** The options of a SimRobot that replays a recording in the teacher's language, zoom and colours. */
     static List<String> replayOptions(String recording, long fromSeconds, Locale language) {
         List<String> options = new ArrayList<>(List.of("--replay", recording));
         options.addAll(List.of("--replay-from", String.valueOf(fromSeconds), "--end-with-input"));

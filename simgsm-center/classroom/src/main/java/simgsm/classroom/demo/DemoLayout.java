@@ -12,12 +12,12 @@ import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowPlace;
 
 /**
- * The demo's three windows on one screen: the phone at the left in its own size, SimRobot at its right, the centre below
- * SimRobot. No window meets another, none leaves the screen, and the world takes at least a fifth of the screen.
+ * The demo's three windows on one screen: the phone at the left in its natural size, SimRobot at its right, the centre
+ * below SimRobot. Windows do not overlap or leave the screen, and the world takes at least a fifth of the screen.
  */
 public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace center, int zoomPercent) {
     private static final System.Logger LOG = System.getLogger(DemoLayout.class.getName());
-    /** What the windows fill comfortably at 100 %; a larger screen gets a larger zoom. */
+    /** Comfortable width at 100 %; a larger screen gets a larger zoom. */
     private static final int COMFORTABLE_WIDTH = 1_340;
 
     private static final int COMFORTABLE_HEIGHT = 900;
@@ -29,19 +29,19 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
     private static final double CENTER_SHARE_OF_HEIGHT = 0.42;
     private static final double WORLD_SHARE_OF_SCREEN = 0.2;
 
-    // What SimRobot's frame, margins, tools, modem and VeriCommand take of its window, in units.
+    // Space around the world in SimRobot's window for frame, margins, tools, modem and VeriCommand, in units.
     private static final int MARGINS_WIDTH = 20;
     private static final int TOOLS_HEIGHT = 114;
     private static final int COLUMN_WIDTH = 320;
     private static final int ROW_HEIGHT = 166;
-    /** Height of a window's frame beyond the phone's least height. */
+    /** Height of a window's frame beyond the phone's minimum height. */
     private static final int FRAME_UNITS = 24;
 
     /**
      * Places the windows.
      *
      * @param area usable area of the screen
-     * @param wantedPercent the zoom that was asked for; where it does not fit, the largest one below it that does
+     * @param wantedPercent the requested zoom; reduced to the largest one that fits
      */
     public static DemoLayout of(WindowPlace area, OptionalInt wantedPercent) {
         int wanted = wantedPercent.orElse(comfortablePercent(area));
@@ -64,7 +64,7 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
         return this;
     }
 
-    /** The options of a program with its window at a place, and more. */
+    /** The options that place a program's window, and further ones. */
     public List<String> options(WindowPlace place, String... more) {
         return Stream.concat(
                         Stream.of("--zoom", String.valueOf(zoomPercent), "--window", place.toString()), Stream.of(more))
@@ -78,7 +78,7 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
         return new WindowPlace(phone.x(), bottom, robot.x() - phone.x(), height);
     }
 
-    /** The place of a phone that is not opened. */
+    /** The place reserved for an unopened phone. */
     WindowPlace insteadOfPhone() {
         return new WindowPlace(phone.x(), phone.y(), robot.x() - phone.x(), phoneHeight());
     }

@@ -17,7 +17,7 @@ import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
 
-/** The demo without a display: the same programs perform the script {@code demo.txt}, and a transcript is printed. */
+/** The demo without a display: the same programs perform the script {@code demo.txt} and print a transcript. */
 public final class HeadlessDemo {
     static final String WORLD = "worlds/demo.map";
 

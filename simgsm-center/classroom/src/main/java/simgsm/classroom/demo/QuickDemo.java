@@ -13,15 +13,15 @@ import simgsm.console.ProgramFolder;
 import simgsm.console.QuickStart;
 
 /**
- * The demo's centre on a Java machine with the options of {@link QuickStart}: a jar's manifest cannot hold them, so the
- * process that the user starts starts another and waits for its end. Both end together.
+ * Starts the demo's centre in a second Java process with the options of {@link QuickStart}, which a jar's manifest
+ * cannot hold, and waits for its end. Both end together.
  */
 public final class QuickDemo {
-    /** The property of the second process. */
+    /** Property that marks the second process. */
     private static final String SECOND = "simgsm.quick";
 
     private static final String JAR = "simgsm-center.jar";
-    /** Options with which the program opens no window. */
+    /** Options of runs without a window. */
     private static final String[] WINDOWLESS = {"--headless", "--help", "-h", "--version", "-V", "--new-sim", "--check"
     };
 
@@ -30,12 +30,12 @@ public final class QuickDemo {
     private QuickDemo() {}
 
     /**
-     * Runs the demo in a second process. It is called before anything else of the program is loaded, because that would take as
+     * Runs the demo in a second process. Called before any other class of the program is loaded, because that takes as
      * long as the start of the second process.
      *
      * @param words the command line, not checked yet
-     * @return its exit status; empty where the program is to run in this process: without the demo's windows, from an image, in
-     *     the second process, with options of the Java machine that the user has chosen, or where none can be started
+     * @return its exit status; empty if the program has to run in this process: without the demo's windows, from an
+     * image, in the second process, with Java options chosen by the user, or if no process can be started
      */
     public static OptionalInt run(String... words) {
         if (!isDemo(words) || System.getProperty(SECOND) != null || !mayHaveDisplay()) {
@@ -55,7 +55,7 @@ public final class QuickDemo {
         }
     }
 
-    /** Whether the words ask for the demo in windows; {@code --lessons DIR} names a folder for it then. */
+    /** True if the words request the demo in windows; {@code --lessons DIR} then names its folder of lessons. */
     public static boolean isDemo(String... words) {
         for (String windowless : WINDOWLESS) {
             if (has(words, windowless)) {
@@ -92,7 +92,7 @@ public final class QuickDemo {
         return second.waitFor();
     }
 
-    /** Whether there may be a display, found without loading the desktop's libraries. */
+    /** True if a display may exist; checked without loading the desktop's libraries. */
     private static boolean mayHaveDisplay() {
         String system = System.getProperty("os.name");
         return system.startsWith("Windows")

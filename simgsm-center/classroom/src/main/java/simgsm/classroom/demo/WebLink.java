@@ -15,7 +15,7 @@ import simgsm.console.Console;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
 
-/** {@code --web PORT}: a gateway beside the demo, so that browsers are phones of its network. */
+/** {@code --web PORT}: a gateway for the demo, so that browsers are phones of its network. */
 final class WebLink {
     private static final String OPTION = "web";
     /** The gateway's console. */
@@ -39,7 +39,7 @@ final class WebLink {
      * Starts the gateway once SimRobot is ready.
      *
      * @param robots the name of SimRobot's console
-     * @param numbers those given to browsers, as FROM-TO; empty for the gateway's own choice
+     * @param numbers range for browsers, as FROM-TO; empty for the gateway's choice
      * @return the link; empty without {@code --web}
      */
     static Optional<String> start(Arguments arguments, Session session, String robots, Optional<String> numbers)
@@ -62,7 +62,7 @@ final class WebLink {
                 .get("link"));
     }
 
-    /** Lets no new browsers in, or lets them in again. */
+    /** Locks new browsers out, or admits them again. */
     static void lock(Session session, boolean isLocked) {
         try {
             session.consoles().perform(GATEWAY + " lock " + (isLocked ? "on" : "off"));
@@ -73,7 +73,10 @@ final class WebLink {
         }
     }
 
-    /** Without a display: starts SimRobot and the gateway, prints the link and performs the centre's commands until the input ends. */
+    /**
+     * Runs without a display: starts SimRobot and the gateway, prints the link and performs the centre's commands until
+     * the input ends.
+     */
     static int serve(
             Arguments arguments, Session session, String robots, List<String> options, Optional<String> numbers)
             throws IOException, SessionFailure, InterruptedException, UsageException {

@@ -22,9 +22,12 @@ import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.WindowMemory;
 import simgsm.ui.window.WindowPlace;
 
-/** The demo with a display: three windows that do not cover each other, ready to dial; closing the centre's window ends all. */
+/**
+ * The demo with a display: three windows that do not overlap, ready to dial; closing the centre's window ends all
+ * programs.
+ */
 public final class WindowedDemo {
-    /** The name under which the centre's window is remembered, and those of phone and robot. */
+    /** The names under which the windows of centre, phone and robot are remembered. */
     public static final String CENTER = "demo-center";
 
     private static final String PHONE = "demo-phone";
@@ -33,8 +36,8 @@ public final class WindowedDemo {
     private WindowedDemo() {}
 
     /**
-     * @param isZoomGiven on the command line; a remembered zoom is reduced without a notice
-     * @return the lesson that the user has chosen in one of the windows, if any
+     * @param isZoomGiven true if the command line sets the zoom; a remembered zoom is reduced without a notice
+     * @return the lesson chosen in one of the windows, if any
      */
     public static Optional<String> run(Arguments arguments, CenterSettings settings, boolean isZoomGiven)
             throws Exception {
@@ -64,7 +67,7 @@ public final class WindowedDemo {
                             url,
                             Optional.of(layout.belowPhone(screen)),
                             locked -> WebLink.lock(session, locked)));
-            // The phone has the keyboard: the user dials first.
+            // the phone gets the keyboard, because the user dials first
             ProgramWindow window = layout.centerWindow(arguments.with("unfocused", ""));
             opened.complete(window);
             CenterWindow.Watch watch = new CenterWindow.Watch(
@@ -80,7 +83,7 @@ public final class WindowedDemo {
         }
     }
 
-    /** Starts phone and robot; on one machine each tone is heard once, from the phone. */
+    /** Starts phone and robot; on one machine only the phone plays each tone. */
     private static void start(Session session, DemoLayout layout, Arguments arguments) throws IOException {
         List<String> phone = layout.options(layout.phone(), "--console", "--remember-as", PHONE);
         session.start("phone", "simgsm-phone", Session.PHONE_NUMBER, phone);
@@ -105,7 +108,7 @@ public final class WindowedDemo {
         }
     }
 
-    /** The windows as the last demo left them, if all three are remembered on these screens and at one zoom. */
+    /** The layout of the last demo, if all three windows are remembered on these screens and at one zoom. */
     private static Optional<DemoLayout> asLeft(Arguments arguments) throws UsageException {
         Optional<WindowPlace> phone = WindowMemory.place(arguments, PHONE);
         Optional<WindowPlace> robot = WindowMemory.place(arguments, ROBOT);

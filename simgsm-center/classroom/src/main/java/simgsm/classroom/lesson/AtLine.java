@@ -8,7 +8,7 @@ import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import simgsm.console.Event;
 
-/** A connection to a terminal's AT port: a command, and its answer up to the final result. */
+/** A connection to a terminal's AT port that exchanges commands and answers. */
 final class AtLine implements AutoCloseable {
     private static final int PATIENCE_MILLIS = 15_000;
     private static final char CTRL_Z = 0x1a;
@@ -21,7 +21,10 @@ final class AtLine implements AutoCloseable {
         socket.setSoTimeout(PATIENCE_MILLIS);
     }
 
-    /** The event {@code at command= answer=} of one command; the answer in one line. */
+    /**
+     * Sends a command and returns the event {@code at command= answer=}; the answer, up to its final result, is joined
+     * to one line.
+     */
     Event command(String command) throws IOException {
         return Event.of("at").with("command", command).with("answer", ask(command + "\r"));
     }

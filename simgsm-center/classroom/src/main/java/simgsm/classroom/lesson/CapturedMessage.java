@@ -8,19 +8,19 @@ import java.util.HexFormat;
 import java.util.Optional;
 import simgsm.console.Event;
 
-/** Finds the first SETUP that a mobile has sent in a capture of the centre, and names its octets. */
+/** Finds a mobile's first SETUP in a capture of the centre, and names its octets. */
 final class CapturedMessage {
     private static final int FILE_HEADER = 24;
     private static final int RECORD_HEADER = 16;
     private static final int CAPTURED_LENGTH_AT = 8;
     private static final int TCP = 6;
-    /** RSL DATA INDICATION before its layer 3 message: discriminator, type, channel, link, and the length's element. */
+    /** Length of an RSL DATA INDICATION's header: discriminator, type, channel, link, and the length's element. */
     private static final int RSL_HEADER = 9;
 
     private static final int IPA_HEADER = 3;
     private static final int CALL_CONTROL = 0x03;
     private static final int SETUP = 0x05;
-    /** Bits 7 and 8 of a message's type from a mobile are its send sequence number (TS 24.007, 11.2.3.2.1). */
+    /** Excludes bits 7 and 8 of a mobile's message type, its send sequence number (TS 24.007, 11.2.3.2.1). */
     private static final int TYPE_MASK = 0x3f;
 
     private static final int PROTOCOL_MASK = 0x0f;
@@ -83,7 +83,7 @@ final class CapturedMessage {
                 : Optional.empty();
     }
 
-    /** The semi-octets of the called party's number. */
+    /** Decodes the called party's number. */
     private static Optional<String> number(ByteBuffer all, int message, int end) {
         for (int at = message + 2; at + 2 < end; at++) {
             int length = octet(all, at + 1);

@@ -24,12 +24,12 @@ import simgsm.lesson.LessonRun;
 import simgsm.lesson.LessonStep;
 import simgsm.lesson.LessonTexts;
 
-/** {@code --lessons}, and {@code --lesson NAME --check SOLUTION}: a lesson without windows, and its marks. */
+/** {@code --lessons}, and {@code --lesson NAME --check SOLUTION}: plays a lesson without windows and marks it. */
 public final class LessonCheck {
     private static final System.Logger LOG = System.getLogger(LessonCheck.class.getName());
-    /** The seed of a student's numbers without {@code --seed}. */
+    /** The default seed of a student's numbers. */
     static final long FIRST_SEED = 1;
-    /** The trace is read ten times a second. */
+    /** Wait after the last action; the trace is read every 100 ms. */
     private static final long SETTLE_MILLIS = 250;
 
     private static final String UNSEEN_SPEED = "25";
@@ -39,7 +39,7 @@ public final class LessonCheck {
 
     private LessonCheck() {}
 
-    /** Prints the lessons; what cannot be read in a teacher's own, an error each, on standard error. */
+    /** Prints the lessons, and on standard error an error for each unreadable one of a teacher. */
     public static int list(Arguments arguments) throws UsageException {
         LessonLibrary library = LessonLibrary.of(arguments);
         PrintStream out = Program.standardOutput();
@@ -64,7 +64,7 @@ public final class LessonCheck {
         return status;
     }
 
-    /** A lesson whose computed values can be computed. */
+    /** Reads a lesson and checks that its values can be computed. */
     private static Lesson read(LessonLibrary library, String name) throws LessonException {
         Lesson lesson = library.lesson(name);
         try {
@@ -106,14 +106,14 @@ public final class LessonCheck {
         return run.score() == lesson.steps().size() ? ExitStatus.OK : ExitStatus.FAILED;
     }
 
-    /** Without a window the robot may drive faster than at the pace of a class. */
+    /** Options of a program; without a window the robot may drive at a higher pace than in class. */
     private static List<String> options(LessonProgram program) {
         return program.jar().equals("simrobot")
                 ? List.of("--headless", "--no-sound", "--speed", UNSEEN_SPEED)
                 : List.of("--headless", "--no-sound");
     }
 
-    /** The lesson that {@code --lesson} names, with its texts. */
+    /** Reads the lesson of {@code --lesson} with its texts. */
     static Named named(LessonLibrary library, Arguments arguments) throws UsageException {
         try {
             Lesson lesson = read(library, arguments.text("lesson").orElseThrow());
@@ -137,7 +137,7 @@ public final class LessonCheck {
         }
     }
 
-    /** A line for each step, then the score. */
+    /** Returns a line for each step, then the score. */
     private static String score(LessonRun run, LessonTexts texts) {
         StringBuilder lines = new StringBuilder();
         for (LessonStep step : run.lesson().steps()) {

@@ -35,7 +35,10 @@ final class LessonFigures implements LessonFunctions {
         return DtmfKey.sequence(text).get(0);
     }
 
-    /** A SUBMIT without a status report and with the centre's validity: hexadecimal octets with blanks between, as students type. */
+    /**
+     * A SUBMIT without a status report and with the centre's validity: hexadecimal octets separated by blanks, as
+     * students type.
+     */
     private static String submit(String number, String text) {
         return TpduCodec.encode(new SubmitTpdu(
                         false,
@@ -50,14 +53,14 @@ final class LessonFigures implements LessonFunctions {
                 .replaceAll("..(?=.)", "$0 ");
     }
 
-    /** The two halves of 16 hexadecimal digits, combined bit by bit: SRES from RES (TS 33.102, conversion function c2). */
+    /** The exclusive or of the halves of 16 hexadecimal digits: SRES from RES (TS 33.102, conversion function c2). */
     private static String xor(String hex) {
         long left = Long.parseLong(hex.substring(0, WORD_LENGTH), 16);
         long right = Long.parseLong(hex.substring(WORD_LENGTH), 16);
         return String.format("%08x", left ^ right);
     }
 
-    /** Digits as semi-octets, the first in the lower half, the last one filled up with f (TS 24.008, 10.5.4.7). */
+    /** Digits as semi-octets, the first in the lower half, padded with f (TS 24.008, 10.5.4.7). */
     private static String swapped(String digits) {
         String even = digits.length() % 2 == 0 ? digits : digits + "f";
         StringBuilder text = new StringBuilder();

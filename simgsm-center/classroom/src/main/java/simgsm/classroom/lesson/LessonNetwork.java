@@ -16,14 +16,14 @@ import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.lesson.Lesson;
 
-/** The centre of a lesson, closed or with a capture as the lesson asks. */
+/** Creates the centre of a lesson, closed or with a capture as the lesson requires. */
 final class LessonNetwork {
-    /** In the folder of the session. */
+    /** The capture's file name in the folder of the session. */
     static final String CAPTURE = "lesson.pcap";
 
     private static final String SIMS = "class.hlr";
 
-    /** Options that the centre of a lesson does not take from the command line; the seed is that of the student's numbers. */
+    /** Options of the command line that the centre ignores; the seed is that of the student's numbers. */
     private static final String[] REMOVED = {
         "seed",
         "data",
@@ -41,13 +41,13 @@ final class LessonNetwork {
 
     private LessonNetwork() {}
 
-    /** Opens the centre; nothing is started. */
+    /** Opens the centre without starting programs. */
     static Session open(Lesson lesson, Arguments arguments) throws IOException, UsageException {
         Arguments own = arguments.without(REMOVED);
         return Session.open(own, folder -> settings(lesson, own, folder));
     }
 
-    /** @throws UsageException naming the lesson where an option of its centre is wrong */
+    /** @throws UsageException naming the lesson if an option of its centre is wrong */
     private static CenterSettings settings(Lesson lesson, Arguments arguments, Path folder)
             throws IOException, UsageException {
         Arguments own = arguments;

@@ -28,14 +28,14 @@ import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonRun;
 
 /**
- * The programs of a lesson and what happens in them. Lines of solutions and of the lesson's actions are performed here; any
- * thread may, one at a time.
+ * The programs of a lesson and their events. Performs the lines of solutions and of the lesson's actions; any thread
+ * may call, one at a time.
  */
 final class LessonSession implements Consoles.Listener {
-    /** Starting Java programs on a slow machine. */
+    /** Maximum start time of the programs, on a slow machine. */
     private static final double START_SECONDS = 60;
 
-    /** Told what a student has to know; called by the threads of the programs' consoles. */
+    /** Receives notices for the student; called by the threads of the programs' consoles. */
     interface Watcher {
         default void changed() {}
 
@@ -45,10 +45,10 @@ final class LessonSession implements Consoles.Listener {
         /** A program has ended; {@code isFault}: before it was ready, or with an exit status other than 0. */
         default void ended(String program, int status, boolean isFault) {}
 
-        /** The robot has hung up, because no key came for these seconds. */
+        /** The robot has cleared the call after these seconds without a key. */
         default void idle(String seconds) {}
 
-        /** A lesson is chosen in the help of a program's window. */
+        /** The user has chosen a lesson in the help of a program's window. */
         default void open(String lesson) {}
     }
 
@@ -59,7 +59,7 @@ final class LessonSession implements Consoles.Listener {
     private final Function<LessonProgram, List<String>> manner;
     private final TextBundle words;
     private final Queue<String> told = new ConcurrentLinkedQueue<>();
-    /** Whether a tool has failed since the action began. */
+    /** True if a tool has failed since the action began. */
     private boolean hasFailed;
     /** The latest action; empty before the first one. */
     private volatile String acted = "";
@@ -67,7 +67,7 @@ final class LessonSession implements Consoles.Listener {
     private volatile Watcher watcher = new Watcher() {};
 
     /**
-     * @param own where a teacher's own lesson lies
+     * @param own folder of a teacher's own lesson
      * @param manner the further options of a program, such as {@code --headless}
      * @param language of the student's texts
      */
@@ -120,39 +120,39 @@ final class LessonSession implements Consoles.Listener {
         watcher = next;
     }
 
-    /** Reads the run between two events. */
+    /** Queries the run between two events. */
     <T> T ofRun(Function<LessonRun, T> question) {
         synchronized (run) {
             return question.apply(run);
         }
     }
 
-    /** Whether the latest action has failed. */
+    /** True if the latest action has failed. */
     boolean hasFailed() {
         return hasFailed;
     }
 
-    /** The programs that run. */
+    /** The running programs. */
     Set<String> running() {
         return consoles.running();
     }
 
-    /** A line with the values of its names in braces; {@code isAll}: also of those that students have to find. */
+    /** Replaces names in braces by their values; {@code isAll}: also by values that students have to find. */
     String replaced(String line, boolean isAll) {
         return ofRun(each -> isAll ? each.solved(line) : each.shown(line));
     }
 
-    /** Takes the centre's events. */
+    /** Receives the centre's events. */
     Consumer<ExchangeEvent> centerEvents() {
         return session.centerEvents();
     }
 
-    /** Takes the centre's ladder. */
+    /** Receives the centre's ladder. */
     Consumer<ExchangeSnapshot> trace() {
         return new TraceEvents(event -> consoles.add("trace", event));
     }
 
-    /** Starts the programs of the lesson, all at once, and waits until they are registered. */
+    /** Starts all programs of the lesson at once, and waits until they are registered. */
     void start() throws IOException, SessionFailure, InterruptedException {
         Optional<String> handover = Optional.ofNullable(run.lesson().center().get("handover"));
         if (handover.isPresent()) {
@@ -228,7 +228,7 @@ final class LessonSession implements Consoles.Listener {
         }
     }
 
-    /** {@code drive PROCESS WORLD}; the process is in a file of the lesson's folder. */
+    /** Performs {@code drive PROCESS WORLD} with a process in a file of the lesson's folder. */
     private void drive(List<String> words) throws SessionFailure, IOException, InterruptedException {
         if (words.size() != 2) {
             throw new SessionFailure("expected drive PROCESS WORLD");
@@ -243,7 +243,7 @@ final class LessonSession implements Consoles.Listener {
                         .orElseThrow(() -> new SessionFailure(words.of("lesson.capture.none"))));
     }
 
-    /** {@code give FILE}: copies a file that the student has chosen into the lesson's folder. */
+    /** Performs {@code give FILE}: copies a file of the student into the lesson's folder. */
     private void give(String file) throws SessionFailure, IOException {
         Path from = Path.of(file);
         if (!Files.isRegularFile(from)) {
@@ -255,7 +255,7 @@ final class LessonSession implements Consoles.Listener {
         }
     }
 
-    /** What a tool has found, for the student and for the conditions. */
+    /** Reports a tool's result to the student and to the conditions. */
     private void tell(Event event) {
         hasFailed |= !event.fields().getOrDefault("status", "0").equals("0");
         String line = ToolTexts.of(event, words);
@@ -265,7 +265,7 @@ final class LessonSession implements Consoles.Listener {
         consoles.add("tool", event);
     }
 
-    /** What tools have printed since the last call, a line each. */
+    /** The output of tools since the last call, a line each. */
     String told() {
         List<String> lines = new ArrayList<>();
         for (String line = told.poll(); line != null; line = told.poll()) {
@@ -329,9 +329,9 @@ final class LessonSession implements Consoles.Listener {
         acted = action.name();
         for (String line : action.lines()) {
             if (hasFailed) {
-                return; // what follows would work on the files of an earlier try
+                return; // the next lines would use the files of an earlier try
             }
-            // The input comes last: a name in braces in it would be replaced by what the student has to find.
+            // the input is inserted last: a name in braces in it would be replaced by the solution's value
             perform(replaced(line, true).replace("{input}", input).replace("{name}", name));
         }
     }
@@ -354,7 +354,7 @@ final class LessonSession implements Consoles.Listener {
         }
     }
 
-    /** {@code handover ALGORITHM[,NAME=N]...} is the one command of the centre that lessons have. */
+    /** Performs {@code handover ALGORITHM[,NAME=N]...}, the centre's only command in lessons. */
     private void center(String command) throws SessionFailure {
         List<String> words = words(command);
         if (words.size() != 2 || !words.get(0).equals("handover")) {
@@ -375,7 +375,7 @@ final class LessonSession implements Consoles.Listener {
         }
     }
 
-    /** Puts a file into the lesson's folder. */
+    /** Writes a file into the lesson's folder. */
     void handIn(String name, byte[] content) throws IOException {
         Files.write(session.folder().resolve(name), content);
     }

@@ -14,10 +14,10 @@ import java.util.concurrent.TimeoutException;
 import simgsm.center.app.ChildPrograms;
 import simgsm.console.Event;
 
-/** Runs tools in the folder of a lesson and makes an event of what they print. */
+/** Runs tools in the folder of a lesson and converts their output to events. */
 final class LessonTools {
     private static final int PATIENCE_SECONDS = 60;
-    /** Octets of a tool's output that are kept. */
+    /** Maximum kept output of a tool, in octets. */
     static final int MOST_OUTPUT = 1 << 20;
 
     /** Field of a tool's event: the tool's arguments. */
@@ -31,9 +31,9 @@ final class LessonTools {
         this.folder = folder;
     }
 
-    /** What a program has printed, standard error included, and its exit status. */
+    /** A program's output, standard error included, and its exit status. */
     record Printed(int status, String output) {
-        /** The first complaint, for a message of one line. */
+        /** The last line of the output, for a message of one line. */
         String lastLine() {
             return output.lines().reduce((first, second) -> second).orElse("");
         }
@@ -77,7 +77,7 @@ final class LessonTools {
         return ended(programs.startTool(jar, words, folder));
     }
 
-    /** A Java source file: an event {@code java status= output=}. */
+    /** Runs a Java source file; returns an event {@code java status= output=}. */
     Event source(List<String> words) throws IOException, InterruptedException {
         Path file = folder.resolve(words.get(0));
         Printed printed = ended(programs.startSource(file, words.subList(1, words.size()), folder));
@@ -90,7 +90,9 @@ final class LessonTools {
         return ended(process, PATIENCE_SECONDS);
     }
 
-    /** Waits for the end of a program, and ends one that runs on: a student's program may never end, nor its output. */
+    /**
+     * Waits for the end of a program and ends it after a timeout: a student's program may never end, nor its output.
+     */
     static Printed ended(Process process, long seconds) throws IOException, InterruptedException {
         FutureTask<byte[]> output = new FutureTask<>(() -> read(process.getInputStream()));
         Thread reader = new Thread(output, "output of a tool");
@@ -109,7 +111,7 @@ final class LessonTools {
         }
     }
 
-    /** The beginning of an output, which is read to its end. */
+    /** Reads an output to its end and returns its beginning. */
     private static byte[] read(InputStream in) throws IOException {
         byte[] first = in.readNBytes(MOST_OUTPUT);
         in.transferTo(OutputStream.nullOutputStream());

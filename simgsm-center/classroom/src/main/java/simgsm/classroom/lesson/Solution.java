@@ -11,10 +11,10 @@ import simgsm.lesson.LessonException;
 import simgsm.lesson.LessonLibrary;
 
 /**
- * A solution to play: lines of a file, or of one of the two that each lesson brings along. {@code use FILE} hands in a file
- * that lies beside it.
+ * A solution to play: lines of a file, or one of the lesson's two built-in solutions. {@code use FILE} hands in a file
+ * from the same folder.
  *
- * @param isOwn whether it is one of the lesson's own, which may use the values that students have to find
+ * @param isOwn true for a built-in solution, which may use the values that students have to find
  */
 record Solution(
         String name, List<String> lines, boolean isOwn, Optional<Path> file, LessonLibrary library, String lesson) {
@@ -34,14 +34,18 @@ record Solution(
                 lesson);
     }
 
-    /** The content of a file beside it. */
+    /** Reads a file of the solution's folder. */
     private byte[] beside(String other) throws LessonException, IOException {
         return file.isPresent()
                 ? Files.readAllBytes(file.get().resolveSibling(other))
                 : library.octets(lesson, name + "/" + other);
     }
 
-    /** Performs all lines. @throws SessionFailure naming the line that failed */
+    /**
+     * Performs all lines.
+     *
+     * @throws SessionFailure naming the line that failed
+     */
     void play(LessonSession session) throws SessionFailure, InterruptedException {
         int number = 0;
         for (String line : lines) {

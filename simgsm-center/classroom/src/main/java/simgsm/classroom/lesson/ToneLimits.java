@@ -8,7 +8,7 @@ import simgsm.dtmf.DtmfReceiver;
 import simgsm.dtmf.ToneNoise;
 import simgsm.dtmf.ToneShape;
 
-/** The limits of the DTMF receiver, measured: the noise, the twist and the length at which keys are lost. */
+/** Measures the limits of the DTMF receiver: the noise, twist and length that lose keys. */
 final class ToneLimits {
     private static final List<DtmfKey> TEN_KEYS = DtmfKey.sequence("1234567890");
     private static final int SAMPLES_PER_MILLI = 8;
@@ -21,7 +21,7 @@ final class ToneLimits {
 
     private ToneLimits() {}
 
-    /** The noise, in dB below the tones, at which half of the keys are heard. */
+    /** The noise, in dB below the tones, with half of the keys decoded. */
     static double halfHeardDecibels(long seed) {
         return first(-MOST_DECIBELS, MOST_DECIBELS, STEP_DECIBELS, decibels -> {
             int heard = 0;
@@ -32,13 +32,13 @@ final class ToneLimits {
         });
     }
 
-    /** The largest twist with which all keys are heard; the high tone is the louder one. */
+    /** The largest twist with all keys decoded; the high tone is the louder one. */
     static double mostTwistDecibels() {
         return first(0, MOST_DECIBELS, STEP_DECIBELS, twist -> !allAreHeard(ToneShape.STANDARD.withTwist(twist)))
                 - STEP_DECIBELS;
     }
 
-    /** The shortest tones of which all are heard, with pauses of 100 ms. */
+    /** The shortest tones that are all decoded, with pauses of 100 ms. */
     static int shortestMillis() {
         return (int) first(
                 LEAST_MILLIS,
@@ -50,7 +50,7 @@ final class ToneLimits {
                         .withRamp(1)));
     }
 
-    /** The least value, of those a step apart, from which on a test holds. */
+    /** Bisects for the smallest value, in steps, that passes a test. */
     private static double first(double least, double most, double step, DoublePredicate test) {
         int low = 0;
         int high = (int) Math.round((most - least) / step);

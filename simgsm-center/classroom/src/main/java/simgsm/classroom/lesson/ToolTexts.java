@@ -5,11 +5,11 @@ import java.util.Map;
 import simgsm.console.Event;
 import simgsm.console.TextBundle;
 
-/** What tools of a lesson have found, in words for the student. */
+/** Results of a lesson's tools in words for the student. */
 final class ToolTexts {
     private ToolTexts() {}
 
-    /** A tool's event in words; empty where it has nothing to say. */
+    /** A tool's event in words; may be empty. */
     static String of(Event event, TextBundle words) {
         Map<String, String> fields = event.fields();
         String output = fields.getOrDefault("output", "");
@@ -40,7 +40,7 @@ final class ToolTexts {
                 : words.of("lesson.told.keys", file, fields.get("count"), fields.get("keys"));
     }
 
-    /** The lines in which a program complains, without its name; all lines of a program that does not give it. */
+    /** A program's error lines without its name; all lines if none has the name. */
     private static String complaint(String output) {
         List<String> own = output.lines()
                 .filter(line -> line.matches("(simgsm-[a-z]+|simrobot): .*"))

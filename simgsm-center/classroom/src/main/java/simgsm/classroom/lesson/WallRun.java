@@ -8,11 +8,11 @@ import java.util.List;
 import java.util.Locale;
 import simgsm.console.Event;
 
-/** A run of SimRobot as fast as the machine can, with a student's process, and how far from the walls the robot was. */
+/** Runs a student's process in SimRobot at full speed, and measures the robot's distance from the walls. */
 final class WallRun {
     private static final String SECONDS = "60";
     private static final String TRACK = "track.csv";
-    /** Until then the robot looks for a wall. */
+    /** Time for finding a wall, excluded from the measurement. */
     private static final double BEGIN_SECONDS = 15;
 
     private static final double NEAR_METERS = 0.4;
@@ -21,7 +21,7 @@ final class WallRun {
     private static final double PERCENT = 100;
 
     private record Wall(double x1, double y1, double x2, double y2) {
-        /** Metres from a place. */
+        /** Distance from a place, in metres. */
         double distance(double x, double y) {
             double dx = x2 - x1;
             double dy = y2 - y1;
@@ -37,8 +37,8 @@ final class WallRun {
      * Runs a process of the lesson's folder for 60 s.
      *
      * @param process its name
-     * @return an event {@code drive status= output= name= travelled= collisions= near= far=}: metres, and percentages of the
-     *     time, after the first 15 s, in which the robot's middle is less than 0.4 m and more than 0.8 m from every wall
+     * @return an event {@code drive status= output= name= travelled= collisions= near= far=}: metres, and percentages
+     * of the time after the first 15 s with the robot's middle less than 0.4 m and more than 0.8 m from every wall
      */
     static Event run(LessonTools tools, Path folder, String process, String world)
             throws IOException, InterruptedException {

@@ -39,7 +39,7 @@ import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowIcon;
 import simgsm.ui.window.WindowPlace;
 
-/** {@code --demo --lesson NAME}: the suite with the lesson's panel at its right. */
+/** {@code --demo --lesson NAME}: the suite, with the lesson's panel at the right. */
 public final class WindowedLesson implements LessonActions, LessonSession.Watcher {
     private static final double SHARE_OF_SCREEN = 0.24;
     private static final int LEAST_WIDTH = 270;
@@ -48,7 +48,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
     private static final int STEP = 40;
     private static final int PERCENT = 100;
     private static final int LEAST_ZOOM = 55;
-    /** Pixels of a window's title. */
+    /** Height of a window's title, in pixels. */
     private static final int FRAME = 30;
 
     private final LessonLibrary library;
@@ -58,7 +58,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
     private final LessonRun run;
     private final LessonSession session;
     private final ProgramWindow window;
-    /** Performs actions in their order; the first one starts the programs. */
+    /** Performs actions in order; the first one starts the programs. */
     private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> {
         Thread thread = new Thread(task, "lesson");
         thread.setDaemon(true);
@@ -87,9 +87,9 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
     }
 
     /**
-     * Opens the lesson that the arguments name, and returns when the centre's window is closed.
+     * Opens the lesson of the arguments, and returns when the centre's window is closed.
      *
-     * @return the lesson that the user has chosen next, if any
+     * @return the next lesson chosen by the user, if any
      */
     public static Optional<String> run(Arguments given, boolean isZoomGiven) throws Exception {
         long seed = given.has("seed")
@@ -99,7 +99,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
         LessonLibrary library = LessonLibrary.of(arguments);
         LessonCheck.Named named = LessonCheck.named(library, arguments);
         Lesson lesson = named.lesson();
-        ProgramWindow.of(arguments, Optional.empty()); // ends here without a display
+        ProgramWindow.of(arguments, Optional.empty()); // throws here without a display
         WindowPlace screen = Display.usableArea();
         WindowPlace place = place(
                 screen,
@@ -135,7 +135,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
         }
     }
 
-    /** A share of the screen's width, for texts of that zoom. */
+    /** The panel's share of the screen's width, for texts of that zoom. */
     private static WindowPlace place(WindowPlace screen, int zoomPercent) {
         double most = MOST_WIDTH * Math.max(1.0, zoomPercent / (double) PERCENT);
         int width = (int) Math.max(LEAST_WIDTH, Math.min(most, SHARE_OF_SCREEN * screen.width()));
@@ -143,8 +143,8 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
     }
 
     /**
-     * Robot and town have the same place. Two phones stand one below the other, so small that both are in view; further ones lie
-     * over the second.
+     * Options that place a program. Robot and town share a place. Two phones are placed one below the other, small
+     * enough for both to be visible; further ones cover the second.
      */
     private static List<String> options(LessonProgram program, Lesson lesson, DemoLayout layout, WindowPlace screen) {
         if (program.options().contains("--headless")) {
@@ -176,7 +176,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
                 : Stream.concat(options.stream(), Stream.of("--no-sound")).toList();
     }
 
-    /** On the event thread, when the theme is installed. */
+    /** Opens the panel; on the event thread, after the theme is installed. */
     private void open(WindowPlace place) {
         refresh();
         session.watch(this);
@@ -237,7 +237,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
         }
     }
 
-    /** What may fail with a text for the student. */
+    /** An action that may fail with a text for the student. */
     private interface Act {
         void perform() throws IOException, SessionFailure, InterruptedException;
     }
@@ -274,7 +274,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
         line("predict " + text);
     }
 
-    /** What tools have found stays in view: answers are read off it. */
+    /** Keeps the output of tools visible, because answers are read from it. */
     @Override
     public void answer(String name, String text) {
         line("answer " + name + " " + text);
@@ -317,7 +317,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
         line("stop " + name);
     }
 
-    /** Into the folder {@code lessons} of the user's data. */
+    /** Saves to the folder {@code lessons} of the user's data. */
     @Override
     public void save(String student) {
         perform(() -> {

@@ -23,18 +23,22 @@ public final class Consoles {
     private static final int END_SECONDS = 20;
     private static final Pattern WAIT = Pattern.compile("wait\\s+(.*?)(?:\\s+([0-9]+(?:\\.[0-9]+)?))?");
 
-    /** Receives what happens; called by the threads of the consoles. */
+    /** Receives output and events; called by the threads of the consoles. */
     public interface Listener {
-        /** A line that a program has printed, or a command with {@code >} before it. */
+        /** A line of a program's output, or a command prefixed by {@code >}. */
         default void line(String name, String line) {}
 
-        /** Called before a wait finds the event. */
+        /** An event; called before a wait finds it. */
         default void event(String source, Event event) {}
 
         /** The user has chosen a lesson in the help of a program's window. */
         default void lessonChosen(String lesson) {}
 
-        /** @param isFault before it was ready, or with an exit status other than 0 */
+        /**
+         * A program has ended.
+         *
+         * @param isFault before it was ready, or with an exit status other than 0
+         */
         default void ended(String name, int status, boolean isFault) {}
     }
 
@@ -47,7 +51,7 @@ public final class Consoles {
         listener = next;
     }
 
-    /** Reads the output of a program that has just been started. */
+    /** Reads the output of a newly started program. */
     public void attach(String name, Process process) {
         ready.remove(name);
         UnreadEvents<Event> events = new UnreadEvents<>();
@@ -76,7 +80,7 @@ public final class Consoles {
         }));
     }
 
-    /** Adds an event and its line. */
+    /** Adds an event and prints its line. */
     public void print(String source, Event event) {
         listener.line(source, event.toString());
         add(source, event);
@@ -99,12 +103,12 @@ public final class Consoles {
         return unread.computeIfAbsent(source, key -> new UnreadEvents<>());
     }
 
-    /** The event by which a program has said that it is ready. */
+    /** The event that reported a program ready. */
     public Optional<Event> ready(String name) {
         return Optional.ofNullable(ready.get(name));
     }
 
-    /** The names of the programs that run. */
+    /** The names of the running programs. */
     public Set<String> running() {
         return consoles.keySet().stream().filter(this::isRunning).collect(Collectors.toSet());
     }
@@ -146,9 +150,9 @@ public final class Consoles {
     }
 
     /**
-     * Waits for a source's next event; earlier ones are dropped.
+     * Waits for a source's next event; drops earlier ones.
      *
-     * @param wanted {@code EVENT [TEST]...}, as a lesson's conditions have it
+     * @param wanted {@code EVENT [TEST]...}, as in a lesson's conditions
      */
     public Event await(String source, String wanted, double seconds) throws SessionFailure, InterruptedException {
         if (seconds > MOST_WAIT_SECONDS) {

@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 
-/** The console of a started program: commands go in; a thread of its own reads the printed lines. */
+/** The console of a started program: writes commands; its own thread reads the printed lines. */
 public final class ProgramConsole {
     /** Receives the output; called on the console's thread. */
     public interface Listener {

@@ -25,7 +25,7 @@ import simgsm.ui.window.WindowMemory;
 public final class Session implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Session.class.getName());
 
-    /** The centre as a source of events. */
+    /** Name of the centre as a source of events. */
     public static final String CENTRE = "centre";
 
     public static final String PHONE_NUMBER = "5550100";
@@ -52,7 +52,7 @@ public final class Session implements AutoCloseable {
         Runtime.getRuntime().addShutdownHook(atExit);
     }
 
-    /** Opens the centre, without a port in the settings on any free one if the default one is taken. */
+    /** Opens the centre; without a port in the settings it uses any free one if the default is taken. */
     public static Session open(Arguments arguments, Settings settings) throws IOException, UsageException {
         ChildPrograms children = ChildPrograms.besideOwn();
         Path folder = Files.createTempDirectory("simgsm-demo");
@@ -87,7 +87,7 @@ public final class Session implements AutoCloseable {
             try {
                 center = Center.open(settings, data, 0);
             } catch (IOException e) {
-                throw first; // another port does not help
+                throw first; // another port would not help
             }
             LOG.log(
                     System.Logger.Level.WARNING,
@@ -123,8 +123,8 @@ public final class Session implements AutoCloseable {
      * Starts a program of the suite with the centre's address, this run's language and these options.
      *
      * @param name of its console
-     * @param jar without its ending
-     * @param number with which it registers; empty for the gateway, which has neither that nor a window
+     * @param jar without its extension
+     * @param number for its registration; empty for the gateway, which also has no window
      */
     public void start(String name, String jar, String number, List<String> options) throws IOException {
         List<String> words =
@@ -160,7 +160,7 @@ public final class Session implements AutoCloseable {
         try {
             Runtime.getRuntime().removeShutdownHook(atExit);
         } catch (IllegalStateException e) {
-            return; // The process is ending, and the hook does it.
+            return; // the process is ending, and the hook deletes the folder
         }
         end();
     }

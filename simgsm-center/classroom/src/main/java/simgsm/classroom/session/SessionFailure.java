@@ -1,6 +1,6 @@
 package simgsm.classroom.session;
 
-/** A line of a script that could not be performed, or an event that has not come; the text says what was expected. */
+/** A script's line that failed, or a missing event; the text names the expected one. */
 public final class SessionFailure extends Exception {
     public SessionFailure(String text) {
         super(text);

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 
-/** Events that no wait has passed over yet, 10 000 at most. Any thread may add; one thread waits. */
+/** Events that no wait has consumed or skipped, at most 10 000. Any thread may add; one thread waits. */
 public final class UnreadEvents<E> {
     private static final int MOST_UNREAD = 10_000;
 
@@ -20,7 +20,7 @@ public final class UnreadEvents<E> {
         notifyAll();
     }
 
-    /** Ends all waits: the source prints nothing more. */
+    /** Ends all waits, because the source has ended. */
     public synchronized void end() {
         isEnded = true;
         notifyAll();
@@ -34,7 +34,9 @@ public final class UnreadEvents<E> {
         unread.clear();
     }
 
-    /** Waits for the next wanted event and removes it with those before it; empty if the time or the source ends first. */
+    /**
+     * Waits for the next wanted event and removes it with its predecessors; empty if the time or the source ends first.
+     */
     public synchronized Optional<E> await(Predicate<E> wanted, double seconds) throws InterruptedException {
         long deadline = System.nanoTime() + (long) (seconds * TimeUnit.SECONDS.toNanos(1));
         while (true) {

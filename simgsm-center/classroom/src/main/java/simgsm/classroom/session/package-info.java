@@ -1,5 +1,5 @@
 /**
- * A centre and programs that are started beside it by name: their consoles, waiting for events, their end. Read {@link
+ * A centre and programs started by name: their consoles, waiting for events, their end. Read {@link
  * simgsm.classroom.session.Consoles} first.
  */
 package simgsm.classroom.session;

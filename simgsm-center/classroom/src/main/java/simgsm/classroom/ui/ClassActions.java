@@ -4,27 +4,27 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 
-/** What the window of a class does. The event thread calls these methods. */
+/** Actions of a class's window, called on the event thread. */
 public interface ClassActions {
-    /** Sets all results back, puts the robots where they began, and starts the clock. */
+    /** Resets all results, puts the robots at their starts, and starts the clock. */
     void start();
 
-    /** Stops the clock; what comes afterwards does not count. */
+    /** Stops the clock; later events do not count. */
     void stop();
 
     /**
-     * Shows the recording from the beginning of a student's run on.
+     * Shows the recording from the beginning of a student's run.
      *
      * @throws IOException saying why it cannot be shown
      */
     void replay(String phone) throws IOException;
 
-    /** What the students' machines start, a line each, in the order of their numbers. */
+    /** The commands of the students' machines, a line each, in the order of their numbers. */
     List<String> commands();
 
-    /** The same for all, with N for the number. */
+    /** The command of all students, with N for the number. */
     String pattern();
 
-    /** What stands in the way of other machines; empty for nothing. */
+    /** The reason why other machines cannot connect; empty if they can. */
     Optional<String> warning();
 }

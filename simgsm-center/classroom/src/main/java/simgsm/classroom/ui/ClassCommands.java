@@ -11,7 +11,7 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 
-/** What the students' machines start, in letters as large as the window has room for. Needs no display. */
+/** The commands of the students' machines, in the largest letters that fit. Needs no display. */
 final class ClassCommands extends JPanel {
     private static final int MARGIN_UNITS = 24;
     private static final int MOST_UNITS = 56;

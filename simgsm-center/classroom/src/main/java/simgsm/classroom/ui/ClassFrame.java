@@ -35,13 +35,16 @@ public final class ClassFrame {
         this.actions = actions;
     }
 
-    /** Opens the window, which is closed with the program's other windows only; on the event thread. The place is in pixels of the screen. */
+    /**
+     * Opens the window, which closes only with the program's other windows; on the event thread. The place is in pixels
+     * of the screen.
+     */
     public static ClassFrame open(
             Locale language, int x, int y, int width, int height, ClassActions actions, Supplier<ClassView> source) {
         ClassFrame opened = new ClassFrame(actions);
         JFrame frame = opened.frame;
         opened.speak(language);
-        // The results last as long as the class: there is no other way back to them.
+        // the results cannot be reopened, so they last as long as the class
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
             @Override
@@ -61,7 +64,7 @@ public final class ClassFrame {
         panel.show(view);
     }
 
-    /** Shows the class in a language; on the event thread. */
+    /** Sets the language of the class; on the event thread. */
     public void speak(Locale language) {
         panel = new ClassPanel(language, actions, new Frames(ClassroomTexts.in(language)));
         frame.setTitle(ClassroomTexts.in(language).of("class.title"));

@@ -33,11 +33,12 @@ import simgsm.ui.UserAction;
 import simgsm.ui.glossary.GlossaryText;
 
 /**
- * A class: the challenge with its clock, the results, the best first, and what the students' machines start. Needs no display.
+ * A class: the challenge with its clock, the ranked results, and the commands of the students' machines. Needs no
+ * display.
  */
 public final class ClassPanel extends JPanel {
     private static final List<String> COLUMNS = List.of("phone", "robot", "orders", "keys", "collisions", "seconds");
-    /** Numbers of seven digits have to be seen whole. */
+    /** Column widths; numbers of seven digits fit. */
     private static final int[] WIDTHS_UNITS = {72, 72, 62, 52, 68, 86};
 
     private static final int ROW_UNITS = 26;
@@ -59,9 +60,9 @@ public final class ClassPanel extends JPanel {
     private final UserAction replay;
     private List<ClassView.Row> rows = List.of();
 
-    /** What the panel opens. */
+    /** Opens dialogs and windows for the panel. */
     public interface Frames {
-        /** Asks where to save and does it. */
+        /** Asks for a file and saves to it. */
         void save(Component owner, String csv) throws IOException;
 
         /** Fills the screen with a content. */
@@ -106,7 +107,7 @@ public final class ClassPanel extends JPanel {
                 Arrange.row(Theme.GRID, button(start), button(stop), Arrange.spring(), clock),
                 best,
                 Arrange.growing(new JScrollPane(table)),
-                // The table makes room for a notice, so that no button moves.
+                // the table shrinks for a notice, so that no button moves
                 notice,
                 Arrange.row(Theme.GRID, button(replay), save, Arrange.spring()),
                 new JLabel(words.of("class.commands")),
@@ -124,7 +125,7 @@ public final class ClassPanel extends JPanel {
         return ComponentNames.name(new JButton(action), action.id(), action.name());
     }
 
-    /** Shows the newest results; the chosen student stays chosen. */
+    /** Shows the newest results; keeps the selected student. */
     public void show(ClassView view) {
         clock.setText(String.format(
                 Locale.ROOT, "%02d:%02d", view.seconds() / SECONDS_PER_MINUTE, view.seconds() % SECONDS_PER_MINUTE));
@@ -170,7 +171,7 @@ public final class ClassPanel extends JPanel {
                 : Optional.of(rows.get(row).phone());
     }
 
-    /** The command of the chosen student, or the pattern for all. */
+    /** Shows the command of the selected student, or the pattern for all. */
     private void chosen() {
         Optional<String> phone = chosenPhone();
         replay.setEnabled(phone.isPresent());
@@ -200,7 +201,7 @@ public final class ClassPanel extends JPanel {
         revalidate();
     }
 
-    /** All commands, a line each. */
+    /** Copies all commands, a line each. */
     private void copy() {
         boolean isCopied = CopiedText.copy(String.join("\n", actions.commands()) + "\n");
         tell(
@@ -225,7 +226,7 @@ public final class ClassPanel extends JPanel {
         }
     }
 
-    /** The results with a header of the columns' names. */
+    /** The results with a header of column names. */
     String csv() {
         List<String> lines = new ArrayList<>();
         lines.add(String.join(",", COLUMNS));
@@ -258,7 +259,7 @@ public final class ClassPanel extends JPanel {
         Stream.of(clock, best).forEach(label -> label.setForeground(Theme.color(Ink.TEXT)));
     }
 
-    /** The best run stands out by weight and background. */
+    /** Marks the best run by weight and background. */
     private final class Cell extends DefaultTableCellRenderer {
         @Override
         public Component getTableCellRendererComponent(

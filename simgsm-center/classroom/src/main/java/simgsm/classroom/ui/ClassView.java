@@ -5,14 +5,14 @@ import java.util.Optional;
 import simgsm.file.CsvLine;
 
 /**
- * What the window of a class shows.
+ * Content of a class's window.
  *
  * @param rows the results, the best first
  * @param seconds since the challenge began, until it is stopped; 0 before the first one
- * @param notice of what has just been refused
+ * @param notice text of the latest refusal
  */
 public record ClassView(List<Row> rows, Phase phase, long seconds, Optional<String> notice) {
-    /** Whether results count: before the first challenge each student's from the first key on. */
+    /** FREE: before the first challenge, results count from each student's first key. */
     public enum Phase {
         FREE,
         RUNNING,
@@ -23,8 +23,8 @@ public record ClassView(List<Row> rows, Phase phase, long seconds, Optional<Stri
      * A student's result.
      *
      * @param cells phone, robot, orders, keys, collisions, seconds
-     * @param isBest whether it is the first and at the goal
-     * @param name that was typed in a browser; empty without one
+     * @param isBest true for the first result if it is at the goal
+     * @param name typed in a browser; may be empty
      */
     public record Row(List<String> cells, boolean isBest, String name) {
         public String phone() {
@@ -36,7 +36,7 @@ public record ClassView(List<Row> rows, Phase phase, long seconds, Optional<Stri
             return name.isEmpty() ? phone() : name;
         }
 
-        /** As a line of a CSV file. */
+        /** The result as a line of a CSV file. */
         String line() {
             return CsvLine.of(cells);
         }

@@ -1,6 +1,6 @@
 package simgsm.classroom.ui;
 
-/** What the student does in a lesson's window; called on the event thread, and returns at once. */
+/** The student's actions in a lesson's window; called on the event thread, return at once. */
 public interface LessonActions {
     void predict(String text);
 
@@ -16,7 +16,11 @@ public interface LessonActions {
 
     void stopProgram(String name);
 
-    /** Writes the result for the teacher. @param student the name on it */
+    /**
+     * Writes the result for the teacher.
+     *
+     * @param student the name on it
+     */
     void save(String student);
 
     /** Ends this lesson and opens another one. */

@@ -7,7 +7,7 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import simgsm.ui.SnapshotPoller;
 
-/** The window of a lesson, beside those of the programs. */
+/** The window of a lesson. */
 public final class LessonFrame {
     private final JFrame frame;
     private final SnapshotPoller<LessonView> newest;
@@ -39,7 +39,7 @@ public final class LessonFrame {
         return new LessonFrame(frame, newest);
     }
 
-    /** Closes the window; any thread. */
+    /** Closes the window; callable on any thread. */
     public void close() {
         SwingUtilities.invokeLater(() -> {
             newest.stop();

@@ -41,8 +41,8 @@ import simgsm.ui.glossary.GlossaryText;
 import simgsm.ui.pane.WrappedColumn;
 
 /**
- * A lesson: task, prediction, steps with lamps, actions, question. The steps appear when a prediction has been typed, the
- * question when all steps are done. Needs no display.
+ * A lesson: task, prediction, steps with lamps, actions, question. The steps appear after the prediction, the question
+ * after all steps. Needs no display.
  */
 public final class LessonPanel extends JPanel {
     private static final int NOTICES_UNITS = 96;
@@ -69,9 +69,9 @@ public final class LessonPanel extends JPanel {
     private String closedNotice = "";
 
     /**
-     * @param all names of all lessons in their order
-     * @param numbers replaces names in braces by the student's own numbers
-     * @param actions performs what the student does
+     * @param all names of all lessons in order
+     * @param numbers replaces names in braces by the student's numbers
+     * @param actions performs the student's actions
      */
     public LessonPanel(
             Lesson lesson,
@@ -116,7 +116,9 @@ public final class LessonPanel extends JPanel {
         setFocusTraversalPolicy(new LinksLast());
     }
 
-    /** Tab reaches all fields and buttons before the first text with links, so that typed text goes into the next field. */
+    /**
+     * Lets Tab reach all fields and buttons before the first text with links, so that typed text enters the next field.
+     */
     private final class LinksLast extends LayoutFocusTraversalPolicy {
         LinksLast() {
             Comparator<Component> isText = Comparator.comparing(GlossaryText.class::isInstance);
@@ -132,7 +134,7 @@ public final class LessonPanel extends JPanel {
         return scroll;
     }
 
-    /** Notice and term have a place of one height, always in view, so that neither moves a button. */
+    /** Reserves one constant height for notice and term, so that neither moves a button. */
     private JComponent notices() {
         JPanel texts = Arrange.column(Theme.HALF, notice, term);
         texts.setBorder(Theme.padding(8, 12, 8, 12));
@@ -148,7 +150,7 @@ public final class LessonPanel extends JPanel {
         return Arrange.row(Theme.HALF, Arrange.growing(place), Arrange.column(Theme.HALF, close, Arrange.spring()));
     }
 
-    /** A notice that was closed stays so until there is another one. */
+    /** Keeps a closed notice hidden until the next one. */
     private void closeNotices() {
         closedNotice = notice.getText();
         notice.setVisible(false);
@@ -184,7 +186,7 @@ public final class LessonPanel extends JPanel {
                 Theme.HALF, title, Arrange.row(Theme.HALF, previous, next, Arrange.spring(), again), about);
     }
 
-    /** True if a text that is visible from the beginning or after the prediction has an underlined word. */
+    /** True if a text visible at the beginning or after the prediction has an underlined word. */
     private boolean hasTerms() {
         return Stream.concat(
                         Stream.of("title", "task", "predict"),
@@ -200,7 +202,7 @@ public final class LessonPanel extends JPanel {
         return button;
     }
 
-    /** Lets the student type the prediction at once. */
+    /** Focuses the prediction. */
     void focusFirst() {
         ComponentNames.find(this, "lesson.predict").ifPresent(Component::requestFocusInWindow);
     }
@@ -218,7 +220,7 @@ public final class LessonPanel extends JPanel {
         return Arrange.column(Theme.HALF, asked, field("lesson.predict", words.of("lesson.predict"), actions::predict));
     }
 
-    /** A field with a button; Enter does the same. */
+    /** A field with a button; Enter has the same effect. */
     private JComponent field(String id, String name, java.util.function.Consumer<String> done) {
         JTextField field = ComponentNames.name(new JTextField(), id, name);
         UserAction give = new UserAction(id + ".give", words.of("lesson.give"), () -> {
@@ -296,7 +298,7 @@ public final class LessonPanel extends JPanel {
         return ComponentNames.name(new WrappingButton(press), id, name);
     }
 
-    /** Shows files with this ending first, and on demand all. */
+    /** Shows files with this extension first, and on demand all. */
     JFileChooser chooser(String title, String ending) {
         List<String> endings = ending.isEmpty() ? List.of() : List.of(ending);
         JFileChooser chooser = OpenDialog.question(Optional.empty(), words.of("lesson.files", ending), endings);
@@ -356,7 +358,9 @@ public final class LessonPanel extends JPanel {
         ComponentNames.find(this, field + ".give").ifPresent(button -> button.setEnabled(false));
     }
 
-    /** Starts or stops a program that the lesson does not start itself, and starts one again whose window was closed. */
+    /**
+     * Starts or stops a program that the lesson does not start itself, and restarts one after its window was closed.
+     */
     private final class ProgramButton {
         private final String name;
         private final boolean isLater;

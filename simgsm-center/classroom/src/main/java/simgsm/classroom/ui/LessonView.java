@@ -5,12 +5,12 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A lesson at one moment, with the student's own numbers in its texts.
+ * A lesson at one moment, with the student's numbers in its texts.
  *
  * @param seed of the student's numbers
  * @param steps in order
- * @param running names of the programs that run
- * @param notice what happened last, such as a failed action; empty for nothing
+ * @param running names of the running programs
+ * @param notice the latest notice, such as a failed action; may be empty
  */
 public record LessonView(long seed, boolean isPredicted, List<StepView> steps, Set<String> running, String notice) {
     public LessonView {
@@ -44,7 +44,7 @@ public record LessonView(long seed, boolean isPredicted, List<StepView> steps, S
         return steps.stream().filter(step -> step.state() == StepState.DONE).count();
     }
 
-    /** By name. */
+    /** The steps by name. */
     Map<String, StepView> byName() {
         return steps.stream().collect(java.util.stream.Collectors.toMap(StepView::name, step -> step));
     }

@@ -21,7 +21,7 @@ import simgsm.ui.window.WindowIcon;
 import simgsm.ui.window.WindowPlace;
 import simgsm.web.QrCode;
 
-/** A window with the link that browsers open, as a QR code as large as the window and in letters that can be copied. */
+/** A window with the browsers' link, as a QR code in the window's size and as text that can be copied. */
 public final class LinkFrame {
     private static final int SIDE_UNITS = 420;
     private static final int LEAST_UNITS = 180;
@@ -31,14 +31,14 @@ public final class LinkFrame {
     private final String link;
     private final Optional<WindowPlace> room;
     private final Consumer<Boolean> lock;
-    /** Null until it is opened. */
+    /** Null until opened. */
     private JFrame frame;
 
     /**
-     * Not opened yet.
+     * Creates an unopened window.
      *
-     * @param room of the screen that no other window covers; without it, or where it is too small, the window opens in front
-     * @param lock given whether new browsers are refused
+     * @param room of the screen that no other window covers; if absent or too small, the window opens in front
+     * @param lock receives true to refuse new browsers
      */
     public LinkFrame(Locale language, String link, Optional<WindowPlace> room, Consumer<Boolean> lock) {
         this.language = language;
@@ -47,7 +47,10 @@ public final class LinkFrame {
         this.lock = lock;
     }
 
-    /** Opens the window, the next time as large as the screen; it lasts as long as the program's other windows. On the event thread. */
+    /**
+     * Opens the window, the next time in full-screen size; it lasts as long as the program's other windows. On the
+     * event thread.
+     */
     public void open() {
         if (frame != null) {
             frame.setExtendedState(JFrame.MAXIMIZED_BOTH);
@@ -91,7 +94,7 @@ public final class LinkFrame {
         return panel;
     }
 
-    /** The code, black on white in all themes, since readers expect that. */
+    /** The code, black on white in all themes, as readers expect. */
     private static final class CodeView extends JPanel {
         private final QrCode code;
 

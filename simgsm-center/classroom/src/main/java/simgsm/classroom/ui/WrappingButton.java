@@ -8,7 +8,7 @@ import javax.swing.plaf.basic.BasicHTML;
 import javax.swing.text.View;
 import simgsm.draw.SvgCanvas;
 
-/** A button in a column, with as many lines of text as the column's width needs. */
+/** A button in a column that wraps its text to the column's width. */
 final class WrappingButton extends JButton {
     WrappingButton(Action action) {
         super(action);
@@ -20,7 +20,7 @@ final class WrappingButton extends JButton {
         super.setText("<html><body style='text-align:center'>" + escaped + "</body></html>");
     }
 
-    /** As high as its text needs at the present width. */
+    /** Returns the height of the text at the current width. */
     @Override
     public Dimension getPreferredSize() {
         if (getClientProperty(BasicHTML.propertyKey) instanceof View text && getParent() != null) {

@@ -13,7 +13,7 @@ import simgsm.trace.MessageText.Field;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
-/** The fields of a message, name and value; a long value goes on below its own beginning. */
+/** The fields of a message, name and value; a long value wraps below its beginning. */
 final class FieldTable extends JTable {
     private static final int LEAST_VALUE_UNITS = 120;
     private final Cell cell = new Cell();
@@ -72,7 +72,7 @@ final class FieldTable extends JTable {
     @Override
     public void updateUI() {
         super.updateUI();
-        // A look that goes takes the renderers with it.
+        // installed again, because a look-and-feel change removes renderers
         setDefaultRenderer(Object.class, new Cell());
         laidOutWidth = -1;
         setBackground(Theme.color(Ink.CARD));

@@ -46,7 +46,7 @@ final class HexDump extends PaintedComponent {
     private String field = "";
     private int cursor = -1;
 
-    /** @param chosen receives the number of each octet that the user chooses, from 0 */
+    /** @param chosen receives the index of each selected octet, from 0 */
     HexDump(TextBundle texts, IntConsumer chosen) {
         super(AccessibleRole.CANVAS);
         this.texts = texts;
@@ -74,7 +74,7 @@ final class HexDump extends PaintedComponent {
                 .bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0));
     }
 
-    /** Shows a message's octets, none of them marked. */
+    /** Shows a message's octets without marks. */
     void show(OctetString newOctets) {
         octets = newOctets;
         cursor = -1;
@@ -98,7 +98,7 @@ final class HexDump extends PaintedComponent {
         return (BitSet) marked.clone();
     }
 
-    /** Chooses an octet, as a key or the mouse does; one that does not exist changes nothing. */
+    /** Selects an octet by key or mouse; ignores an index out of range. */
     void choose(int octet) {
         if (octet >= 0 && octet < octets.length()) {
             cursor = octet;
@@ -175,7 +175,7 @@ final class HexDump extends PaintedComponent {
         return HexFormat.of().toHexDigits((byte) octets.octet(octet));
     }
 
-    /** The wash reaches to the next octet of the same field. */
+    /** Extends the mark to the next octet of the same field. */
     private void paintOctet(Graphics2D g, int octet, Rectangle place, boolean isMarked, int perLine) {
         if (isMarked) {
             boolean goesOn = marked.get(octet + 1) && (octet + 1) % perLine != 0;

@@ -12,25 +12,29 @@ import simgsm.draw.Outline;
  */
 record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
     static final double HEAD_UNITS = 36;
-    /** In a low window. */
+    /** Height of the heads in a low window. */
     static final double LOW_HEAD_UNITS = 22;
 
     static final double RUNG_UNITS = 30;
-    /** In a low window. */
+    /** Height of a rung in a low window. */
     static final double LOW_RUNG_UNITS = 18;
 
     private static final double BOX_UNITS = 24;
     private static final double WIDEST_BOX_UNITS = 160;
     private static final double MARGIN_UNITS = 10;
     private static final double ARROW_HEAD_UNITS = 6;
-    /** Between the time and a long name. */
+    /** Gap between the time and a long name. */
     private static final double NAME_GAP_UNITS = 8;
 
     private double px(double units) {
         return canvas.px(units);
     }
 
-    /** The names of the lifelines. @param heightUnits the height of their boxes and the space around them */
+    /**
+     * Draws the names of the lifelines.
+     *
+     * @param heightUnits the height of their boxes and the space around them
+     */
     void heads(double heightUnits) {
         double boxUnits = Math.min(BOX_UNITS, heightUnits - 3);
         for (String name : lifelines.names()) {
@@ -52,7 +56,11 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         canvas.bar(0, px(heightUnits) - 1, px(widthUnits), 1);
     }
 
-    /** A message. @param behind the colour of the background */
+    /**
+     * Draws a message.
+     *
+     * @param behind the colour of the background
+     */
     void rung(LadderRow row, double heightUnits, Ink behind) {
         canvas.ink(behind);
         canvas.fill(Outline.box(0, 0, px(widthUnits), px(heightUnits)));
@@ -75,8 +83,8 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
     }
 
     /**
-     * A name that is longer than its arrow extends over the neighbouring columns. Messages of a terminal without a lifeline
-     * are drawn at the centre's line, with the terminal's number before the name.
+     * Draws arrow and name; a name longer than its arrow extends over the neighbouring columns. Messages of a terminal
+     * without a lifeline are drawn at the centre's line, with the terminal's number before the name.
      */
     private void arrow(LadderRow row, double heightUnits, Ink behind) {
         LadderEntry entry = row.entry();
@@ -126,7 +134,7 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         return cut;
     }
 
-    /** Cut in front: of numbers the last digits differ. */
+    /** Truncates at the front, because numbers differ in their last digits. */
     private String fittedEnd(String text, Face face, double room) {
         int start = 0;
         String cut = text;

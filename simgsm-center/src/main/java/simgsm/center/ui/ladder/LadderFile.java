@@ -7,14 +7,14 @@ import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.draw.SvgCanvas;
 
-/** The shown messages as a file. */
+/** Exports the visible messages. */
 final class LadderFile {
     private static final double LEAST_WIDTH_UNITS = 640;
     private static final double LINE_UNITS = 120;
 
     private LadderFile() {}
 
-    /** Each message with its time, way and name, then its fields and octets. */
+    /** Returns each message with its time, direction and name, then its fields and octets. */
     static String text(List<LadderRow> rows, Locale language) {
         return rows.stream()
                 .map(row -> row + "\n"
@@ -22,7 +22,7 @@ final class LadderFile {
                 .collect(Collectors.joining("\n"));
     }
 
-    /** The ladder as a picture with one rung for each message, light whatever the window's appearance. */
+    /** Draws the ladder with one rung for each message, light whatever the window's theme. */
     static String svg(List<LadderRow> rows, Lifelines lifelines, String title) {
         SvgCanvas canvas = new SvgCanvas(ink -> ink.hex(Appearance.LIGHT));
         double width = Math.max(

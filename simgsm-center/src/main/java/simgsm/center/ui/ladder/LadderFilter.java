@@ -5,11 +5,11 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Which messages the ladder shows.
+ * Selects the messages of the ladder.
  *
- * @param terminal only those from and to this one; empty for all
- * @param kind only those of this protocol; empty for all
- * @param text only those that have it in their name, numbers, fields in either language or octets (as {@code 5e 08}), in any case; empty for all
+ * @param terminal sender or receiver; empty for all
+ * @param kind protocol; empty for all
+ * @param text part of name, numbers, fields in either language or octets (as {@code 5e 08}), in any case; empty for all
  */
 record LadderFilter(Optional<String> terminal, Optional<Protocol> kind, String text) {
     static final LadderFilter ALL = new LadderFilter(Optional.empty(), Optional.empty(), "");

@@ -14,14 +14,14 @@ import simgsm.ui.DocumentChanges;
 import simgsm.ui.HintedTextField;
 import simgsm.ui.Theme;
 
-/** Which messages are shown: by a text, by the terminal, by the protocol. */
+/** Selects messages by text, terminal and protocol. */
 final class LadderFilterBar extends JPanel {
     private final TextBundle texts;
     private final Runnable changed;
     private final JTextField text;
     private final JComboBox<String> who = new JComboBox<>();
     private final JComboBox<String> kind = new JComboBox<>();
-    /** Whether the choices are being exchanged, which selects nothing. */
+    /** True while the choices are replaced, which selects nothing. */
     private boolean isFilling;
 
     LadderFilterBar(TextBundle texts, Runnable changed) {
@@ -70,7 +70,7 @@ final class LadderFilterBar extends JPanel {
         who.setSelectedItem(terminal);
     }
 
-    /** Offers these terminals; the selection is kept if it is among them. */
+    /** Offers these terminals; keeps the selection if it is among them. */
     void offer(List<String> terminals) {
         List<String> sorted = new ArrayList<>(terminals);
         sorted.sort(String::compareTo);

@@ -11,8 +11,8 @@ import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
 /**
- * The list of messages. Fills the window's width; scrolls when the lifelines would be too close. In a low and wide place the
- * messages stand in columns, each going on where the one at its left ends.
+ * The list of messages. Fills the window's width; scrolls when the lifelines would be too close. A low and wide list
+ * shows the messages in columns from left to right.
  */
 final class LadderList extends JList<LadderRow> {
     private static final int ROWS_AT_FIRST = 8;
@@ -23,7 +23,7 @@ final class LadderList extends JList<LadderRow> {
     private int columns = 1;
     private int columnWidth;
 
-    /** @param empty is shown before the first message */
+    /** @param empty shown before the first message */
     LadderList(LadderModel model, LadderCell cell, String empty) {
         super(model);
         this.model = model;
@@ -33,7 +33,10 @@ final class LadderList extends JList<LadderRow> {
         setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
     }
 
-    /** @param newColumns how many are seen side by side; @param newWidth of each, in pixels; without effect for one */
+    /**
+     * @param newColumns number of visible columns
+     * @param newWidth of each, in pixels; without effect for one
+     */
     void setColumns(int newColumns, int newWidth) {
         columns = newColumns;
         columnWidth = newWidth;
@@ -42,14 +45,14 @@ final class LadderList extends JList<LadderRow> {
         arrange();
     }
 
-    /** A new height makes other columns. */
+    /** Arranges the columns for the new height. */
     @Override
     public void setBounds(int x, int y, int width, int height) {
         super.setBounds(x, y, width, height);
         arrange();
     }
 
-    /** In columns the height decides how many rows there are. */
+    /** Derives the number of rows per column from the height. */
     private void arrange() {
         int rows = Math.max(1, getHeight() / Math.max(1, getFixedCellHeight()));
         setVisibleRowCount(columns > 1 ? rows : ROWS_AT_FIRST);
@@ -65,7 +68,7 @@ final class LadderList extends JList<LadderRow> {
         return columns;
     }
 
-    /** Of each of several columns, in pixels. */
+    /** Width of each of several columns, in pixels. */
     int columnWidth() {
         return columnWidth;
     }

@@ -6,8 +6,8 @@ import javax.swing.AbstractListModel;
 import simgsm.center.msc.LadderEntry;
 
 /**
- * The messages shown: those of the snapshots, without cleared and filtered ones. Where they stand in columns, empty elements go
- * before the first, so that the last column is full.
+ * The messages shown: those of the snapshots, without cleared and filtered ones. With several columns, empty elements
+ * precede the first message, so that the last column is full.
  */
 final class LadderModel extends AbstractListModel<LadderRow> {
     private final List<LadderRow> rows = new ArrayList<>();
@@ -15,7 +15,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
     private long count;
     private long lastNumber;
     private long clearedUpTo;
-    /** As before the last clearing, which can be taken back. */
+    /** Value before the last clearing, for its undo. */
     private long clearedBefore;
 
     private LadderFilter filter = LadderFilter.ALL;
@@ -24,11 +24,11 @@ final class LadderModel extends AbstractListModel<LadderRow> {
     private long newestCount;
     private int rowsPerColumn = 1;
     private int columns = 1;
-    /** The empty elements in front. */
+    /** Number of leading empty elements. */
     private int blanks;
 
     /**
-     * Takes over a snapshot: removes rows that the snapshot no longer has and adds new ones, so that a selection is kept.
+     * Applies a snapshot: removes rows that the snapshot no longer has and adds new ones, so that a selection is kept.
      *
      * @param newEntries the latest ones, oldest first
      * @param newCount the number of the last one
@@ -55,7 +55,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         add();
     }
 
-    /** While paused the rows stay as they are; afterwards all that has passed meanwhile is added. */
+    /** Keeps the rows during a pause, and adds all missed messages after it. */
     void pause(boolean paused) {
         isPaused = paused;
         if (!paused) {
@@ -63,7 +63,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         }
     }
 
-    /** Messages that have passed since the pause began; 0 without one. */
+    /** Number of messages missed since the pause began; 0 without one. */
     long heldBack() {
         return isPaused ? Math.max(0, newestCount - count) : 0;
     }
@@ -82,18 +82,18 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         rebuild();
     }
 
-    /** Whether {@link #unclear} would show messages again. */
+    /** True if {@link #unclear} would show more messages. */
     boolean isCleared() {
         return clearedUpTo > clearedBefore;
     }
 
-    /** Takes the last {@link #clear} back. */
+    /** Undoes the last {@link #clear}. */
     void unclear() {
         clearedUpTo = clearedBefore;
         rebuild();
     }
 
-    /** The rows, in their order. */
+    /** The rows in order. */
     List<LadderRow> rows() {
         return List.copyOf(rows);
     }
@@ -133,7 +133,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         }
     }
 
-    /** Sets the number of columns in which the messages stand, and the number of rows of each. */
+    /** Sets the number of columns and of rows per column. */
     void arrange(int newColumns, int newRowsPerColumn) {
         columns = newColumns;
         rowsPerColumn = newRowsPerColumn;
@@ -152,7 +152,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         }
     }
 
-    /** A terminal whose number has become known has it in its earlier messages too. */
+    /** Adds a newly known number of a terminal to its earlier messages. */
     private void rename() {
         for (int i = 0; i < rows.size(); i++) {
             LadderRow row = rows.get(i);
@@ -184,7 +184,7 @@ final class LadderModel extends AbstractListModel<LadderRow> {
         return count - entries.size() + 1 + index;
     }
 
-    /** The index of the first message, behind the empty elements. */
+    /** The index of the first message, after the empty elements. */
     int firstIndex() {
         return blanks;
     }

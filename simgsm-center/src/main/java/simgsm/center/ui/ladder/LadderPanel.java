@@ -46,7 +46,7 @@ public final class LadderPanel extends DressedPanel {
     /** The ladder's share of the height above the message, until the user moves the divider. */
     private static final double LADDER_SHARE = 0.5;
 
-    /** Of ladder and message, where the divider is moved. */
+    /** Minimum height of ladder and message when the divider is moved. */
     private static final int LEAST_UNITS = 60;
 
     private final TextBundle texts;
@@ -55,7 +55,7 @@ public final class LadderPanel extends DressedPanel {
     private final LadderList list;
     private final LifelineHeader header;
     private final JScrollPane pane;
-    /** What stands in front of the tools. */
+    /** Components in front of the tools. */
     private final JPanel front = Arrange.row(Theme.HALF);
 
     private final JPanel behind = Arrange.row(Theme.HALF);
@@ -129,13 +129,13 @@ public final class LadderPanel extends DressedPanel {
         return row;
     }
 
-    /** Places these before the tools. */
+    /** Adds components before the tools. */
     public void addInFront(JComponent... components) {
         List.of(components).forEach(front::add);
         front.setVisible(true);
     }
 
-    /** Places this after the tools. */
+    /** Adds a component after the tools. */
     public void addBehind(JComponent component) {
         behind.add(component);
     }
@@ -163,7 +163,7 @@ public final class LadderPanel extends DressedPanel {
         return bar.getValue() + bar.getExtent() >= bar.getMaximum() - Theme.px(LadderDrawing.RUNG_UNITS);
     }
 
-    /** In a low place as many columns as it is wide enough for; they scroll sideways. */
+    /** Fits columns into a low panel's width; they scroll sideways. */
     private void arrangeColumns(boolean isLow) {
         int room = getWidth() - pane.getInsets().left - pane.getInsets().right;
         int most = Math.min(MOST_COLUMNS, room / Math.max(1, lifelines().leastColumnWidth()));
@@ -190,7 +190,7 @@ public final class LadderPanel extends DressedPanel {
         });
     }
 
-    /** The end stays in view when the ladder or its rows get another size, which is only known after the layout. */
+    /** Keeps the end visible after a change of size, which is only known after the layout. */
     private void keepEndInView() {
         ComponentAdapter resized = new ComponentAdapter() {
             @Override
@@ -202,23 +202,23 @@ public final class LadderPanel extends DressedPanel {
         pane.getViewport().addComponentListener(resized);
     }
 
-    /** The selected message, to be placed elsewhere after {@link #setDetailElsewhere}. */
+    /** The selected message, placed elsewhere after {@link #setDetailElsewhere}. */
     public MessageDetail detail() {
         return detail;
     }
 
-    /** Run whenever a message is selected. */
+    /** Sets an action after each selection of a message. */
     public void whenChosen(Runnable action) {
         whenChosen = action;
     }
 
-    /** In a low window there is no room for the message below the ladder. */
+    /** Moves the message elsewhere, because a low window has no space below the ladder. */
     public void setDetailElsewhere(boolean elsewhere) {
         isDetailElsewhere = elsewhere;
         placeDetail();
     }
 
-    /** The messages take the focus. */
+    /** Focuses the messages. */
     @Override
     public boolean requestFocusInWindow() {
         return list.requestFocusInWindow();
@@ -267,7 +267,7 @@ public final class LadderPanel extends DressedPanel {
         followed();
     }
 
-    /** Shows only the messages from and to this subscriber. */
+    /** Shows only this subscriber's messages. */
     public void choose(String number) {
         if (terminals.contains(number)) {
             filter.choose(number);
@@ -303,7 +303,7 @@ public final class LadderPanel extends DressedPanel {
         followed();
     }
 
-    /** How many messages wait stands on the button, in a narrow panel as a bare number. */
+    /** Shows the number of waiting messages on the button, in a narrow panel as a bare number. */
     private void showPause() {
         long held = model.heldBack();
         String words = hasWords() ? texts.of("window.ladder.held", held) : String.valueOf(held);
@@ -321,12 +321,12 @@ public final class LadderPanel extends DressedPanel {
         }
     }
 
-    /** After the layout of the new rows. */
+    /** Scrolls to the end after the layout of the new rows. */
     private void showEnd() {
         SwingUtilities.invokeLater(() -> list.ensureIndexIsVisible(model.getSize() - 1));
     }
 
-    /** Selecting an older message stops following the latest. */
+    /** Stops following the latest message when an older one is selected. */
     private void chosen(int index) {
         if (index >= 0 && index < model.getSize() - 1 && list.isFocusOwner()) {
             follow.setSelected(false);
@@ -341,7 +341,7 @@ public final class LadderPanel extends DressedPanel {
         placeDetail();
     }
 
-    /** Below the ladder once a message is selected. */
+    /** Shows the message below the ladder once one is selected. */
     private void placeDetail() {
         boolean isHere = !isDetailElsewhere && list.getSelectedIndex() >= 0;
         if (isHere != split.hasSecond()) {
@@ -351,7 +351,7 @@ public final class LadderPanel extends DressedPanel {
         }
     }
 
-    /** Without the heading the tools take the whole row. */
+    /** Shows the heading; without it the tools take the whole row. */
     public void setHeadingVisible(boolean visible) {
         isHeadingWanted = visible;
     }

@@ -18,7 +18,7 @@ record LadderRow(long number, LadderEntry entry) {
         return entry.from().equals(LadderEntry.CENTER) ? Direction.DOWNLINK : Direction.UPLINK;
     }
 
-    /** The lifeline that is not the centre's. */
+    /** The lifeline other than the centre's. */
     String terminal() {
         return direction() == Direction.DOWNLINK ? entry.to() : entry.from();
     }
@@ -27,7 +27,7 @@ record LadderRow(long number, LadderEntry entry) {
         return CLOCK.format(entry.time());
     }
 
-    /** For assistive technology. */
+    /** Used by assistive technology. */
     @Override
     public String toString() {
         return clock() + " " + entry.from() + " → " + entry.to() + " " + entry.name();

@@ -13,7 +13,7 @@ import simgsm.console.TextBundle;
 import simgsm.file.FileReplacement;
 import simgsm.ui.file.SaveDialog;
 
-/** Saves the shown messages as text or as a picture, where the user says. */
+/** Saves the visible messages as text or as a picture in a file chosen by the user. */
 final class LadderSaving {
     private static final String TEXT = "txt";
     private static final String PICTURE = "svg";
@@ -49,7 +49,7 @@ final class LadderSaving {
         }
     }
 
-    /** Writes the kind of file that the ending says: a picture for svg, else text. */
+    /** Writes a picture if the extension is svg, else text. */
     void write(Path file, List<LadderRow> rows, Lifelines lifelines) throws IOException {
         boolean isPicture = String.valueOf(file).toLowerCase(Locale.ROOT).endsWith("." + PICTURE);
         String text = isPicture

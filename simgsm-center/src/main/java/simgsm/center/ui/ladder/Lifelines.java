@@ -14,7 +14,7 @@ import simgsm.ui.Theme;
  * </pre>
  */
 record Lifelines(List<String> names) {
-    /** With more there is no room for names; those of the latest messages have a lifeline. */
+    /** Maximum with space for names; terminals of the latest messages have a lifeline. */
     static final int MAX_TERMINALS = 7;
 
     /** Columns left and right of the lines, in units. */
@@ -25,9 +25,9 @@ record Lifelines(List<String> names) {
     private static final int HALF_HEAD_UNITS = 44;
 
     private static final int LEAST_GAP_UNITS = 72;
-    /** In columns beside one another: most names of messages stand between two lines, none covers a neighbour's. */
+    /** Gap in several columns: most message names fit between two lines, none covers a neighbour's. */
     private static final int COLUMN_GAP_UNITS = 108;
-    /** Around a name: its box, and the distance to the next. */
+    /** Space around a name: its box, and the distance to the next. */
     static final int HEAD_MARGIN_UNITS = 24;
 
     static final Lifelines NONE = new Lifelines(List.of(LadderEntry.CENTER));
@@ -56,12 +56,12 @@ record Lifelines(List<String> names) {
         return room / Math.max(1, names.size() - 1);
     }
 
-    /** The least width at which the longest name can be read whole above its line, in pixels. */
+    /** The minimum width at which the longest name above a line is not truncated, in pixels. */
     int leastWidth() {
         return widthFor(LEAST_GAP_UNITS);
     }
 
-    /** The least width of a column, in pixels. */
+    /** The minimum width of a column, in pixels. */
     int leastColumnWidth() {
         return widthFor(COLUMN_GAP_UNITS);
     }

@@ -21,8 +21,8 @@ import simgsm.ui.glossary.GlossaryNote;
 import simgsm.ui.pane.ScrolledColumn;
 
 /**
- * A message in full: its fields, and its octets next to them or, in a narrow place, below. A chosen field marks its octets,
- * a chosen octet its field.
+ * A message in full: its fields, and its octets at their right or, in a narrow place, below. Selecting a field marks
+ * its octets, and an octet its field.
  */
 public final class MessageDetail extends DressedPanel {
     private static final int LEAST_FIELDS_UNITS = 200;
@@ -39,7 +39,7 @@ public final class MessageDetail extends DressedPanel {
     private final GlossaryNote note;
     private final Locale language;
     private MessageText shown;
-    /** Whether a choice in one part is being shown in the other. */
+    /** True while a selection in one part is shown in the other. */
     private boolean isFollowing;
 
     MessageDetail(TextBundle texts) {
@@ -117,7 +117,7 @@ public final class MessageDetail extends DressedPanel {
         title.setBorder(Theme.padding(8, 2, 6, 2));
     }
 
-    /** Fields and octets in a row when both fit, else one over the other. */
+    /** Puts fields and octets in a row if both fit, else one above the other. */
     private final class Parts implements Arrange.FixedLayout {
         @Override
         public Dimension preferredLayoutSize(Container parent) {

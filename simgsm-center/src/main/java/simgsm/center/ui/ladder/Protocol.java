@@ -8,10 +8,10 @@ enum Protocol {
     CALL_CONTROL("CC", Ink.ACCENT),
     MOBILITY_MANAGEMENT("MM", Ink.GOOD),
     SHORT_MESSAGES("SMS", Ink.WARNING),
-    /** Outside a call; within one they are call control's. */
+    /** Outside a call; within one call control carries them. */
     SUPPLEMENTARY_SERVICES("SS", Ink.TEXT),
     RADIO_RESOURCE("RR", Ink.QUIET),
-    /** Paging, cell broadcast, and what a tower and its controller tell each other. */
+    /** Paging, cell broadcast, and messages between a tower and its controller. */
     COMMON_CHANNEL("RSL", Ink.QUIET);
 
     private static final int DISCRIMINATOR_MASK = 0x0f;
@@ -37,8 +37,8 @@ enum Protocol {
                 return SHORT_MESSAGES;
             case 0xb:
                 return SUPPLEMENTARY_SERVICES;
-            // Radio link layer, dedicated and common channels, transceiver, ip.access: no layer 3 protocol has these
-            // numbers.
+            // radio link layer, dedicated and common channels, transceiver, ip.access: no layer 3 protocol has these
+            // numbers
             case 0x2, 0x8, 0xc, 0x0, 0xe:
                 return COMMON_CHANNEL;
             default:
