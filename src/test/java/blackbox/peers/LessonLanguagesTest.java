@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Both solutions of every lesson in the language, and with the student's numbers, that {@code LessonsTest} leaves out. Two
+ * Both solutions of every lesson in the languages, and with other numbers than in {@code LessonsTest}. Two
  * minutes on two cores: run by hand, with {@code -Ppeers -Dlessons.all=true}.
  */
 @Tag("peer")
