@@ -13,7 +13,7 @@ import simgsm.state.StateTable;
  *
  * <pre>
  *   order       = "**" { "*" } instruction { instruction } "**"
- *   instruction = "#**" number | "#*#" number | "###" | "#*0" | "#*1" .. "#*9" (the last one only)
+ *   instruction = "#**" number | "#*#" number | "###" | "#*0" | "#*1" .. "#*99" (the last one only)
  *   number      = 1 to 4 digits
  * </pre>
  *
@@ -34,6 +34,8 @@ public final class CommandGrammar {
         CENTIMETERS(ExpectedKeys.DIGIT_HASH_OR_STAR, OrderFault.Limit.CENTIMETERS),
         DEGREES(ExpectedKeys.DIGIT_HASH_OR_STAR, OrderFault.Limit.DEGREES),
         INSTRUCTION_READ(ExpectedKeys.HASH_OR_STAR),
+        /** The number of a process has one or two digits. */
+        PROCESS_DIGIT(ExpectedKeys.DIGIT_OR_CLOSING),
         /** A process is the last instruction. */
         PROCESS_READ(ExpectedKeys.CLOSING),
         FIRST_CLOSING_STAR(ExpectedKeys.STAR),
@@ -102,6 +104,7 @@ public final class CommandGrammar {
         ADD_STOP,
         ADD_REPORT,
         ADD_PROCESS,
+        ADD_PROCESS_DIGIT,
         COMPLETE_ORDER
     }
 
@@ -129,7 +132,8 @@ public final class CommandGrammar {
             .on(HASH_STAR, STAR, FORWARD)
             .on(HASH_STAR, HASH, TURN)
             .on(HASH_STAR, ZERO, INSTRUCTION_READ, ADD_REPORT)
-            .on(HASH_STAR, DIGIT, PROCESS_READ, ADD_PROCESS)
+            .on(HASH_STAR, DIGIT, PROCESS_DIGIT, ADD_PROCESS)
+            .on(EnumSet.of(PROCESS_DIGIT), DIGITS, PROCESS_READ, ADD_PROCESS_DIGIT)
             .on(HASH_HASH, HASH, INSTRUCTION_READ, ADD_STOP)
             .on(EnumSet.of(FORWARD, CENTIMETERS), DIGITS, CENTIMETERS, ADD_DIGIT)
             .on(EnumSet.of(TURN, DEGREES), DIGITS, DEGREES, ADD_DIGIT)
@@ -139,6 +143,7 @@ public final class CommandGrammar {
             .on(DEGREES, STAR, FIRST_CLOSING_STAR, ADD_TURN)
             .on(INSTRUCTION_READ, HASH, HASH_READ)
             .on(INSTRUCTION_READ, STAR, FIRST_CLOSING_STAR)
+            .on(PROCESS_DIGIT, STAR, FIRST_CLOSING_STAR)
             .on(PROCESS_READ, STAR, FIRST_CLOSING_STAR)
             .on(FIRST_CLOSING_STAR, STAR, IDLE, COMPLETE_ORDER)
             .on(EnumSet.of(HASH_HASH, TURN), FAULT, SKIPPING_HASH)
@@ -151,6 +156,7 @@ public final class CommandGrammar {
                             CENTIMETERS,
                             DEGREES,
                             INSTRUCTION_READ,
+                            PROCESS_DIGIT,
                             PROCESS_READ,
                             FIRST_CLOSING_STAR),
                     FAULT,

@@ -157,15 +157,24 @@ public final class CommandRecognizer {
             }
             case ADD_DIGIT -> {
                 digits++;
-                number = 10 * number + keys.charAt(keys.length() - 1) - '0';
+                number = 10 * number + digit();
             }
             case ADD_FORWARD -> addNumbered(new Instruction.Forward(number));
             case ADD_TURN -> addNumbered(new Instruction.Turn(number));
             case ADD_STOP -> instructions.add(new Instruction.StopNow());
             case ADD_REPORT -> instructions.add(new Instruction.ReportStatus());
-            case ADD_PROCESS -> instructions.add(new Instruction.StartProcess(keys.charAt(keys.length() - 1) - '0'));
+            case ADD_PROCESS -> instructions.add(new Instruction.StartProcess(digit()));
+            case ADD_PROCESS_DIGIT -> {
+                Instruction.StartProcess begun =
+                        (Instruction.StartProcess) instructions.remove(instructions.size() - 1);
+                instructions.add(new Instruction.StartProcess(10 * begun.number() + digit()));
+            }
             case COMPLETE_ORDER -> recognition = new Recognition.Complete(new Order(keys.toString(), instructions));
         }
+    }
+
+    private int digit() {
+        return keys.charAt(keys.length() - 1) - '0';
     }
 
     private void addNumbered(Instruction instruction) {

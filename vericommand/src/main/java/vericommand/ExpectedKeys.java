@@ -10,6 +10,7 @@ public enum ExpectedKeys {
     /** A number, or a number within its range. */
     NUMBER(null),
     DIGIT_HASH_OR_STAR(null),
+    DIGIT_OR_CLOSING(null),
     HASH_OR_STAR("# / *"),
     CLOSING("**"),
     /** Nothing more: a short message holds one order. */

@@ -65,9 +65,9 @@ public sealed interface Instruction {
         }
     }
 
-    /** Start the robot's process with this number, 1..9; the last instruction of its order. */
+    /** Start the robot's process with this number, 1..99; the last instruction of its order. */
     record StartProcess(int number) implements Instruction {
-        public static final int MAX_NUMBER = 9;
+        public static final int MAX_NUMBER = 99;
 
         public StartProcess {
             requireRange("the number of a process", number, MAX_NUMBER);

@@ -2,11 +2,16 @@ package vericommand;
 
 import java.util.Locale;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
 /** The replies as texts. The Spanish ones use only letters of the GSM alphabet: é and ñ, but not á, í, ó, ú. */
 final class ReplyTexts {
+    /** Characters of a reply's list of numbers. */
+    private static final int MOST_RANGES = 75;
+
     private final Locale locale;
     private final Supplier<Optional<String>> unknownType;
 
@@ -116,7 +121,7 @@ final class ReplyTexts {
         return new Reply(ReplyTone.NOT_VALID, text.toString());
     }
 
-    /** An order for a process that is not there; with the names of the others where they fit. */
+    /** An order for a process that is not there; with the names of the others where they fit, else their numbers. */
     Reply noProcess(Verdict.NoProcess verdict) {
         String number = "" + verdict.order().process().orElseThrow().number();
         String position = "" + verdict.position();
@@ -125,11 +130,26 @@ final class ReplyTexts {
                 .collect(Collectors.joining(", "));
         String text = text("reply.process.none", number, all.isEmpty() ? "-" : all, position);
         if (text.length() > Reply.MAX_MESSAGE_CHARACTERS - 2) {
-            String numbers =
-                    verdict.processes().keySet().stream().map(String::valueOf).collect(Collectors.joining(", "));
-            text = text("reply.process.none", number, numbers, position);
+            text = text("reply.process.none", number, ranges(new TreeSet<>(verdict.processes().keySet())), position);
         }
         return new Reply(ReplyTone.NOT_VALID, text);
+    }
+
+    /** {@code 1-12, 20}; the first ones if there are too many for a message. */
+    private static String ranges(SortedSet<Integer> numbers) {
+        StringBuilder ranges = new StringBuilder();
+        for (int number : numbers) {
+            boolean continues = numbers.contains(number - 1);
+            if (!continues && ranges.length() > MOST_RANGES) {
+                return ranges + ", ..";
+            }
+            if (!continues) {
+                ranges.append(ranges.isEmpty() ? "" : ", ").append(number);
+            } else if (!numbers.contains(number + 1)) {
+                ranges.append('-').append(number);
+            }
+        }
+        return ranges.toString();
     }
 
     Reply processStarted(int number, String name) {

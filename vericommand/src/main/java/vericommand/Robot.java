@@ -44,7 +44,7 @@ public interface Robot {
         return false;
     }
 
-    /** The names of the processes that orders can start, by number, 1..9; none if empty. */
+    /** The names of the processes that orders can start, by number, 1..99; none if empty. */
     default SortedMap<Integer, String> processes() {
         return Collections.emptySortedMap();
     }

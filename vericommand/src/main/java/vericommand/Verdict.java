@@ -56,9 +56,10 @@ public sealed interface Verdict {
             return order.received();
         }
 
-        /** Position of the process's number among the keys, from 1: it precedes the closing. */
+        /** Position of the first digit of the process's number among the keys, from 1: the number precedes the closing. */
         int position() {
-            return keys().length() - 2;
+            int number = order.process().orElseThrow().number();
+            return keys().length() - (number > 9 ? 3 : 2);
         }
     }
 

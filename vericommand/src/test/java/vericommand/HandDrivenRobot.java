@@ -40,6 +40,9 @@ final class HandDrivenRobot implements Robot {
         ended = whenEnded;
     }
 
+    /** The processes by number; a test may add some. */
+    final SortedMap<Integer, String> available = new TreeMap<>(Map.of(1, "wander", 2, "wall-follow"));
+
     @Override
     public void brake() {
         brakes++;
@@ -64,7 +67,7 @@ final class HandDrivenRobot implements Robot {
 
     @Override
     public SortedMap<Integer, String> processes() {
-        return new TreeMap<>(Map.of(1, "wander", 2, "wall-follow"));
+        return available;
     }
 
     @Override

@@ -5,11 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Orders {@code #*1} to {@code #*9}, which start a process of the robot. */
+/** Orders {@code #*1} to {@code #*99}, which start a process of the robot. */
 class VeriCommandProcessTest {
     private static final String WHERE = "Stopped at 1.200 0.500 m, heading 90.0.";
 
@@ -82,6 +83,33 @@ class VeriCommandProcessTest {
         assertEquals(List.of("outcome " + reply, "outcome " + reply), bench.events("outcome"));
         assertEquals(OrderText.keysOf(keys), bench.shown.keys());
         assertEquals('9', bench.shown.keys().charAt(bench.shown.failingPosition() - 1));
+    }
+
+    @Test
+    void aProcessOfTwoDigitsIsStarted() {
+        bench.robot.available.put(42, "Circle");
+        bench.press("** #*42 **");
+        assertEquals(List.of(42), bench.robot.processes);
+        assertEquals(List.of("outcome 6 Started process 42: Circle.", "tone 6"), bench.events("tone", "outcome"));
+    }
+
+    @Test
+    void theNumbersOfManyProcessesAreListedAsRanges() {
+        IntStream.rangeClosed(3, 40).forEach(number -> bench.robot.available.put(number, "Process" + number));
+        bench.robot.available.put(98, "Last");
+        bench.sms("** #*99 **");
+        assertEquals(
+                List.of("outcome 7 Not a valid command: no process 99 at key 5. Processes: 1-40, 98."),
+                bench.events("outcome"));
+    }
+
+    @Test
+    void aListOfNumbersThatIsTooLongForAMessageEndsWithDots() {
+        IntStream.range(2, 50).forEach(number -> bench.robot.available.put(2 * number, "P"));
+        bench.sms("** #*99 **");
+        String reply = bench.events("outcome").get(0);
+        assertTrue(reply.endsWith(", ..."), reply);
+        assertTrue(reply.length() <= "outcome ".length() + 160, reply);
     }
 
     @Test

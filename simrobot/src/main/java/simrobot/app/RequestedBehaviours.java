@@ -27,7 +27,7 @@ public final class RequestedBehaviours implements AutoCloseable {
     }
 
     /**
-     * Loads the folder's processes into the list.
+     * Loads the folder's processes into the list; a run, which takes no orders, needs no numbers that stay.
      *
      * @throws UsageException if the path is no folder
      */
@@ -39,8 +39,11 @@ public final class RequestedBehaviours implements AutoCloseable {
         // output of a process must not appear between the console's events
         ProcessOutput.install(System.err);
         try {
-            return new RequestedBehaviours(
-                    list, Optional.of(new BehaviourFolder(place.get(), list, new BehaviourFolder.Listener() {})));
+            BehaviourFolder folder = new BehaviourFolder(place.get(), list, new BehaviourFolder.Listener() {});
+            if (!arguments.has("run")) {
+                folder.keepNumbers();
+            }
+            return new RequestedBehaviours(list, Optional.of(folder));
         } catch (NotDirectoryException e) {
             throw new UsageException("--behaviours: expected a folder, found " + place.get());
         }

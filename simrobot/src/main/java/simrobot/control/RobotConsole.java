@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.SortedMap;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import simgsm.console.CommandException;
@@ -15,7 +16,6 @@ import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 import simgsm.console.Program;
 import simrobot.process.BehaviourKind;
-import simrobot.process.BehaviourList;
 import simrobot.world.Home;
 import simrobot.world.Point;
 import simrobot.world.Segment;
@@ -165,11 +165,12 @@ public final class RobotConsole implements Console.Commands {
 
     private void behaviours() {
         List<BehaviourKind> kinds = simRobot.behaviours().kinds();
-        for (int i = 0; i < kinds.size(); i++) {
-            answer(new ConsoleRow.BehaviourRow(
-                    i < BehaviourList.MAX_NUMBER ? OptionalInt.of(i + 1) : OptionalInt.empty(),
-                    kinds.get(i).text()));
-        }
+        SortedMap<Integer, BehaviourKind> numbered = simRobot.behaviours().numbered();
+        numbered.forEach(
+                (number, kind) -> answer(new ConsoleRow.BehaviourRow(OptionalInt.of(number), kind.text())));
+        kinds.stream()
+                .filter(kind -> !numbered.containsValue(kind))
+                .forEach(kind -> answer(new ConsoleRow.BehaviourRow(OptionalInt.empty(), kind.text())));
         answer(Event.of("end").with("of", "behaviours").with("count", kinds.size()));
     }
 

@@ -51,7 +51,7 @@ public final class Autonomy {
 
     private BehaviourList choice = new BehaviourList();
     /** The processes by number, as the robot named them last. */
-    private List<BehaviourKind> announced = List.of();
+    private SortedMap<Integer, BehaviourKind> announced = new TreeMap<>();
 
     private long sinceDecisionNanos;
     private long inCollisionNanos;
@@ -84,10 +84,8 @@ public final class Autonomy {
     /** The names of the processes that orders can start, by number. */
     public SortedMap<Integer, String> processes() {
         SortedMap<Integer, String> names = new TreeMap<>();
-        announced = choice.kinds();
-        for (int i = 0; i < Math.min(announced.size(), BehaviourList.MAX_NUMBER); i++) {
-            names.put(i + 1, announced.get(i).text());
-        }
+        announced = choice.numbered();
+        announced.forEach((number, process) -> names.put(number, process.text()));
         return names;
     }
 
@@ -98,7 +96,7 @@ public final class Autonomy {
      * @param from the number of who has ordered it
      */
     public void begin(int number, String from) {
-        if (!begin(announced.get(number - 1))) {
+        if (!begin(announced.get(number))) {
             throw new IllegalStateException("process " + number + " is not possible in "
                     + robot.status().text());
         }

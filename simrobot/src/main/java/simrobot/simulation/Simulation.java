@@ -331,6 +331,7 @@ public final class Simulation {
                                 guests.stream().map(Supplier::get))
                         .toList(),
                 behaviours.withNone(),
+                behaviours.numbered(),
                 behaviours.faults());
     }
 

@@ -2,6 +2,7 @@ package simrobot.simulation;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.function.BiPredicate;
 import java.util.stream.IntStream;
 import simrobot.process.BehaviourKind;
@@ -13,6 +14,7 @@ import simrobot.world.World;
  *
  * @param timeNanos simulated time since the start
  * @param behaviours the available processes, NONE first
+ * @param numberedBehaviours those of them that orders can start, by number
  * @param behaviourFaults faults in students' processes
  */
 public record SimulationSnapshot(
@@ -20,6 +22,7 @@ public record SimulationSnapshot(
         World world,
         List<RobotSnapshot> robots,
         List<BehaviourKind> behaviours,
+        SortedMap<Integer, BehaviourKind> numberedBehaviours,
         List<BehaviourList.Fault> behaviourFaults) {
     public SimulationSnapshot {
         robots = List.copyOf(robots);

@@ -20,7 +20,9 @@ import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
@@ -70,6 +72,8 @@ public final class BehaviourFolder implements AutoCloseable {
     private final Map<Path, Set<String>> names = new HashMap<>();
     private volatile Listener listener;
     private volatile boolean patient;
+    /** Null while numbers are not kept. */
+    private NumbersFile numbers;
 
     /**
      * Scans the folder once.
@@ -102,6 +106,40 @@ public final class BehaviourFolder implements AutoCloseable {
         thread.start();
     }
 
+    /**
+     * From now on processes have the numbers of the folder's {@code numbers.txt}, where new ones get one.
+     *
+     * @throws IOException if the file cannot be read or is damaged; the message names file and line
+     */
+    public void keepNumbers() throws IOException {
+        numbers = new NumbersFile(folder);
+        try {
+            numbers.update(Set.of());
+        } catch (SourceException damage) {
+            throw new IOException(numbers.file() + ": line " + damage.line() + ": " + damage.getMessage(), damage);
+        }
+        number(Set.of());
+    }
+
+    /** @param added names beside those that have been loaded */
+    private void number(Set<String> added) {
+        if (numbers == null) {
+            return;
+        }
+        SortedSet<String> all = new TreeSet<>(added);
+        names.values().forEach(all::addAll);
+        try {
+            if (numbers.update(all)) {
+                list.clearFault(NumbersFile.NAME);
+            }
+        } catch (SourceException damage) {
+            fail(NumbersFile.NAME, damage.line(), damage.getMessage());
+        } catch (IOException e) {
+            fail(NumbersFile.NAME, 0, "cannot be read or written, new numbers hold until SimRobot ends: " + e.getMessage());
+        }
+        list.setNumbers(numbers.numbers());
+    }
+
     /** Makes processes that begin from now on wait up to 1 s for each decision, instead of 50 ms. */
     public void waitForDecisions() {
         patient = true;
@@ -124,6 +162,7 @@ public final class BehaviourFolder implements AutoCloseable {
 
     /** Scans once: compiles and loads changed files. */
     void scan() throws IOException {
+        number(Set.of());
         Map<Path, Stamp> now = stamps();
         Map<Path, Stamp> before = seen;
         seen = now;
@@ -152,10 +191,10 @@ public final class BehaviourFolder implements AutoCloseable {
     private Map<Path, Stamp> stamps() throws IOException {
         Map<Path, Stamp> stamps = new TreeMap<>();
         try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : files.toList()) {
-                BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
-                if (attributes.isRegularFile()
-                        && (isSource(file) || file.toString().endsWith(JAR))) {
+            // an editor's lock may be a link to nothing
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                if (isSource(file) || file.toString().endsWith(JAR)) {
+                    BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
                     stamps.put(file, new Stamp(attributes.lastModifiedTime().toMillis(), attributes.size()));
                 }
             }
@@ -190,26 +229,27 @@ public final class BehaviourFolder implements AutoCloseable {
         try {
             List<BehaviourKind> kinds = isSource(file) ? ofSource(file) : ofJar(file);
             list.clearFault(base(file));
+            Set<String> now = new HashSet<>();
+            kinds.forEach(kind -> now.add(kind.text()));
+            number(now);
             kinds.forEach(this::put);
             if (!kinds.isEmpty()) {
-                Set<String> now = new HashSet<>();
-                kinds.forEach(kind -> now.add(kind.text()));
                 Set<String> old = names.put(file, now);
                 if (old != null) {
                     old.stream().filter(name -> !now.contains(name)).forEach(this::remove);
                 }
             }
         } catch (SourceException fault) {
-            fail(file, fault.line(), fault.getMessage());
+            fail(base(file), fault.line(), fault.getMessage());
         } catch (RuntimeException | LinkageError e) {
             // a file that fails leaves the others in place
-            fail(file, 0, "cannot be loaded: " + FaultPlace.text(e));
+            fail(base(file), 0, "cannot be loaded: " + FaultPlace.text(e));
         }
     }
 
-    private void fail(Path file, int line, String text) {
-        list.setFault(new BehaviourList.Fault(base(file), line, text));
-        listener.failed(base(file), line, text);
+    private void fail(String name, int line, String text) {
+        list.setFault(new BehaviourList.Fault(name, line, text));
+        listener.failed(name, line, text);
     }
 
     private void put(BehaviourKind kind) {

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -181,7 +183,7 @@ class AutonomyTest {
     }
 
     @Test
-    void aProcessIsStartedByTheNumberUnderWhichItWasNamedAlthoughTheListChangesMeanwhile() {
+    void aProcessKeepsItsNumberWhenOthersComeAndGo() {
         BehaviourList list = bench.simulation.behaviours();
         list.put(new BehaviourKind("Mine", around -> RobotProcess.inPlace(new Wander(1))));
         assertEquals("Mine", bench.robot.processes().get(3));
@@ -190,10 +192,12 @@ class AutonomyTest {
         assertEquals("Mine", bench.robot.autonomy().kind().text());
         bench.robot.autonomy().end();
         bench.seconds(3);
-        assertEquals("Mine", bench.robot.processes().get(4));
+        assertEquals(
+                new TreeMap<>(Map.of(1, "wander", 2, "wall-follow", 3, "Mine", 4, "Another")),
+                bench.robot.processes());
         list.remove("Another");
         bench.robot.startProcess(4, "");
-        assertEquals("Mine", bench.robot.autonomy().kind().text());
+        assertEquals("Another", bench.robot.autonomy().kind().text(), "as it was announced");
     }
 
     @Test

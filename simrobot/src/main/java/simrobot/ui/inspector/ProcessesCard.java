@@ -3,7 +3,9 @@ package simrobot.ui.inspector;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.event.KeyEvent;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.swing.DefaultListModel;
@@ -42,6 +44,7 @@ final class ProcessesCard extends JPanel {
     private final WrappedText printed;
     private final UserAction stop;
     private List<BehaviourKind> kinds = List.of();
+    private Map<BehaviourKind, Integer> numbers = Map.of();
     private String robot = "";
 
     ProcessesCard(TextBundle texts, OperatorActions operator) {
@@ -85,6 +88,8 @@ final class ProcessesCard extends JPanel {
                 .subList(
                         Math.min(1, scene.behaviours().size()),
                         scene.behaviours().size());
+        numbers = new HashMap<>();
+        scene.numberedBehaviours().forEach((number, kind) -> numbers.put(kind, number));
         showRows(running);
         String text = scene.behaviourFaults().stream().map(this::fault).collect(Collectors.joining("\n"));
         faults.show(text);
@@ -99,7 +104,7 @@ final class ProcessesCard extends JPanel {
     /** Changed rows are replaced one by one, so that the selection stays. */
     private void showRows(BehaviourKind running) {
         for (int i = 0; i < kinds.size(); i++) {
-            String row = row(i, kinds.get(i).equals(running));
+            String row = row(kinds.get(i), kinds.get(i).equals(running));
             if (i >= rows.size()) {
                 rows.addElement(row);
             } else if (!rows.get(i).equals(row)) {
@@ -111,9 +116,9 @@ final class ProcessesCard extends JPanel {
         }
     }
 
-    private String row(int index, boolean running) {
-        String number = index < BehaviourList.MAX_NUMBER ? "#*" + (index + 1) : "    ";
-        String row = number + "  " + RobotsCard.word(texts, kinds.get(index));
+    private String row(BehaviourKind kind, boolean running) {
+        String number = numbers.containsKey(kind) ? "#*" + numbers.get(kind) : "    ";
+        String row = number + "  " + RobotsCard.word(texts, kind);
         return running ? texts.of("processes.running", row) : row;
     }
 
