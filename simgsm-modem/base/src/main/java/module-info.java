@@ -1,6 +1,6 @@
 /**
- * Pieces without a subject of their own that every other module may use: octets, state tables, timers, events, sockets with a
- * selector, and the files that users name.
+ * Packages shared by all other modules: octets, state tables, timers, events, sockets with a selector, and files
+ * named by users.
  */
 module simgsm.base {
     exports simgsm.event;

@@ -1,4 +1,4 @@
-/** Swing components that all windows share, the canvas of their pictures, and the sound card. */
+/** Swing components of all windows, the canvas of their pictures, and the sound card. */
 module simgsm.desktop {
     requires transitive java.desktop;
     requires transitive simgsm.console;

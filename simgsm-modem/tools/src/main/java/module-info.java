@@ -1,4 +1,4 @@
-/** The command line tools of simgsm-modem.jar. Requires java.desktop for javax.sound, which reads audio files. */
+/** The command line tools of simgsm-modem.jar. Requires java.desktop for audio files by javax.sound. */
 module simgsm.tools {
     requires java.desktop;
     requires simgsm.console;

@@ -7,11 +7,11 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * Limits the replies to messages without a valid order: two programs that answer each other's messages would never end. A
- * core: senders and time in.
+ * Limits the replies to messages without a valid order, which otherwise would not end between two programs that
+ * answer each other. Senders and times are passed in.
  */
 final class AnswerLimit {
-    /** Answers to one sender within {@link #MINUTE_NANOS}; after them the sender is not answered for as long. */
+    /** Answers to one sender within {@link #MINUTE_NANOS}; then it gets none for as long. */
     static final int MAX_ANSWERS = 300;
 
     static final long MINUTE_NANOS = 60_000_000_000L;
@@ -25,18 +25,18 @@ final class AnswerLimit {
     }
 
     private static final class Sender {
-        /** The times of the answers within the last minute. */
+        /** Times of the answers within the last minute. */
         final Deque<Long> answers = new ArrayDeque<>();
 
         boolean isSilenced;
-        /** Of the last answer, or of the begin of the silence. */
+        /** Time of the last answer, or of the start of the silence. */
         long newestNanos;
     }
 
-    /** The senders of the last minute, by the time of their last answer or of the begin of their silence. */
+    /** Senders of the last minute, ordered by {@link Sender#newestNanos}. */
     private final Map<String, Sender> senders = new LinkedHashMap<>();
 
-    /** A message without a valid order has come. */
+    /** Rules on a message without a valid order. */
     Ruling decide(String from, long nowNanos) {
         forgetOld(nowNanos);
         Sender sender = senders.computeIfAbsent(from, unknown -> new Sender());

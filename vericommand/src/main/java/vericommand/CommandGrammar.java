@@ -21,7 +21,7 @@ import simgsm.state.StateTable;
  * the table; {@link CommandRecognizer} checks them.
  */
 public final class CommandGrammar {
-    /** A place in the grammar, named for what has been read last. */
+    /** A place in the grammar, named after the key class read last. */
     public enum Place {
         IDLE(ExpectedKeys.OPENING),
         FIRST_STAR(ExpectedKeys.STAR),
@@ -61,7 +61,7 @@ public final class CommandGrammar {
             return expected;
         }
 
-        /** The range of the number that belongs here; NONE where no number does. */
+        /** The range of the number read here; NONE if none is. */
         OrderFault.Limit range() {
             return range;
         }

@@ -31,7 +31,6 @@ public final class CommandRecognizer {
     /** True if the keys outside orders are the rest of a broken order, which has been answered. */
     private boolean isAnswered;
 
-    /** A recogniser that has read no key. */
     public CommandRecognizer() {
         reset();
     }

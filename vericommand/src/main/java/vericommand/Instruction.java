@@ -1,6 +1,6 @@
 package vericommand;
 
-/** One instruction of an order, in the operator's units; out of its range the constructor throws. */
+/** One instruction of an order, in the operator's units; constructors throw for values out of range. */
 public sealed interface Instruction {
     /** The instruction as keys, without leading zeros: {@code #**20}. */
     String keys();

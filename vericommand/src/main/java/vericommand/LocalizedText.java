@@ -3,7 +3,7 @@ package vericommand;
 import java.util.Locale;
 import java.util.function.Function;
 
-/** A text in both languages, so that a window can change its language while it shows the text. */
+/** A text in both languages, for a window that changes its language while it shows the text. */
 public record LocalizedText(String english, String spanish) {
     static final LocalizedText EMPTY = new LocalizedText("", "");
 

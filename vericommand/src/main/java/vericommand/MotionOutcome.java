@@ -6,7 +6,7 @@ package vericommand;
  * @param amountDone distance or angle done, 0 or more: centimetres of a forward, degrees of a turn
  */
 public record MotionOutcome(Ending ending, double amountDone) {
-    /** The ways in which a motion ends. */
+    /** The endings of a motion. */
     public enum Ending {
         /** The goal is reached. */
         DONE,

@@ -35,7 +35,7 @@ public record Order(String received, List<Instruction> instructions) {
         return instruction instanceof Instruction.Motion || instruction instanceof Instruction.StartProcess;
     }
 
-    /** The process that it starts at its end. */
+    /** The process started at the order's end. */
     public Optional<Instruction.StartProcess> process() {
         return instructions.get(instructions.size() - 1) instanceof Instruction.StartProcess last
                 ? Optional.of(last)

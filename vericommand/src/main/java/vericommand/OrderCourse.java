@@ -5,25 +5,25 @@ import java.util.Optional;
 
 /** Course of an accepted order. */
 public enum OrderCourse {
-    /** No order is accepted: none has come, or it is being keyed, or it is refused or not valid. */
+    /** No order is accepted: none was given, or it is incomplete, refused or invalid. */
     NONE(""),
     UNDER_WAY(ReplyTone.EXECUTING),
     EXECUTED(ReplyTone.EXECUTED),
     COLLISION(ReplyTone.COLLISION),
     INFINITE_LOOP(ReplyTone.INFINITE_LOOP),
-    /** A later instruction was not possible in the status that an earlier one had led to. */
+    /** A later instruction was not possible in the status reached by an earlier one. */
     NOT_POSSIBLE(ReplyTone.NOT_POSSIBLE),
     /** Ended by the order {@code ###} or by the brake. */
     STOPPED("course.stopped"),
-    /** Motors or robot were switched off, or the world has changed, or its process has failed or was ended. */
+    /** The motors or the robot were switched off, the world changed, or the process failed or was ended. */
     BROKEN_OFF("course.broken-off"),
-    /** Stopped, for the call that gave it has ended. */
+    /** Stopped because the call that gave the order ended. */
     CALL_ENDED("course.call-ended");
 
-    /** Of its words; empty if they are those of the tone. */
+    /** Key of the text; empty if the tone's words are used. */
     private final String key;
 
-    /** Null if no tone reports it. */
+    /** Null if no tone reports this course. */
     private final ReplyTone tone;
 
     OrderCourse(String key) {
@@ -44,12 +44,12 @@ public enum OrderCourse {
         };
     }
 
-    /** The tone that reports it to the operator, if there is one. */
+    /** The tone that reports this course to the operator. */
     public Optional<ReplyTone> tone() {
         return Optional.ofNullable(tone);
     }
 
-    /** In words, empty for {@link #NONE}; those of the reply tone where there is one. */
+    /** The course in words, by default the reply tone's; empty for {@link #NONE}. */
     public String words(Locale locale) {
         if (tone != null) {
             return tone.words(locale);

@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.function.Function;
 
-/** Collects what a window shows of the orders: the last 320 keys at most, and the last 8 replies. */
+/** Collects a window's data on orders: at most the last 320 keys and the last 8 replies. */
 final class OrderDisplay {
     private static final int MAX_KEYS = 320;
     private static final int MAX_REPLIES = 8;
@@ -20,7 +20,7 @@ final class OrderDisplay {
     private LocalizedText verdictText = LocalizedText.EMPTY;
     private int failingPosition;
     private OrderCourse course = OrderCourse.NONE;
-    /** The accepted order that is shown; null if none is. */
+    /** The accepted order shown; null if none. */
     private Order accepted;
 
     OrderDisplay(ReplyTexts texts) {
@@ -85,7 +85,7 @@ final class OrderDisplay {
         }
     }
 
-    /** What has become of an order, if it is still the one that is shown. */
+    /** Sets the course of an order if it is still shown. */
     void course(Order order, OrderCourse now) {
         boolean isBraked = now == OrderCourse.STOPPED || now == OrderCourse.BROKEN_OFF;
         if (order == accepted && !(isBraked && course == OrderCourse.CALL_ENDED)) {
@@ -93,7 +93,10 @@ final class OrderDisplay {
         }
     }
 
-    /** The call that gave the order under way has ended. @param stops whether the robot brakes, or finishes the order */
+    /**
+     * The call that gave the order under way has ended. @param stops true if the robot brakes, false if it finishes
+     * the order
+     */
     void callEnded(Order order, boolean stops) {
         if (stops) {
             course(order, OrderCourse.CALL_ENDED);
@@ -102,13 +105,13 @@ final class OrderDisplay {
         }
     }
 
-    /** The call has ended before its order was whole. */
+    /** The call has ended before its order was complete. */
     void callEndedWithinOrder() {
         verdictWord = VeriCommandSnapshot.UNFINISHED;
         verdictText = said(in -> in.text("verdict.unfinished"));
     }
 
-    /** The call has ended because it had no key; the reason replaces the words of its last order. */
+    /** The call has ended for want of keys; the reason replaces the words of its last order. */
     void callIdle(int seconds) {
         keys(keys);
         verdictWord = VeriCommandSnapshot.IDLE;

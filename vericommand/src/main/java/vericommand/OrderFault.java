@@ -1,11 +1,11 @@
 package vericommand;
 
 /**
- * Why a sequence of keys is not a valid order.
+ * The reason that a sequence of keys is not a valid order.
  *
  * @param keys of a call: up to the offending key; of a short message: all
- * @param position of the offending key (or of the missing one), counted from 1 at the order's first {@code *}; in a short
- *     message from the first key of the text; blanks not counted
+ * @param position of the offending key (or of the missing one), counted from 1 at the order's first {@code *}; in a
+ *     short message from the first key of the text; blanks not counted
  * @param limit the limit that the reply names
  */
 public record OrderFault(String keys, int position, ExpectedKeys expected, Limit limit, boolean timedOut) {

@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
-/** Where an order comes from and its reply goes to: one call, one short message or one order of a program. */
+/** The source of an order, which gets its reply: one call, one short message or one order of a program. */
 final class OrderOrigin {
     private final OrderSource source;
     private final String from;
@@ -29,7 +29,7 @@ final class OrderOrigin {
         return new OrderOrigin(OrderSource.MESSAGE, number, () -> null, report -> {});
     }
 
-    /** @param follower told of each change, first that the order waits */
+    /** @param follower receives each change, the first when the order waits */
     static OrderOrigin program(String operator, Supplier<Pose> pose, Consumer<OrderReport> follower) {
         OrderOrigin origin = new OrderOrigin(OrderSource.PROGRAM, operator, pose, follower);
         origin.report(OrderReport.State.WAITING);

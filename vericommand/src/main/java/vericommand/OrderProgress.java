@@ -5,7 +5,7 @@ package vericommand;
  *
  * @param amountDone of the current motion, in its own unit
  * @param number of the current instruction, from 1
- * @param of the number of instructions
+ * @param of number of instructions
  */
 record OrderProgress(Instruction instruction, double amountDone, int number, int of) {
     /** {@code 12 of 20 cm}, rounded to whole units. */

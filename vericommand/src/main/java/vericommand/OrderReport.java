@@ -6,9 +6,9 @@ import java.util.Optional;
 /**
  * The progress of a program's order; immutable.
  *
- * @param verdict once it is known, {@link Verdict#word}
- * @param reply the newest; a process that is started has one before its end
- * @param pose of the robot when this was reported
+ * @param verdict {@link Verdict#word}; empty until it is known
+ * @param reply the newest; the start of a process has a reply, too
+ * @param pose the robot's, at the time of this report
  */
 public record OrderReport(Optional<String> verdict, State state, Optional<Reply> reply, Pose pose) {
     /** From verification to the last reply. */

@@ -1,8 +1,8 @@
 package vericommand;
 
 /**
- * Reads the one order of a short message or a command line with the recogniser of calls. Keys before the opening or after
- * the closing, which a call ignores, are faults here.
+ * Reads the one order of a short message or a command line by the recogniser of calls. Keys before the opening or
+ * after the closing, ignored in a call, are faults here.
  */
 public final class OrderText {
     private OrderText() {}

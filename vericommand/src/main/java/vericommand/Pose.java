@@ -3,7 +3,7 @@ package vericommand;
 import java.util.Locale;
 
 /**
- * A robot's position and heading, as texts show them.
+ * A robot's position and headingfor texts.
  *
  * @param headingDegrees 0 along +X, anticlockwise positive
  */
@@ -31,7 +31,7 @@ public record Pose(double xMeters, double yMeters, double headingDegrees) {
         return decimal(rounded < 0 ? rounded + 360 : rounded, decimals);
     }
 
-    /** A value that rounds to zero has no sign: the rounded one is a whole number. */
+    /** A value that rounds to zero has no sign. */
     private static String decimal(double value, int decimals) {
         double scale = Math.pow(10, decimals);
         return String.format(Locale.ROOT, "%." + decimals + "f", Math.round(value * scale) / scale);

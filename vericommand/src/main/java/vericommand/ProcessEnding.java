@@ -1,13 +1,13 @@
 package vericommand;
 
-/** Ending of a process. */
+/** The endings of a process. */
 public enum ProcessEnding {
-    /** It has reached what it was for. */
+    /** The process has reached its goal. */
     DONE,
-    /** It did not free the robot from a collision. */
+    /** The process did not free the robot from a collision. */
     COLLISION,
-    /** It has given up or failed. */
+    /** The process has given up or failed. */
     FAILED,
-    /** An order, another process or a brake has ended it: it gets no reply. */
+    /** An order, another process or a brake ended the process; it gets no reply. */
     REPLACED
 }

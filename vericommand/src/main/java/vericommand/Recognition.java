@@ -1,6 +1,6 @@
 package vericommand;
 
-/** The result of reading one key, or of a time without one. */
+/** The result of reading one key, or of a time without keys. */
 public sealed interface Recognition {
     /** The order is incomplete, or none is open. */
     record Pending() implements Recognition {}

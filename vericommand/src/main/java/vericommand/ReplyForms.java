@@ -16,10 +16,10 @@ final class ReplyForms {
             ReplyTone.NOT_VALID, List.of("reply.invalid", "reply.process.none"),
             ReplyTone.NOT_POSSIBLE, List.of("reply.impossible", "reply.stopped", "reply.stopped.trip"));
 
-    /** Stands for an argument; no text has it. */
+    /** Placeholder of an argument; no text has it. */
     private static final String ARGUMENT = "\0";
 
-    /** The fixed parts of each reply, in their order; the first one begins the message. */
+    /** The fixed parts of each reply, in order; a message begins with the first. */
     private static final List<List<String>> FORMS = Stream.of(Locale.ENGLISH, Locale.forLanguageTag("es"))
             .flatMap(locale -> KEYS.entrySet().stream()
                     .flatMap(tone -> tone.getValue().stream().map(key -> parts(locale, tone.getKey(), key))))
@@ -32,7 +32,7 @@ final class ReplyForms {
         return List.of((tone.number() + " " + text).split(ARGUMENT));
     }
 
-    /** True if a message is a reply: the tone's digit, then its text, whatever follows. */
+    /** True if a message is a reply: the tone's digit, then its text, then anything. */
     static boolean isReply(String message) {
         String text = message.strip();
         return FORMS.stream().anyMatch(parts -> fits(text, parts));

@@ -11,7 +11,7 @@ final class ReplySender {
     private final OrderDisplay display;
     private final Predicate<OrderOrigin> hasProcess;
 
-    /** @param hasProcess whether a process runs that an order of this origin has started */
+    /** @param hasProcess true if a process started by this origin runs */
     ReplySender(
             Robot robot,
             VeriCommandSettings settings,
@@ -52,7 +52,7 @@ final class ReplySender {
         }
     }
 
-    /** Answers a stop order, once the robot stands or is off. */
+    /** Answers a stop order once the robot has stopped or is off. */
     void answerStop(OrderExecution stop) {
         stop.order().instructions().forEach(listener::instructionEnded);
         RobotStatus status = robot.status();
@@ -64,7 +64,7 @@ final class ReplySender {
         send(stop.origin(), reply);
     }
 
-    /** Shows a reply that nobody receives. */
+    /** Shows a reply that is not sent. */
     void show(Reply reply) {
         display.reply(reply);
         listener.outcome(reply);

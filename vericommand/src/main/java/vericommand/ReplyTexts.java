@@ -25,7 +25,6 @@ final class ReplyTexts {
         this.unknownType = unknownType;
     }
 
-    /** The same texts in another language. */
     ReplyTexts in(Locale language) {
         return new ReplyTexts(language, unknownType);
     }
@@ -121,7 +120,7 @@ final class ReplyTexts {
         return new Reply(ReplyTone.NOT_VALID, text.toString());
     }
 
-    /** An order for a process that is not there; with the names of the others where they fit, else their numbers. */
+    /** An order for a missing process; the reply has the names of the others if they fit, else their numbers. */
     Reply noProcess(Verdict.NoProcess verdict) {
         String number = "" + verdict.order().process().orElseThrow().number();
         String position = "" + verdict.position();
@@ -156,7 +155,7 @@ final class ReplyTexts {
         return new Reply(ReplyTone.EXECUTING, text("reply.process.started", "" + number, name));
     }
 
-    /** A process has ended by itself. @param detail why it failed; empty if there is no more to say */
+    /** A process has ended by itself. @param detail reason of a failure; empty if unknown */
     Reply processEnded(ProcessEnding ending, String name, String detail, RobotStatus status, Pose pose) {
         return switch (ending) {
             case DONE -> new Reply(ReplyTone.EXECUTED, text("reply.done", name, where(status, pose)));
@@ -189,7 +188,6 @@ final class ReplyTexts {
                 unknown.map(type -> text("reason.UNKNOWN_TYPE", type)).orElseGet(() -> text("reason." + status)));
     }
 
-    /** Status and pose. */
     String where(RobotStatus status, Pose pose) {
         return text("reply.where", text("status." + status), pose.xText(3), pose.yText(3), pose.headingText(1));
     }

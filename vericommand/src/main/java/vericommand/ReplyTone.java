@@ -2,7 +2,7 @@ package vericommand;
 
 import java.util.Locale;
 
-/** The DTMF digit by which the robot replies in a call: the paper's six, and two of this suite. */
+/** The DTMF digit of a reply in a call: the paper's six, and two of this suite. */
 public enum ReplyTone {
     CONNECTION_ACCEPTED,
     CONNECTION_DENIED,

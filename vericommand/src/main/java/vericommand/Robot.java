@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.function.Consumer;
 
-/** A robot, simulated or real, as orders command it. All methods are called on the robot's owner thread. */
+/** A robot, simulated or real, as commanded by orders. All methods are called on the robot's owner thread. */
 public interface Robot {
     RobotStatus status();
 
@@ -20,7 +20,7 @@ public interface Robot {
     /** Brakes with the robot's deceleration; the motion ends when the robot has stopped. No effect on a stopped robot. */
     void brake();
 
-    /** True if an autonomous behaviour moves the robot; the status is then Moving, or Collision after a contact. */
+    /** True if an autonomous behaviour moves the robot; the status is Moving then, or Collision after a contact. */
     default boolean isAutonomous() {
         return false;
     }
@@ -28,13 +28,13 @@ public interface Robot {
     /**
      * Ends the autonomous behaviour; the robot brakes.
      *
-     * @param standing called once, on the owner thread, when the robot has stopped; possibly before this returns
+     * @param standing runs once, on the owner thread, when the robot has stopped; possibly before this returns
      */
     default void endAutonomy(Runnable standing) {
         standing.run();
     }
 
-    /** The name of the robot's type if it is not known: then its status stays No motors. Empty for a known one. */
+    /** The name of an unknown robot type, which keeps the status No motors. Empty for a known type. */
     default Optional<String> unknownType() {
         return Optional.empty();
     }
@@ -50,8 +50,8 @@ public interface Robot {
     }
 
     /**
-     * Starts a process in status Stopped. However it ends, the owner reports it to the verifier by
-     * {@link VeriCommand#processEnded}, after this has returned.
+     * Starts a process in status Stopped. Its end, however caused, is reported by the owner to {@link
+     * VeriCommand#processEnded}, after this has returned.
      *
      * @param number a key of {@link #processes}
      * @param operator who orders it: a number, or the name of a program's operator; empty if the network does not say

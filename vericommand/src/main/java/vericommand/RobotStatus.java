@@ -2,7 +2,7 @@ package vericommand;
 
 import java.util.Locale;
 
-/** The paper's five statuses; {@link #text()} is the word that consoles, windows and tests use. */
+/** The paper's five statuses; consoles, windows and tests use {@link #text()}. */
 public enum RobotStatus {
     /** The robot has collided; it can only turn. */
     COLLISION("Collision"),

@@ -8,7 +8,9 @@ public enum StatusEvent {
     MOTORS_OFF("motors off"),
     /** An instruction (or an autonomous process) sets the robot in motion. */
     MOTION_STARTED("motion starts"),
-    /** The robot has come to rest: after a forward motion that touched nothing, or with the way ahead free after a turn. */
+    /**
+     * The robot has stopped: after a forward motion that touched nothing, or after a turn with the way ahead free.
+     */
     MOTION_ENDED("motion ends"),
     /** The robot touches something while it moves. */
     TOUCHED("touches something"),

@@ -1,6 +1,6 @@
 package vericommand;
 
-/** The paper's check before every command: instructions permitted in a status. */
+/** The paper's check before every command: the instructions permitted in each status. */
 public final class StatusRules {
     /** Treatment of an instruction, and its tone. */
     public enum Treatment {

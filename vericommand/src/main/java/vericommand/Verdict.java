@@ -7,7 +7,7 @@ public sealed interface Verdict {
     /** {@code accepted}, {@code refused} or {@code invalid}, for consoles and logs. */
     String word();
 
-    /** The keys as received, without blanks; of a valid order without further stars of its opening. */
+    /** The keys as received, without blanks; a valid order's without further stars of its opening. */
     String keys();
 
     record Accepted(Order order) implements Verdict {
@@ -25,7 +25,7 @@ public sealed interface Verdict {
     /**
      * A valid order that the robot's status does not permit.
      *
-     * @param status of the robot then
+     * @param status the robot's at verification
      * @param tone 8 not possible, 6 executing another, 2 robot off
      */
     record Refused(Order order, RobotStatus status, ReplyTone tone) implements Verdict {
@@ -41,9 +41,9 @@ public sealed interface Verdict {
     }
 
     /**
-     * A valid order for a process that the robot does not have.
+     * A valid order for a process that the robot lacks.
      *
-     * @param processes the names of those that it has, by number
+     * @param processes names of the robot's processes, by number
      */
     record NoProcess(Order order, SortedMap<Integer, String> processes) implements Verdict {
         @Override
@@ -76,8 +76,7 @@ public sealed interface Verdict {
     }
 
     /**
-     * Verifies an order against the robot's status: by its first instruction, and in Moving by its first motion if it has
-     * one.
+     * Verifies an order against the robot's status, by its first instruction; in Moving by its first motion, if any.
      */
     static Verdict of(Order order, RobotStatus status) {
         Instruction decisive = order.instructions().get(0);

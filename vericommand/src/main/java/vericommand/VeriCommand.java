@@ -8,11 +8,12 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
- * The command verifier of one robot: reads orders from a call's keys, short messages and programs, verifies each against the
- * robot's status, executes it instruction by instruction, and replies. A deterministic core on the robot's owner thread.
+ * The command verifier of one robot: reads orders from a call's keys, short messages and programs, verifies each
+ * against the robot's status, executes it instruction by instruction, and replies. A deterministic core on the
+ * robot's owner thread.
  *
- * <p>One order that moves is executed at a time. Its first motion is announced by tone 6, its end by one outcome; every
- * other order that comes in between is answered by 6, except orders of nothing but {@code ###} and {@code #*0}.
+ * <p>One order that moves is executed at a time. Its first motion is announced by tone 6, its end by one outcome;
+ * every other order received meanwhile is answered by 6, except orders of nothing but {@code ###} and {@code #*0}.
  */
 public final class VeriCommand {
     private final Robot robot;
@@ -23,15 +24,15 @@ public final class VeriCommand {
     private final OrderDisplay display;
     private final ReplySender replies;
     private final AnswerLimit answerLimit = new AnswerLimit();
-    /** Stop orders, answered when the robot stands. */
+    /** Stop orders, answered when the robot has stopped. */
     private final List<OrderExecution> stops = new ArrayList<>();
     /** Null when no call is up. */
     private OrderOrigin call;
-    /** Verified once the autonomous behaviour that it ended has stopped the robot; null if none. */
+    /** Verified once the robot has stopped after the autonomous behaviour that this order ended; null if none. */
     private OrderExecution deferred;
     /** The order that moves the robot; null if none. */
     private OrderExecution running;
-    /** The order that started the process of the robot; null if none did. */
+    /** The order that started the robot's process; null if none. */
     private OrderExecution process;
 
     /** Whether the opening of an order has ended the process that took the keys. */
@@ -48,7 +49,7 @@ public final class VeriCommand {
         replies = new ReplySender(robot, settings, listener, texts, display, origin -> isOf(origin, process));
     }
 
-    /** An accepted call is up; a previous one ends. @param caller empty when the network does not say */
+    /** An accepted call is up; a previous one ends. @param caller empty if the network does not give it */
     public void callBegan(String caller) {
         callEnded();
         call = OrderOrigin.call(caller);
@@ -78,7 +79,7 @@ public final class VeriCommand {
         }
     }
 
-    /** The modem clears the call, which had no key for 60 s; no order of the call is under way. */
+    /** The modem clears the call after 60 s without a key; no order of the call is under way. */
     public void callIdle(int seconds) {
         if (call != null) {
             callEnded();
@@ -118,7 +119,10 @@ public final class VeriCommand {
         listener.changed();
     }
 
-    /** Speech of the call has come, lost frames included: its samples measure the time-out of an unfinished order. */
+    /**
+     * Speech of the call, lost frames included, was received: its samples measure the time-out of an unfinished
+     * order.
+     */
     public void speech(long samples) {
         if (call != null && handle(recognizer.elapsed(samples), call)) {
             listener.changed();
@@ -126,11 +130,11 @@ public final class VeriCommand {
     }
 
     /**
-     * A short message. A reply of this suite is no order and gets no reply; nor do messages without a valid order from a
-     * sender with 300 such replies within 60 s, until a minute has passed. Valid orders are always taken.
+     * A short message. Replies of this suite are no orders and get no reply; nor do messages without a valid order
+     * from a sender with 300 such replies within 60 s, until a minute has passed. Valid orders are always accepted.
      *
-     * @param from the number that the network has authenticated
-     * @param nowNanos the time now, by any clock that only goes forward
+     * @param from the number authenticated by the network
+     * @param nowNanos the time now, by any monotonic clock
      */
     public void message(String from, String text, long nowNanos) {
         boolean isOpened = text.replaceAll("\\s", "").startsWith("**");
@@ -157,9 +161,9 @@ public final class VeriCommand {
     }
 
     /**
-     * An order of a program, read as a short message is; whether its operator may command is known already.
+     * An order of a program, read like a short message; its operator is permitted to command.
      *
-     * @param follower told of the order's course on the owner thread, for the first time before this returns
+     * @param follower receives the order's course on the owner thread, for the first time before this returns
      */
     public void order(String operator, String text, Consumer<OrderReport> follower) {
         display.begin(operator, OrderSource.PROGRAM);
@@ -168,8 +172,8 @@ public final class VeriCommand {
     }
 
     /**
-     * Answers a question that any subscriber may ask, as by USSD: an order of nothing but {@code #*0} is answered by status and pose,
-     * every other one by what is wrong. Nothing moves, and orders under way go on.
+     * Answers a question of any subscriber, as by USSD: an order of only {@code #*0} by status and pose, any other
+     * one by its fault. Nothing moves, and orders under way continue.
      */
     public String query(String text) {
         Recognition recognition = OrderText.read(text);
@@ -189,12 +193,12 @@ public final class VeriCommand {
         listener.changed();
     }
 
-    /** Whether an order is being executed, or a process that this call has started. */
+    /** True if an order, or a process started by this call, is being executed. */
     public boolean isUnderWay() {
         return running != null || deferred != null || !stops.isEmpty() || isOf(call, process);
     }
 
-    /** What a window shows, immutable. */
+    /** The immutable data of a window. */
     public VeriCommandSnapshot snapshot() {
         return display.snapshot(call != null, isUnderWay());
     }
@@ -219,7 +223,7 @@ public final class VeriCommand {
                 : Verdict.of(recognition, robot.status());
     }
 
-    /** What is wrong with the order itself comes before what the robot's status forbids. */
+    /** A fault of the order itself precedes a refusal by the robot's status. */
     private Verdict verdict(Order order) {
         SortedMap<Integer, String> processes = robot.processes();
         boolean isThere = order.process()
@@ -331,7 +335,7 @@ public final class VeriCommand {
         robot.start(motion, this::motionEnded);
     }
 
-    /** The order is answered by 6 as its process starts; the process is answered when it ends by itself. */
+    /** The order is answered by 6 as its process starts; the end of the process gets its own reply. */
     private void start(Instruction.StartProcess starting) {
         String name = robot.processes().getOrDefault(starting.number(), "");
         if (name.isEmpty()) {
@@ -345,10 +349,10 @@ public final class VeriCommand {
     }
 
     /**
-     * A process of the robot has ended, whatever started it; by itself when the robot stands.
+     * A process of the robot has ended, whatever started it; if by itself, after the robot has stopped.
      *
      * @param name of the process
-     * @param detail why it failed; empty if there is no more to say
+     * @param detail reason of a failure; empty if unknown
      */
     public void processEnded(ProcessEnding ending, String name, String detail) {
         OrderExecution ended = process;

@@ -17,7 +17,7 @@ public interface VeriCommandListener {
     /** An order has been read and verified; nothing has moved yet. @param keys as received, without blanks */
     default void order(String keys, Verdict verdict) {}
 
-    /** One instruction has ended, in whatever way. */
+    /** One instruction has ended in any way. */
     default void instructionEnded(Instruction instruction) {}
 
     /** An order has ended or was refused. An order of a call that has ended has no outcome. */
@@ -29,9 +29,9 @@ public interface VeriCommandListener {
     /** A short message is a reply of this suite; it gets no reply. */
     default void replyIgnored(String from) {}
 
-    /** A sender has sent too many messages without a valid order; for a minute such ones get no reply. */
+    /** A sender has sent too many messages without a valid order; further ones get no reply for a minute. */
     default void senderSilenced(String from) {}
 
-    /** There is a new {@link VeriCommand#snapshot()}. */
+    /** {@link VeriCommand#snapshot()} has changed. */
     default void changed() {}
 }

@@ -47,7 +47,7 @@ public final class VeriCommandMain {
         }
     }
 
-    /** Java replaces octets of arguments that the locale's encoding does not have. */
+    /** Java replaces argument octets outside the locale's encoding. */
     private static void requireReadable(List<String> args) {
         for (String argument : args) {
             if (argument.indexOf('\uFFFD') >= 0) {
@@ -73,7 +73,10 @@ public final class VeriCommandMain {
         return judge(String.join(" ", words).replaceAll("\\s", " "), out);
     }
 
-    /** Reads one word of the command line. @return the text of an option that prints one instead of a verdict */
+    /**
+     * Reads one word of the command line. @return the text of an option that prints one instead of a verdict; empty
+     * for others
+     */
     private Optional<String> option(String word, Iterator<String> args) {
         String[] parts = word.startsWith("--") ? word.split("=", 2) : new String[] {word};
         String value = parts.length > 1 ? parts[1] : null;
@@ -148,7 +151,7 @@ public final class VeriCommandMain {
         return ACCEPTED;
     }
 
-    /** The index in the text, blanks counted, of the key with that position; the text's length if it has fewer keys. */
+    /** The index in the text, blanks counted, of the key at a position; the text's length if it has fewer keys. */
     private static int indexOfKey(String text, int position) {
         int keys = 0;
         for (int i = 0; i < text.length(); i++) {

@@ -12,7 +12,7 @@ final class VeriCommandTexts {
     private VeriCommandTexts() {}
 
     /**
-     * @param arguments already formatted, so that numbers have a dot in every language
+     * @param arguments already formatted, numbers with a dot in every language
      * @throws java.util.MissingResourceException if the key has no text
      */
     static String text(Locale locale, String key, String... arguments) {

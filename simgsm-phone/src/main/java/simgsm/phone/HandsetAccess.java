@@ -3,7 +3,7 @@ package simgsm.phone;
 import java.util.function.Function;
 import simgsm.phone.handset.Handset;
 
-/** The console's access to the handset, which another thread owns. */
+/** The console's access to the handset, owned by another thread. */
 interface HandsetAccess {
     /**
      * Runs an action on the owner thread and waits for its result.
@@ -13,7 +13,7 @@ interface HandsetAccess {
     <T> T ask(Function<Handset, T> action) throws InterruptedException;
 
     /**
-     * Waits until queued keys are sent and messages acknowledged, but no longer than the limit.
+     * Waits, up to the limit, until queued keys are sent and messages acknowledged.
      *
      * @return false at the limit
      */

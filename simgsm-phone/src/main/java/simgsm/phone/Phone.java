@@ -31,7 +31,7 @@ import simgsm.station.context.StationEvent;
 /** A running phone: handset, station and the thread that owns both. */
 final class Phone implements HandsetAccess, AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Phone.class.getName());
-    /** An action takes microseconds; without a result after this time, the thread is taken to have ended. */
+    /** Time-out of an action, which takes microseconds; the thread is taken to have ended then. */
     private static final long ANSWER_SECONDS = 5;
 
     private final StationThread thread = new StationThread("station", cause -> FatalError.end(PhoneMain.NAME, cause));
@@ -43,7 +43,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private final Optional<PhoneData> data;
     private Optional<AtPort> at = Optional.empty();
 
-    /** @throws IOException if the recording's file cannot be written, or what is kept cannot be read */
+    /** @throws IOException if the recording's file cannot be written, or the stored data cannot be read */
     Phone(PhoneSettings settings, Consumer<StationEvent> listener, AudioOutput output) throws IOException {
         this.output = output;
         recorder = settings.recording().isPresent()
@@ -98,7 +98,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
         at.ifPresent(AtPort::exchangeFirst);
     }
 
-    /** The handset: its snapshot may be read on any thread, everything else runs through {@link #execute}. */
+    /** The handset: its snapshot may be read on any thread, all else runs through {@link #execute}. */
     Handset handset() {
         return handset;
     }

@@ -22,7 +22,7 @@ import simgsm.phone.store.StoredMessage;
 import simgsm.sms.ChannelList;
 import simgsm.ss.ServiceCode;
 
-/** The console's commands. Each ends on the owner thread before the next is read, so errors appear in order. */
+/** The console's commands. Each ends on the owner thread before the next is read, so errors are in order. */
 final class PhoneCommands implements Console.Commands {
     static final CommandTable<PhoneCommands> TABLE = new CommandTable<PhoneCommands>(
                     PhoneCommands.class.getResourceAsStream("commands.txt"))
@@ -40,7 +40,7 @@ final class PhoneCommands implements Console.Commands {
             .add("memory", PhoneCommands::memory)
             .add("power", PhoneCommands::power);
 
-    /** Time that the end of the program waits for acknowledgements, in addition to the time for queued keys. */
+    /** Time allowed at the program's end for acknowledgements, besides the time for queued keys. */
     private static final long SETTLE_SECONDS = 10;
     /** Time allowed per queued key, which takes 100 ms of tone and 100 ms of pause, or two answers of the network. */
     private static final long KEY_NANOS = TimeUnit.MILLISECONDS.toNanos(400);
@@ -59,7 +59,7 @@ final class PhoneCommands implements Console.Commands {
         TABLE.perform(this, command);
     }
 
-    /** Waits until queued keys are sent and messages acknowledged; if they are not in time, the run has failed. */
+    /** Waits until queued keys are sent and messages acknowledged; fails the run at the time-out. */
     void finish() throws InterruptedException {
         if (!phone.settle(TimeUnit.SECONDS.toNanos(SETTLE_SECONDS) + keysPressed * KEY_NANOS)) {
             console.fail();
@@ -121,7 +121,7 @@ final class PhoneCommands implements Console.Commands {
     }
 
     private void inbox() throws CommandException {
-        // Printed by the owner thread, so that a message received meanwhile is not printed within the list.
+        // Printed by the owner thread, so that no message received meanwhile is printed within the list.
         run(handset -> {
             List<StoredMessage> messages = handset.readInbox();
             console.emitList("inbox", messages.stream().map(Event::from).toList());

@@ -8,7 +8,9 @@ import java.util.function.ObjLongConsumer;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.ui.HandsetControls;
 
-/** Runs the window's actions on the handset's thread, and notifies the handset of the time every 20 ms while needed. */
+/**
+ * Runs the window's actions on the handset's thread, and passes the time to the handset every 20 ms while needed.
+ */
 final class PhoneControls implements HandsetControls, AutoCloseable {
     private static final long TICK_MILLIS = 20;
     private static final long SOUND_CHECK_SECONDS = 1;
@@ -47,7 +49,7 @@ final class PhoneControls implements HandsetControls, AutoCloseable {
         }
     }
 
-    /** Ends the clock, once the window is closed. */
+    /** Ends the clock after the window's end. */
     @Override
     public void close() {
         ticks.shutdownNow();

@@ -17,8 +17,8 @@ import simgsm.file.FileErrors;
 import simgsm.file.FileReplacement;
 
 /**
- * The file of {@code --data}: what one phone keeps from run to run, as Java's properties in UTF-8. Phones of other numbers may
- * use the folder at the same time.
+ * The file of {@code --data}: the data that one phone keeps from run to run, as Java properties in UTF-8. Phones of
+ * other numbers may use the folder at the same time.
  */
 final class PhoneData implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(PhoneData.class.getName());
@@ -35,13 +35,13 @@ final class PhoneData implements AutoCloseable {
         file = lock.folder().resolve(name + ".properties");
     }
 
-    /** @throws IOException naming the folder if it cannot be made, or if a phone of that number uses it */
+    /** @throws IOException naming the folder if it cannot be made, or is used by a phone of that number */
     static PhoneData take(Path folder, Msisdn number) throws IOException {
         String name = "phone-" + number;
         return new PhoneData(FolderLock.take(folder, name + ".lock", "another phone " + number), name);
     }
 
-    /** @throws IOException naming a file that is there and cannot be read */
+    /** @throws IOException naming an existing file that cannot be read */
     Map<String, String> read() throws IOException {
         Properties properties = new Properties();
         if (!Files.exists(file)) {
@@ -61,8 +61,8 @@ final class PhoneData implements AutoCloseable {
     }
 
     /**
-     * Writes what has changed since the last call, in one step: a program that is killed leaves the old file or the
-     * new one. What cannot be written is tried again with the next change and at the end.
+     * Writes changes since the last call in one step: a killed program leaves the old file or the new one. A failed
+     * write is repeated with the next change and at the end.
      */
     void write(Map<String, String> texts) {
         unwritten = null;
@@ -72,7 +72,7 @@ final class PhoneData implements AutoCloseable {
         Properties properties = new Properties();
         properties.putAll(texts);
         try {
-            // Octets, not characters: so every character outside ASCII is escaped, half a surrogate pair too.
+            // Octets, not characters: so every character outside ASCII is escaped, including half a surrogate pair.
             ByteArrayOutputStream octets = new ByteArrayOutputStream();
             properties.store(octets, null);
             lock.release();

@@ -57,7 +57,7 @@ public final class PhoneMain {
         return new InetSocketAddress(center.host(), center.port());
     }
 
-    /** A window shows whether a sound device exists, so it opens one at once; a console opens it with the first sound. */
+    /** A window shows if a sound device exists, so it opens one at once; a console opens it with the first sound. */
     private static AudioOutput sound(Arguments arguments) {
         if (arguments.has("no-sound")) {
             return AudioOutput.SILENT;
@@ -65,7 +65,7 @@ public final class PhoneMain {
         return arguments.has("headless") ? SoundCard.openWhenPlayed() : SoundCard.open();
     }
 
-    /** Opens the port for AT commands, if the command line names one, and adds it to the first event. */
+    /** Opens the port for AT commands, if requested, and adds it to the first event. */
     private static Event withAtPort(Arguments arguments, Phone phone, Event ready) throws UsageException, IOException {
         if (!arguments.has("at")) {
             return ready;

@@ -22,16 +22,16 @@ import simgsm.station.mobility.Sim;
 import simgsm.tone.ToneSet;
 
 /**
- * The phone's settings, from the command line.
+ * The phone's options, from the command line.
  *
- * @param user what the user may change later
+ * @param user initial settings of the user
  * @param sim authenticates the phone in a closed network
  * @param tones the call progress tones: busy and others
- * @param recording the file of the calls' recording, if any
- * @param data the folder in which names, calls, messages and settings are kept, if any
- * @param given keys of those of the user's settings that the command line names
- * @param ignoresSetup a fault: calls that are offered are left unanswered
- * @param channels the cell broadcast channels that are displayed
+ * @param recording file of the calls' recording, if any
+ * @param data folder of stored names, calls, messages and settings, if any
+ * @param given keys of the user's settings that are on the command line
+ * @param ignoresSetup a fault: offered calls are left unanswered
+ * @param channels displayed cell broadcast channels
  */
 record PhoneSettings(
         StationIdentity identity,
@@ -46,7 +46,7 @@ record PhoneSettings(
     private static final String DEFAULT_NUMBER = "5550100";
     private static final String UNIT_NAME = "SimGSM phone";
 
-    /** @throws IOException with the name of the SIM file that cannot be read */
+    /** @throws IOException naming the SIM file if it cannot be read */
     static PhoneSettings of(Arguments arguments) throws UsageException, IOException {
         SimSlot slot = SimSlot.of(arguments.path("sim"));
         Optional<Msisdn> given = arguments.value("number", slot.isEmpty() ? PhoneSettings::ownNumber : Msisdn::parse);
@@ -97,7 +97,7 @@ record PhoneSettings(
         return arguments.value("imei", Imei::new).orElse(Imei.random(random));
     }
 
-    /** In the open network the identity is derived from the number, which must have this form. */
+    /** The identity in the open network is derived from the number, which must have this form. */
     private static Msisdn ownNumber(String text) {
         if (!text.matches("\\+?[1-9][0-9]{0,9}")) {
             throw new IllegalArgumentException("expected 1 to 10 digits and no leading zero, found " + text);

@@ -8,7 +8,7 @@ import simgsm.phone.handset.Handset;
 import simgsm.sim.SimPhoneBook;
 import simgsm.station.MobileStation;
 
-/** The phone as a modem: AT commands act on the handset, which shows what they do. */
+/** The phone as a modem: AT commands act on the handset, which shows their effect. */
 final class PhoneTerminal implements AtTerminal {
     private final Handset handset;
     private final MobileStation station;

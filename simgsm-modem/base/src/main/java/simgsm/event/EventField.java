@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 /**
  * One field of an event's text.
  *
- * @param path accessors, each of the result of the one before; empty for a value that the printer gives
+ * @param path accessors, each applied to the result of the one before; empty for a value given by the printer
  */
 record EventField(String key, List<Method> path, int decimals, boolean isOptional) {
     private static final Pattern FORM = Pattern.compile("\\[?([a-z0-9-]+)=([A-Za-z0-9.]*)(?::([0-9]))?]?");

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** The name and the fields of the events of one class, as an {@link EventLine} declares them. */
+/** Name and fields of the events of one class, declared by an {@link EventLine}. */
 public final class EventForm {
     private static final ClassValue<Optional<EventForm>> FORMS = new ClassValue<>() {
         @Override
@@ -27,12 +27,12 @@ public final class EventForm {
         this.fields = fields;
     }
 
-    /** The form that the class of this event declares; empty for an event that is not printed. */
+    /** The form declared by the class of this event; empty for an event that is not printed. */
     public static Optional<EventForm> of(Object event) {
         return FORMS.get(event.getClass());
     }
 
-    /** The form that this class declares; IllegalArgumentException if it declares none. */
+    /** The form declared by this class; IllegalArgumentException if there is none. */
     public static EventForm of(Class<?> type) {
         return FORMS.get(type).orElseThrow(() -> new IllegalArgumentException(type.getName() + " declares no line"));
     }

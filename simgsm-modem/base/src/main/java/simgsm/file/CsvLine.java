@@ -3,7 +3,7 @@ package simgsm.file;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Lines of CSV files (RFC 4180). A record is one line, so that tools which read lines read it. */
+/** Lines of CSV files (RFC 4180). A record is one line, for tools that read lines. */
 public final class CsvLine {
     private CsvLine() {}
 
@@ -12,7 +12,7 @@ public final class CsvLine {
         return fields.stream().map(CsvLine::field).collect(Collectors.joining(","));
     }
 
-    /** Quoted if it has a comma or a quote. A text that a spreadsheet would compute gets an apostrophe. */
+    /** Quotes a field with a comma or a quote. A text that a spreadsheet would compute gets an apostrophe. */
     private static String field(String text) {
         boolean isFormula = text.matches("(?s)[=+@\t\r-].*");
         String safe = (isFormula ? "'" : "") + LineText.escaped(text);

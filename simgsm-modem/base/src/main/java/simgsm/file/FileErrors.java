@@ -11,7 +11,7 @@ import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** The texts of errors of files: the file's name, then what is wrong. */
+/** The texts of file errors: the file's name, then the fault. */
 public final class FileErrors {
     /** Reads or writes a file. */
     public interface Work<T> {
@@ -26,8 +26,8 @@ public final class FileErrors {
     private FileErrors() {}
 
     /**
-     * The result of reading or writing a file. The Java library leaves out the name where a file is open already, as of a
-     * full disk or a folder that is read.
+     * The result of reading or writing a file. The Java library omits the name if the file is open already (full
+     * disk) or is a folder that is read.
      *
      * @throws IOException naming the file
      */
@@ -43,7 +43,7 @@ public final class FileErrors {
         }
     }
 
-    /** The same without a result. */
+    /** As above, without a result. */
     public static void naming(Path file, Action action) throws IOException {
         naming(file, () -> {
             action.perform();

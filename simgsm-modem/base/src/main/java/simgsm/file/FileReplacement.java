@@ -12,23 +12,23 @@ import java.nio.file.StandardOpenOption;
 import java.util.UUID;
 
 /**
- * Writes a file whole or not at all: a full disk, or the end of the program at any moment, leaves the old content. Programs
- * that write the same file at the same time do not mix their octets; the last one's content stays.
+ * Writes a file whole or not at all: a full disk, or the end of the program at any moment, leaves the old content.
+ * Concurrent writers of the same file do not mix their octets; the last content stays.
  */
 public final class FileReplacement {
     private FileReplacement() {}
 
     /**
-     * Replaces the content of a file, or makes the file. Behind a symbolic link the file that it names is replaced; a device or
-     * a pipe stays what it is, and the content is written to it.
+     * Replaces the content of a file, or creates it. Of a symbolic link the target is replaced; a device or a pipe
+     * stays, and the content is written to it.
      *
-     * @throws FileSystemException naming a file that cannot be written, and why
+     * @throws FileSystemException naming a file that cannot be written, and the cause
      */
     public static void write(Path file, byte[] content) throws IOException {
         write(file, content, false);
     }
 
-    /** The same for a file that only its owner may read. */
+    /** As {@link #write}, for a file that only its owner may read. */
     public static void writePrivately(Path file, byte[] content) throws IOException {
         write(file, content, true);
     }
@@ -52,7 +52,7 @@ public final class FileReplacement {
         if (!Files.isWritable(folder)) {
             throw new AccessDeniedException(file.toString(), null, "the folder is write-protected");
         }
-        // not Files.createTempFile: only their owner may read its files
+        // not Files.createTempFile: its files are readable by their owner only
         Path fresh = folder.resolve("." + target.getFileName() + "." + UUID.randomUUID() + ".new");
         try {
             if (isPrivate) {

@@ -9,7 +9,7 @@ public final class LineText {
 
     private LineText() {}
 
-    /** The text with control characters and line separators as JSON escapes them (RFC 8259, 7); all else stays. */
+    /** The text with control characters and line separators as JSON escapes (RFC 8259, 7). */
     public static String escaped(String text) {
         if (text.chars().noneMatch(LineText::isEscaped)) {
             return text;

@@ -11,8 +11,8 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
 
 /**
- * Files with texts and numbers of people: only their owner may read them (0600, in folders with 0700). On a file system
- * without such permissions the folder's rules hold.
+ * Files with people's texts and numbers, readable by their owner only (0600, folders 0700). On a file system without
+ * such permissions the folder's rules hold.
  */
 public final class PrivateFiles {
     private static final String FILE = "rw-------";
@@ -21,12 +21,12 @@ public final class PrivateFiles {
 
     private PrivateFiles() {}
 
-    /** Makes a folder and those above it that are missing. A folder that is there keeps its permissions. */
+    /** Makes a folder and its missing parents. An existing folder keeps its permissions. */
     public static Path makeFolder(Path folder) throws IOException {
         return Files.createDirectories(folder, attributes("rwx------"));
     }
 
-    /** Opens a file; a file that was there becomes private, too, but not a device or a pipe. */
+    /** Opens a file; an existing file becomes private, too, but not a device or a pipe. */
     public static FileChannel open(Path file, OpenOption... options) throws IOException {
         FileChannel channel = FileChannel.open(file, Set.of(options), attributes(FILE));
         restrict(file);

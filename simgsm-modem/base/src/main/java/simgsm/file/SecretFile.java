@@ -22,7 +22,7 @@ public final class SecretFile {
         }
     }
 
-    /** False also where the file system has no such permissions. */
+    /** False also on file systems without such permissions. */
     static boolean isReadableByAll(Path file) {
         try {
             return Files.getPosixFilePermissions(file).contains(PosixFilePermission.OTHERS_READ);

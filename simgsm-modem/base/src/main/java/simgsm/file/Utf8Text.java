@@ -11,8 +11,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Text that users write with any editor: UTF-8, with or without a byte order mark at its beginning. Nothing is replaced: an
- * octet that is not UTF-8 is an error that names the octet and its place.
+ * Text written by users with any editor: UTF-8, with or without a byte order mark. Nothing is replaced: an octet that
+ * is not UTF-8 is an error that names the octet and its place.
  */
 public final class Utf8Text {
     private static final char BYTE_ORDER_MARK = '\uFEFF';
@@ -22,7 +22,7 @@ public final class Utf8Text {
     /**
      * The text of a file.
      *
-     * @throws IOException naming the file; for an octet that is not UTF-8 its line, too
+     * @throws IOException naming the file, and the line of an octet that is not UTF-8
      */
     public static String read(Path file) throws IOException {
         byte[] octets = FileErrors.naming(file, () -> Files.readAllBytes(file));
@@ -36,7 +36,7 @@ public final class Utf8Text {
     /**
      * The text of octets.
      *
-     * @throws CharacterCodingException naming the first octet that is not UTF-8, its line and its place there
+     * @throws CharacterCodingException naming the first octet that is not UTF-8, its line and column
      */
     public static String of(byte[] octets) throws CharacterCodingException {
         CharsetDecoder decoder = StandardCharsets.UTF_8.newDecoder();

@@ -1,2 +1,2 @@
-/** Files: the text of those that users name, errors that name them, and writing in one step. */
+/** Files: reading text, errors that name the file, and writing in one step. */
 package simgsm.file;

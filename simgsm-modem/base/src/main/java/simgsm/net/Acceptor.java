@@ -18,9 +18,9 @@ public final class Acceptor implements AutoCloseable {
     /** The rest of the backlog is accepted in the next iteration, after the open connections have been served. */
     private static final int ACCEPTS_PER_ITERATION = 64;
 
-    /** One refusal in 1 000 is logged as a warning, so that a flood does not fill the log. */
+    /** One refusal in 1 000 is logged as a warning, to limit the log. */
     private static final int REFUSALS_PER_WARNING = 1_000;
-    /** The pause after a failed accept, for instance when no file descriptor is left. */
+    /** Pause after a failed accept, for instance without a free file descriptor. */
     private static final long RETRY_NANOS = 500_000_000;
 
     /** Makes the connection of an accepted socket. */

@@ -11,14 +11,14 @@ import java.nio.channels.WritableByteChannel;
 import java.util.function.Consumer;
 
 /**
- * An established TCP connection of a {@link SelectorLoop}. A subclass interprets the octets that arrive and holds those that
+ * An established TCP connection of a {@link SelectorLoop}. Subclasses interpret incoming octets and hold those that
  * wait for the peer. All methods belong to the loop's thread.
  */
 public abstract class Connection {
     /**
      * The socket that a connection takes over.
      *
-     * @param whenClosed runs once, when the socket has been closed by either side
+     * @param whenClosed runs once, when either side has closed the socket
      */
     public record Endpoint(
             SelectorLoop loop,
@@ -27,7 +27,7 @@ public abstract class Connection {
             InetSocketAddress address,
             Runnable whenClosed) {}
 
-    /** The reason of an ordinary end. */
+    /** Reason of an ordinary end. */
     protected static final String CLOSED_BY_PEER = "closed by the peer";
 
     private static final System.Logger LOG = System.getLogger(Connection.class.getName());
@@ -49,7 +49,7 @@ public abstract class Connection {
     /** The loop serves the connection from now on. If this throws, the socket is closed and {@link #lost} is not called. */
     protected void opened() {}
 
-    /** Takes all octets that the buffer holds. */
+    /** Takes all octets of the buffer. */
     protected abstract void received(ByteBuffer octets);
 
     /** Octets read in one iteration at most. */
@@ -57,14 +57,14 @@ public abstract class Connection {
         return Integer.MAX_VALUE;
     }
 
-    /** False while the peer is to be held back by its own full socket. */
+    /** False while the peer is to be held back by its own full socket buffer. */
     protected boolean wantsInput() {
         return true;
     }
 
     protected abstract boolean hasOutput();
 
-    /** Writes what waits, as far as the channel takes it. */
+    /** Writes waiting output, as far as the channel takes it. */
     protected abstract void writeTo(WritableByteChannel channel) throws IOException;
 
     /**
@@ -76,7 +76,7 @@ public abstract class Connection {
         return false;
     }
 
-    /** The socket is about to be closed, for whatever reason; called once. */
+    /** The socket is about to be closed for any reason; called once. */
     protected void closing(boolean isByPeer) {}
 
     /** The connection was ended by the peer, or by {@link #fail}; not called after {@link #close}. */
@@ -103,7 +103,7 @@ public abstract class Connection {
         return Datagrams.open(endpoint.loop, endpoint.channel.socket().getLocalAddress(), received);
     }
 
-    /** Writes now what waits; what the peer does not take is written when its socket has room. */
+    /** Writes waiting output now; the rest when the peer's socket has room. */
     public final void flush() {
         isFlushScheduled = false;
         if (isOpen()) {
@@ -116,7 +116,7 @@ public abstract class Connection {
         }
     }
 
-    /** Writes at the end of the iteration, together with further output of it. */
+    /** Writes at the end of the iteration, together with its further output. */
     protected final void flushLater() {
         if (!isFlushScheduled) {
             isFlushScheduled = true;
@@ -124,12 +124,12 @@ public abstract class Connection {
         }
     }
 
-    /** Writes at the end of the action that runs, together with further output of it. */
+    /** Writes at the end of the running action, together with its further output. */
     protected final void flushAfterAction() {
         endpoint.loop.afterAction(this::flush);
     }
 
-    /** Nothing is read until {@link #resumeReading}. */
+    /** Stops reading until {@link #resumeReading}. */
     protected final void pauseReading() {
         isPaused = true;
         updateInterest();
@@ -149,7 +149,7 @@ public abstract class Connection {
         });
     }
 
-    /** Ends the connection once the present action has returned; then {@link #lost} is called. */
+    /** Ends the connection after the running action has returned; then {@link #lost} is called. */
     public final void fail(String reason) {
         if (isOpen()) {
             failure = reason;
@@ -191,7 +191,7 @@ public abstract class Connection {
         }
     }
 
-    /** Closes the socket after reading what the peer has sent: the peer sees an end instead of a reset. */
+    /** Closes the socket after reading what the peer has sent, so that the peer sees an end instead of a reset. */
     public final void dismiss() {
         dismiss(endpoint.channel);
         close();

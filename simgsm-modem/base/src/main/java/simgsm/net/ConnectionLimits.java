@@ -6,7 +6,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 
-/** Most connections of a port, in all and from each remote address. */
+/** Limits of a port's connections, in all and per remote address. */
 public final class ConnectionLimits {
     private static final int MOST_KNOWN = 10_000;
 
@@ -17,19 +17,19 @@ public final class ConnectionLimits {
     private final Map<InetAddress, Integer> remote = new HashMap<>();
     private int open;
 
-    /** @param most in all; @param mostPerAddress from each address other than the loopback ones */
+    /** @param most in all; @param mostPerAddress per address other than loopback */
     public ConnectionLimits(int most, int mostPerAddress) {
         this(most, mostPerAddress, 0);
     }
 
-    /** @param reserved of {@code most}, for the loopback addresses and those that have proven themselves */
+    /** @param reserved part of {@code most} for loopback and proven addresses */
     public ConnectionLimits(int most, int mostPerAddress, int reserved) {
         this.most = most;
         this.mostPerAddress = mostPerAddress;
         this.reserved = reserved;
     }
 
-    /** A peer at this address has proven itself: its next connections may take the reserved places. */
+    /** A peer at this address has proven itself: its next connections may use the reserved places. */
     public void proven(InetAddress address) {
         if (known.size() < MOST_KNOWN) {
             known.add(address);

@@ -15,7 +15,7 @@ import simgsm.timer.Timer;
 public final class Connector {
     private static final long FIRST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
     private static final long LONGEST_PAUSE_NANOS = TimeUnit.SECONDS.toNanos(5);
-    /** A connection that has lasted this long resets the pause; a server that closes each one at once does not. */
+    /** Minimum lifetime of a connection that resets the pause; a server that closes each one at once does not. */
     private static final long STEADY_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private static final long CONNECT_NANOS = TimeUnit.SECONDS.toNanos(5);
@@ -25,7 +25,7 @@ public final class Connector {
         /** Makes the connection of a connected socket. */
         Connection connected(Connection.Endpoint endpoint);
 
-        /** An attempt has failed; the next one follows. */
+        /** An attempt has failed; the next one is scheduled. */
         void failed(String reason);
     }
 
@@ -36,7 +36,7 @@ public final class Connector {
     private SocketChannel channel;
     private SelectionKey key;
     private Connection connection;
-    /** The next attempt, or the limit of the present one. */
+    /** Timer of the next attempt, or limit of the current one. */
     private Timer timer;
 
     private long connectedNanos;
@@ -112,12 +112,12 @@ public final class Connector {
         }
     }
 
-    /** Begins the next attempt after this time at the earliest; to be called while a connection is closing. */
+    /** Delays the next attempt by at least this time; called while a connection is closing. */
     public void postpone(long nanos) {
         leastPauseNanos = nanos;
     }
 
-    /** Closes the connection and makes no further attempt. */
+    /** Closes the connection and stops attempts. */
     public void close() {
         isClosed = true;
         loop.cancel(timer);

@@ -10,8 +10,8 @@ import java.nio.channels.SelectionKey;
 import java.util.function.Consumer;
 
 /**
- * A UDP socket of a {@link SelectorLoop} that talks with one peer: datagrams of others are dropped by the system. All methods
- * belong to the loop's thread.
+ * A UDP socket of a {@link SelectorLoop} with one peer; the system drops datagrams of others. All methods belong to
+ * the loop's thread.
  */
 public final class Datagrams {
     private static final System.Logger LOG = System.getLogger(Datagrams.class.getName());
@@ -19,7 +19,7 @@ public final class Datagrams {
     private static final int MOST_OCTETS = 2_048;
 
     private static final int READS_PER_ITERATION = 16;
-    /** RTP is received on an even port (RFC 3550, 11); the system gives one in two attempts. */
+    /** RTP is received on an even port (RFC 3550, 11); every second port given by the system is even. */
     private static final int ATTEMPTS = 20;
 
     private final SelectorLoop loop;
@@ -65,7 +65,7 @@ public final class Datagrams {
         isConnected = true;
     }
 
-    /** Sends a datagram; one that the system does not take at once is lost. @return false if no peer is connected */
+    /** Sends a datagram; it is lost if the system does not take it at once. @return false if no peer is connected */
     public boolean send(byte[] octets) {
         if (isConnected) {
             try {

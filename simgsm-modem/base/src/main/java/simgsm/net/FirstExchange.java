@@ -9,8 +9,8 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 
 /**
- * A program's exchange with a port of its own, before it says that it is ready: the classes that a first client needs are
- * loaded then, so that a port answers its first client as fast as later ones.
+ * A program's exchange with its own port before it reports that it is ready. It loads the classes needed by a first
+ * client, which is then answered as fast as later ones.
  */
 public final class FirstExchange {
     private static final System.Logger LOG = System.getLogger(FirstExchange.class.getName());
@@ -20,10 +20,10 @@ public final class FirstExchange {
     private FirstExchange() {}
 
     /**
-     * Connects, sends each request after an answer to the one before, and leaves. A port that does not answer within 1 s is
-     * left.
+     * Connects, sends each request after the answer to the one before, and disconnects; gives up if the port does not
+     * answer within 1 s.
      *
-     * @param address on which the port listens
+     * @param address the port's address
      */
     public static void with(InetAddress address, int port, byte[]... requests) {
         InetAddress near = address.isAnyLocalAddress() ? InetAddress.getLoopbackAddress() : address;

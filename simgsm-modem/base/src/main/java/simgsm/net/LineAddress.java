@@ -87,7 +87,7 @@ public sealed interface LineAddress {
         }
     }
 
-    /** A TCP port, for texts: an IPv6 address is put in brackets. */
+    /** A TCP port; texts put an IPv6 address in brackets. */
     static LineAddress of(InetSocketAddress address) {
         return new Tcp(address.getHostString(), address.getPort());
     }
@@ -95,7 +95,7 @@ public sealed interface LineAddress {
     /** Connects; blocks the calling thread. */
     ByteChannel open() throws IOException;
 
-    /** @throws IllegalArgumentException if the text is no address; the message says what was expected */
+    /** @throws IllegalArgumentException if the text is no address; the message names the expected form */
     static LineAddress parse(String text) {
         int colon = text.lastIndexOf(':');
         if (colon > 0 && text.substring(colon + 1).matches("[0-9]{1,5}")) {

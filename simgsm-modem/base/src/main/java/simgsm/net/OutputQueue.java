@@ -9,10 +9,10 @@ import java.util.Iterator;
 import java.util.function.Consumer;
 
 /**
- * Messages that a peer has not yet taken. Each is written by a write of its own, so that an observer of the wire sees one
- * message per segment while the peer keeps up; only droppable messages that wait one behind the other share a write, since
- * a write costs more than what it carries. A message that leaves in parts stays whole. Droppable messages beyond their
- * limit replace the oldest of their kind.
+ * Messages not yet taken by a peer. Each is written by its own write, so that an observer of the wire sees one
+ * message per segment while the peer keeps up; only successive droppable messages share a write, since a write costs
+ * more than their content. A message written in parts stays whole. Droppable messages beyond their limit replace the
+ * oldest of their kind.
  */
 public final class OutputQueue {
     private record Message(ByteBuffer octets, boolean isDroppable) {}
@@ -25,8 +25,8 @@ public final class OutputQueue {
     private long dropped;
 
     /**
-     * @param most messages that wait, droppable ones not counted
-     * @param mostDroppable droppable messages that wait
+     * @param most waiting messages, droppable ones not counted
+     * @param mostDroppable waiting droppable messages
      * @param written called with each message after its last octet has been written
      */
     public OutputQueue(int most, int mostDroppable, Consumer<byte[]> written) {
@@ -35,7 +35,7 @@ public final class OutputQueue {
         this.written = written;
     }
 
-    /** @return false if more than the permitted number of messages wait: the peer does not read */
+    /** @return false if too many messages wait: the peer does not read */
     public boolean add(byte[] message, boolean isDroppable) {
         if (isDroppable && dropsNext()) {
             dropOldest();
@@ -71,7 +71,7 @@ public final class OutputQueue {
         return ByteBuffer.wrap(joined.toByteArray());
     }
 
-    /** The channel has taken so many octets. */
+    /** The channel has taken this many octets. */
     private void remove(int octets) {
         for (int rest = octets; rest > 0; ) {
             Message first = queue.peekFirst();
@@ -86,7 +86,7 @@ public final class OutputQueue {
         }
     }
 
-    /** True if a further droppable message replaces one that waits. */
+    /** True if a further droppable message replaces a waiting one. */
     boolean dropsNext() {
         return droppable == mostDroppable;
     }
@@ -104,7 +104,7 @@ public final class OutputQueue {
         return dropped;
     }
 
-    /** A message that has left in part is kept, since the peer would lose the framing. */
+    /** A partly written message is kept, since the peer would lose the framing. */
     private void dropOldest() {
         for (Iterator<Message> each = queue.iterator(); each.hasNext(); ) {
             Message candidate = each.next();

@@ -3,7 +3,7 @@ package simgsm.net;
 import java.io.IOException;
 import java.nio.channels.WritableByteChannel;
 
-/** A connection with an {@link OutputQueue}: messages wait in it until the peer takes them. */
+/** A connection whose messages wait in an {@link OutputQueue} until the peer takes them. */
 public abstract class QueuedConnection extends Connection {
     private final OutputQueue output;
 
@@ -13,10 +13,10 @@ public abstract class QueuedConnection extends Connection {
     }
 
     /**
-     * Queues a message. If none waits before it, it is written at once; a droppable one at the end of the loop's present
-     * action, so that those of one action share a write.
+     * Queues a message. It is written at once if none waits before it; a droppable one at the end of the loop's
+     * running action, together with others of that action.
      *
-     * @return false if more than the permitted number of messages wait: the peer does not read
+     * @return false if too many messages wait: the peer does not read
      */
     protected final boolean write(byte[] message, boolean isDroppable) {
         if (isDroppable && output.dropsNext()) {
@@ -32,13 +32,13 @@ public abstract class QueuedConnection extends Connection {
         return hasRoom;
     }
 
-    /** Queues a message, which leaves at the end of the iteration; otherwise as {@link #write}. */
+    /** Queues a message for the end of the iteration; otherwise as {@link #write}. */
     protected final boolean writeLater(byte[] message) {
         flushLater();
         return output.add(message, false);
     }
 
-    /** Messages that the peer has not yet taken. */
+    /** Messages not yet taken by the peer. */
     protected final OutputQueue output() {
         return output;
     }

@@ -13,14 +13,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** The addresses at which other machines find a port of this one; the likeliest first. */
+/** The addresses at which other machines reach a port of this one, the likeliest first. */
 public final class ReachableAddresses {
-    /** Of the block for documentation (RFC 5737): a route leads there if one leads anywhere; nothing is sent. */
+    /** An address for documentation (RFC 5737), which selects the default route; nothing is sent. */
     private static final InetSocketAddress ELSEWHERE = new InetSocketAddress("192.0.2.1", 9);
 
     private ReachableAddresses() {}
 
-    /** @param bound where the port listens; the wildcard is all addresses of this machine */
+    /** @param bound address of the port; the wildcard means all addresses of this machine */
     public static List<String> of(InetAddress bound) throws SocketException {
         if (!bound.isAnyLocalAddress()) {
             return List.of(bound.getHostAddress());
@@ -37,7 +37,7 @@ public final class ReachableAddresses {
         return inOrder(routed(), all);
     }
 
-    /** That of the way to other networks before those of bridges and tunnels; without any, this machine's own. */
+    /** The address of the default route first, before those of bridges and tunnels; without any, loopback. */
     static List<String> inOrder(Optional<String> routed, List<String> all) {
         List<String> ordered = Stream.concat(routed.filter(all::contains).stream(), all.stream())
                 .distinct()

@@ -1,12 +1,12 @@
 package simgsm.net;
 
-/** Pauses between attempts: the first, then twice the one before, up to the longest. */
+/** Pauses between attempts, each twice the one before, up to the longest. */
 public final class RetryPause {
     private final long first;
     private final long longest;
     private long next;
 
-    /** In any unit of time, which {@link #next} then has. */
+    /** Both in any unit of time, which is that of {@link #next}. */
     public RetryPause(long first, long longest) {
         this.first = first;
         this.longest = longest;
@@ -19,7 +19,7 @@ public final class RetryPause {
         return pause;
     }
 
-    /** The next pause is the first one again. */
+    /** Makes the first pause the next one. */
     public void reset() {
         next = first;
     }

@@ -24,13 +24,13 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * One thread with one selector, which owns sockets, timers and a core. Each iteration serves the ready channels once, then
- * the timers that are due, then the tasks posted before the iteration, then the core's deadline; at its end it flushes the
- * connections with output. An exception ends the connection or the task in which it occurs; an {@link Error}, or a failing
- * selector, ends the loop and is reported to the failure handler.
+ * One thread with one selector, which owns sockets, timers and a core. Each iteration serves the ready channels once,
+ * then expired timers, then the tasks posted before the iteration, then the core's deadline; at its end it flushes
+ * the connections with output. An exception ends the connection or the task in which it occurs; an {@link Error}, or
+ * a failing selector, ends the loop and is reported to the failure handler.
  *
- * <p>{@link #post}, {@link #ask}, {@link #listen} and {@link #close} may be called by any thread, everything else only by
- * the loop's own. Times are those of {@link System#nanoTime}.
+ * <p>{@link #post}, {@link #ask}, {@link #listen} and {@link #close} may be called by any thread, everything else
+ * only by the loop's own. Times are those of {@link System#nanoTime}.
  */
 public final class SelectorLoop implements AutoCloseable {
     /** The state machine that a loop drives. */
@@ -38,14 +38,14 @@ public final class SelectorLoop implements AutoCloseable {
         /** A core without deadlines. */
         Core NONE = new Core() {};
 
-        /** When {@link #advance} must be called next; {@link #NEVER} for no deadline. */
+        /** Time of the next call of {@link #advance}; {@link #NEVER} for no deadline. */
         default long nextDeadlineNanos() {
             return NEVER;
         }
 
         default void advance(long nowNanos) {}
 
-        /** The loop has ended, all its connections are closed; the last call. */
+        /** The loop has ended and all its connections are closed; the last call. */
         default void ended() {}
     }
 
@@ -76,7 +76,7 @@ public final class SelectorLoop implements AutoCloseable {
     private volatile boolean isEnded;
 
     /**
-     * Not started yet; its thread is a daemon.
+     * Creates a loop that is not started; its thread is a daemon.
      *
      * @param name of the thread
      */
@@ -99,8 +99,8 @@ public final class SelectorLoop implements AutoCloseable {
     /**
      * Starts the thread.
      *
-     * @param newCore is driven from now on
-     * @param failureHandler is called, by the loop's thread, when the loop ends without {@link #end} or {@link #close}
+     * @param newCore driven from now on
+     * @param failureHandler called by the loop's thread if the loop ends without {@link #end} or {@link #close}
      */
     public void start(Core newCore, Consumer<Throwable> failureHandler) {
         core = newCore;
@@ -116,7 +116,7 @@ public final class SelectorLoop implements AutoCloseable {
     /**
      * Queues a task; tasks keep their order. A task that throws is logged.
      *
-     * @return false if the loop has ended; the task is not run then
+     * @return false if the loop has ended; the task is not run
      */
     public boolean post(Runnable task) {
         mailbox.add(task);
@@ -133,8 +133,8 @@ public final class SelectorLoop implements AutoCloseable {
     /**
      * Runs a question on the loop's thread and returns its answer, or throws its exception.
      *
-     * @throws IllegalStateException if the loop has ended, or has not come to the question within 5 s; it is not asked
-     *     later then
+     * @throws IllegalStateException if the loop has ended, or has not begun the question within 5 s; it is dropped
+     *     then
      */
     public <T> T ask(Callable<T> question) {
         FutureTask<T> task = new FutureTask<>(question);
@@ -199,12 +199,12 @@ public final class SelectorLoop implements AutoCloseable {
         withOutput.add(connection);
     }
 
-    /** Has a step run once the present action has returned. */
+    /** Runs a step once the running action has returned. */
     void afterAction(Runnable step) {
         afterAction.add(step);
     }
 
-    /** Runs an action, then the steps that it has left for its end. An exception is logged. */
+    /** Runs an action, then the steps added for its end. An exception is logged. */
     public void perform(Runnable action) {
         guard(action);
         for (Runnable step = afterAction.poll(); step != null; step = afterAction.poll()) {
@@ -265,7 +265,7 @@ public final class SelectorLoop implements AutoCloseable {
         }
     }
 
-    /** Rounded up; 0 if something is due now. */
+    /** Time to the next deadline, rounded up; 0 if something is due now. */
     private long millisToWait() {
         if (!mailbox.isEmpty()) {
             return 0;
@@ -309,7 +309,7 @@ public final class SelectorLoop implements AutoCloseable {
         }
     }
 
-    /** Cancels the questions that wait, so that their callers do not wait for the limit. */
+    /** Cancels waiting questions, so that their callers do not wait for the limit. */
     private void rejectTasks() {
         for (Runnable task = mailbox.poll(); task != null; task = mailbox.poll()) {
             if (task instanceof Future<?> question) {
@@ -318,13 +318,13 @@ public final class SelectorLoop implements AutoCloseable {
         }
     }
 
-    /** Ends the loop after the present iteration. */
+    /** Ends the loop after this iteration. */
     public void end() {
         isEnding = true;
         selector.wakeup();
     }
 
-    /** Waits until the thread has ended, if it was started; every port and connection is closed then. */
+    /** Waits for the end of the thread, if it was started; every port and connection is closed then. */
     public void join() {
         if (thread.getState() == Thread.State.NEW) {
             release();

@@ -1,5 +1,5 @@
 /**
- * Sockets with a selector: one thread serves listening ports, connections and outgoing connections, within limits, and
- * drives the core that they belong to. Read {@link simgsm.net.SelectorLoop} first, then {@link simgsm.net.Connection}.
+ * Sockets with a selector: one thread serves listening ports, connections and outgoing connections, within limits,
+ * and drives their core. Read {@link simgsm.net.SelectorLoop} first, then {@link simgsm.net.Connection}.
  */
 package simgsm.net;

@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.Function;
 
 /**
- * Reads octets in order; numbers have their highest octet first. A read past the end throws the exception that the
- * protocol's or file format's codec gives, never an index error.
+ * Reads octets in order; numbers have their highest octet first. A read past the end throws the codec's own
+ * exception, never an index error.
  *
  * <p>{@code what} names the field in the exception's text.
  *

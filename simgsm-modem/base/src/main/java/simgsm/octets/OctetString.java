@@ -30,7 +30,7 @@ public final class OctetString {
         return octets[index] & 0xff;
     }
 
-    /** From hexadecimal digits, without blanks; IllegalArgumentException for anything else. */
+    /** Parses hexadecimal digits without blanks; IllegalArgumentException for anything else. */
     public static OctetString ofHex(String hex) {
         return new OctetString(HexFormat.of().parseHex(hex));
     }

@@ -4,7 +4,9 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Appends octets to an array that grows. Numbers have their highest octet first unless the writer was made otherwise. */
+/**
+ * Appends octets to a growing array. Numbers have their highest octet first unless the constructor got another order.
+ */
 public final class OctetWriter {
     /** Octets; enough for a speech frame with its headers and for almost every message. */
     private static final int INITIAL_CAPACITY = 256;
@@ -132,7 +134,7 @@ public final class OctetWriter {
         length = 0;
     }
 
-    /** A copy of what was written. */
+    /** A copy of the octets written. */
     public byte[] toArray() {
         return Arrays.copyOf(octets, length);
     }

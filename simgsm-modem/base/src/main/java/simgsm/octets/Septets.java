@@ -17,7 +17,7 @@ public final class Septets {
         return (septets * 7 + fillBits + 7) / 8;
     }
 
-    /** @param fillBits zero bits in front of the first code, 0 to 6, as they follow a user data header */
+    /** @param fillBits zero bits before the first code, 0 to 6, used after a user data header */
     public static byte[] pack(byte[] codes, int fillBits) {
         byte[] octets = new byte[octetCount(codes.length, fillBits)];
         int bit = fillBits;
@@ -32,7 +32,7 @@ public final class Septets {
         return octets;
     }
 
-    /** The first {@code count} codes; the octets must be long enough for them. */
+    /** The first {@code count} codes; {@code octets} must hold as many. */
     public static byte[] unpack(byte[] octets, int count, int fillBits) {
         byte[] codes = new byte[count];
         int bit = fillBits;

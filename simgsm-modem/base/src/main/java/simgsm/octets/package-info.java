@@ -1,5 +1,5 @@
 /**
- * Octets of messages and files: a reader that refuses to read past the end, a writer, immutable strings of octets, and
- * packed seven-bit codes.
+ * Octets of messages and files: a bounds-checked reader, a writer, immutable strings of octets, and packed seven-bit
+ * codes.
  */
 package simgsm.octets;

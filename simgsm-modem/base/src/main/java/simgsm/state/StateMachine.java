@@ -22,7 +22,7 @@ public final class StateMachine<S extends Enum<S>, E extends Enum<E>, A extends 
     }
 
     /**
-     * A machine in a given state, as when a recorded state is restored.
+     * A machine in a given state, for restoring a recorded one.
      *
      * @param owner named in the log by its {@code toString}
      * @param performer performs one action; may fire further events
@@ -34,7 +34,7 @@ public final class StateMachine<S extends Enum<S>, E extends Enum<E>, A extends 
         this.state = state;
     }
 
-    /** Sets a hook that is given the previous state after each change of state, before the actions of the row. */
+    /** Sets a hook that receives the previous state after each change of state, before the actions of the row. */
     public StateMachine<S, E, A> onEntry(Consumer<S> hook) {
         entered = hook;
         return this;

@@ -15,8 +15,8 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * A state machine as data: which events a state accepts, which state follows, and which actions are performed on the way,
- * in order. An event without a row is refused. The table holds no current state; {@link StateMachine} does.
+ * A state machine as data: the events accepted by a state, the next state, and the actions performed, in order. An
+ * event without a row is refused. The table holds no current state; {@link StateMachine} does.
  *
  * <p>Rows are added once, while the table is built; afterwards any thread may read it.
  *
@@ -42,7 +42,7 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
      * An empty table.
      *
      * @param name titles the diagram and begins every log line, such as {@code "mobile call"}
-     * @param initial the state in which a machine begins
+     * @param initial state of a new machine
      */
     public StateTable(String name, S initial) {
         this.name = name;
@@ -124,7 +124,7 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
         return List.copyOf(rows);
     }
 
-    /** The states that can directly follow a state, itself included where a row keeps it. */
+    /** The states that can directly follow a state; the state itself if a row keeps it. */
     public Set<S> successors(S state) {
         Set<S> next = EnumSet.noneOf(initial.getDeclaringClass());
         rows.stream().filter(row -> row.state == state).forEach(row -> next.add(row.next));

@@ -4,20 +4,20 @@ import java.time.Duration;
 import java.time.Instant;
 
 /**
- * Civil time. Timers follow a monotonic clock; civil time follows the wall clock, which may be set
- * and advances while the machine sleeps.
+ * Civil time. Timers use a monotonic clock; civil time follows the wall clock, which may be set and advances while
+ * the machine sleeps.
  */
 public final class CivilTime {
-    /** A smaller difference of the clocks needs no new timers. */
+    /** Minimum difference of the clocks that renews timers. */
     private static final Duration JUMP = Duration.ofSeconds(1);
 
     private final Timers timers;
-    /** The civil time at which the timers stood at 0. */
+    /** Civil time at timer time 0. */
     private Instant zero;
-    /** The same when the last jump was reported. */
+    /** {@link #zero} at the last reported jump. */
     private Instant reportedZero;
 
-    /** @param zero the civil time at which {@code timers} stood at 0 */
+    /** @param zero civil time at time 0 of {@code timers} */
     public CivilTime(Instant zero, Timers timers) {
         this.zero = zero;
         this.reportedZero = zero;
@@ -28,7 +28,7 @@ public final class CivilTime {
         return at(timers.nowNanos());
     }
 
-    /** The civil time at a time of the timers, as far as is known now. */
+    /** The civil time at a time of the timers, by the current difference of the clocks. */
     public Instant at(long nanos) {
         return zero.plusNanos(nanos);
     }

@@ -8,7 +8,7 @@ public final class RateLimit {
 
     private final long nanosEach;
     private final long burstNanos;
-    /** When the acts so far would end if they were evenly spaced. */
+    /** End of the acts so far if evenly spaced. */
     private long paidUntilNanos = Long.MIN_VALUE;
 
     /** @param burst acts at once after a pause, at least 1 */

@@ -4,12 +4,12 @@ import java.util.OptionalLong;
 import java.util.function.Consumer;
 
 /**
- * Running timers, and the only clock of a core: the driver moves it with {@link #advance}. Start, cancel and expiry cost
- * O(log n). Equal deadlines expire in the order in which they were started.
+ * Running timers, and the only clock of a core: the driver moves it with {@link #advance}. Start, cancel and expiry
+ * cost O(log n). Timers with equal deadlines expire in the order of their start.
  */
 public final class Timers {
     private final TimerHeap heap;
-    /** Null when exceptions go to the caller of {@link #advance}. */
+    /** Null if exceptions propagate to the caller of {@link #advance}. */
     private final Consumer<RuntimeException> failed;
 
     /** At time 0, without running timers. */
@@ -23,8 +23,8 @@ public final class Timers {
     }
 
     /**
-     * The same clock and timers for one owner, such as a connection: an exception in an action that is started here goes
-     * to the owner's handler, and not to the caller of {@link #advance}, which may act for another owner.
+     * The same clock and timers for one owner, such as a connection: an exception in an action started here is passed
+     * to the owner's handler, not to the caller of {@link #advance}, which may act for another owner.
      */
     public Timers ownedBy(Consumer<RuntimeException> handler) {
         return new Timers(heap, handler);
@@ -35,7 +35,7 @@ public final class Timers {
         return heap.nowNanos();
     }
 
-    /** Has an action run after each start of a timer that is the first to expire. */
+    /** Sets an action that runs after each start of a timer that expires first. */
     public void onEarlier(Runnable action) {
         heap.onEarlier(action);
     }

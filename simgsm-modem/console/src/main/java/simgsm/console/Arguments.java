@@ -24,26 +24,25 @@ public final class Arguments {
         this.rest = List.copyOf(rest);
     }
 
-    /** The same with one more option, or with another value of it. */
+    /** A copy with one more option, or another value of it. */
     public Arguments with(String name, String value) {
         Map<String, List<String>> more = new LinkedHashMap<>(given);
         more.put(name, List.of(value));
         return new Arguments(more, rest);
     }
 
-    /** True if the option was given. */
     public boolean has(String name) {
         return given.containsKey(name);
     }
 
-    /** The same, with these values of options that were not given. */
+    /** A copy with these values of options that were not given. */
     public Arguments or(Map<String, String> values) {
         Map<String, List<String>> all = new LinkedHashMap<>(given);
         values.forEach((name, value) -> all.putIfAbsent(name, List.of(value)));
         return new Arguments(all, rest);
     }
 
-    /** The same without these options. */
+    /** A copy without these options. */
     public Arguments without(String... names) {
         Map<String, List<String>> others = new LinkedHashMap<>(given);
         others.keySet().removeAll(List.of(names));
@@ -75,7 +74,7 @@ public final class Arguments {
         });
     }
 
-    /** The address of {@code --bind} to listen on; without it loopback. */
+    /** The address of {@code --bind}; loopback without it. */
     public InetAddress bindAddress() throws UsageException {
         return value("bind", text -> {
                     try {
@@ -83,7 +82,7 @@ public final class Arguments {
                             return InetAddress.getByName(text);
                         }
                     } catch (UnknownHostException e) {
-                        // The exception below is also that of a blank text, which Java takes for loopback.
+                        // A blank text gets the exception below, since Java takes it for loopback.
                     }
                     throw new IllegalArgumentException(
                             "expected an address of this machine, found " + (text.isBlank() ? "nothing" : text));
@@ -92,10 +91,10 @@ public final class Arguments {
     }
 
     /**
-     * Refuses to write to a file that is read, too.
+     * Refuses to write to a file that is also read.
      *
-     * @param output an option with a file that is written
-     * @param inputs options with files that are read
+     * @param output option with the written file
+     * @param inputs options with the read files
      */
     public void requireOtherFile(String output, String... inputs) throws UsageException, IOException {
         Optional<Path> written = path(output).filter(Files::exists);
@@ -116,7 +115,7 @@ public final class Arguments {
     /**
      * A value converted by {@code reader}.
      *
-     * @param reader throws IllegalArgumentException saying what it expected
+     * @param reader throws IllegalArgumentException naming the expected form
      */
     public <T> Optional<T> value(String name, Function<String, T> reader) throws UsageException {
         Optional<String> text = text(name);
@@ -127,7 +126,7 @@ public final class Arguments {
         }
     }
 
-    /** The result of {@code source}; its IllegalArgumentException is thrown as a usage error with the same text. */
+    /** The result of {@code source}; its IllegalArgumentException becomes a usage error with the same text. */
     public static <T> T checked(Supplier<T> source) throws UsageException {
         try {
             return source.get();
@@ -166,7 +165,7 @@ public final class Arguments {
                 .orElse(otherwise);
     }
 
-    /** One of these words; the first without the option. */
+    /** One of these words; the first if the option is missing. */
     public String choice(String name, String... words) throws UsageException {
         return value(name, text -> {
                     if (List.of(words).contains(text)) {
@@ -190,7 +189,7 @@ public final class Arguments {
         return text("lang").map("es"::equals).orElseGet(() -> isSpanish(System.getenv(), Locale.getDefault()));
     }
 
-    /** Java itself takes no language from LANG on a system that has not generated that locale, as in containers. */
+    /** Java takes no language from LANG on a system without that locale, as in containers. */
     static boolean isSpanish(Map<String, String> environment, Locale system) {
         return system.getLanguage().equals("es")
                 || Stream.of("LC_ALL", "LC_MESSAGES", "LANG")

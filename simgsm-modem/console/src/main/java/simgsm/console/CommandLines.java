@@ -8,8 +8,8 @@ import java.nio.charset.CharacterCodingException;
 import simgsm.file.Utf8Text;
 
 /**
- * The command lines of a file or of standard input: UTF-8, with or without a byte order mark, ended by LF, CR LF or CR. A
- * line that is no text is an error of its own, after which the next one is read.
+ * The command lines of a file or of standard input: UTF-8, with or without a byte order mark, ended by LF, CR LF or
+ * CR. A line that is no text is an error; the next line is read.
  */
 final class CommandLines implements Console.Lines {
     /** Most octets of a line; the longest command is a message of 255 parts, under 120 000 octets. */

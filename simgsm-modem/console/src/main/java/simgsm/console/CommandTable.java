@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The commands of a program's console: for each its name, its arguments, what it does, and the method that performs it.
- * A table is made once, as a constant, and prints itself as a page of reference.
+ * The commands of a program's console: name, arguments, help and method of each. A table is a constant and prints
+ * itself as a page of reference.
  *
  * @param <T> the object that performs the commands
  */
 public final class CommandTable<T> {
     /**
-     * Performs one command; a method such as {@code void dial(ConsoleCommand command)} of {@code T} is one.
+     * Performs one command; for example a method {@code void dial(ConsoleCommand command)} of {@code T}.
      *
      * @param <T> the object that performs it
      */
@@ -25,10 +25,10 @@ public final class CommandTable<T> {
     private final Map<String, Action<T>> actions = new LinkedHashMap<>();
 
     /**
-     * A table without actions, to which {@link #add} adds them.
+     * A table without actions; {@link #add} sets them.
      *
-     * @param resource a row for each command: its name and arguments, then indented lines of help, the Spanish ones after
-     *     {@code es:}. The table refuses arguments of a command that has none.
+     * @param resource a row for each command: its name and arguments, then indented lines of help, the Spanish ones
+     *     after {@code es:}. A command without declared arguments refuses any
      */
     public CommandTable(InputStream resource) {
         this(HelpRow.read(resource));
@@ -59,7 +59,7 @@ public final class CommandTable<T> {
         actions.get(command.name()).perform(target, command);
     }
 
-    /** As {@link #perform}, where the core runs on another thread: no answer in time is an error like any other. */
+    /** As {@link #perform}, for a core on another thread: a missing answer is an error like any other. */
     public void performAsking(T target, ConsoleCommand command) throws CommandException {
         try {
             perform(target, command);
@@ -68,7 +68,7 @@ public final class CommandTable<T> {
         }
     }
 
-    /** One entry for each command, {@code name arguments} and what it does; {@code wait} and {@code quit} are the last. */
+    /** One entry per command, {@code name arguments} and its help; {@code wait} and {@code quit} are the last. */
     String reference(boolean inSpanish) {
         StringBuilder text = new StringBuilder();
         rows.values().forEach(row -> row.describe(text, inSpanish));

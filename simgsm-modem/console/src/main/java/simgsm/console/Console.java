@@ -12,13 +12,14 @@ import java.util.function.Consumer;
 import simgsm.event.EventForm;
 
 /**
- * The headless console: commands in, events out, a line each. Any thread may emit; one thread runs the commands.
+ * The headless console: reads commands and prints events, one per line. Any thread may emit; one thread runs the
+ * commands.
  *
- * <p>The console performs {@code wait EVENT [key=value...] [SECONDS]} and {@code quit}; all other commands are performed
- * by the program's {@link Commands}, most of them by a {@link CommandTable}.
+ * <p>The console performs {@code wait EVENT [key=value...] [SECONDS]} and {@code quit}; all other commands are
+ * performed by the program's {@link Commands}, most of them by a {@link CommandTable}.
  */
 public final class Console implements AutoCloseable {
-    /** Performs the commands of a program. An exception is printed as an error, and the program goes on. */
+    /** Performs the commands of a program. An exception is printed as an error, and the program continues. */
     public interface Commands {
         void perform(ConsoleCommand command) throws CommandException;
 
@@ -33,12 +34,12 @@ public final class Console implements AutoCloseable {
         /**
          * The next line; null at the end.
          *
-         * @throws CommandException if it is no text; the following lines can be read
+         * @throws CommandException if it is no text; further lines can be read
          */
         String next() throws IOException, CommandException;
     }
 
-    /** Waits before the next command is read while too much output waits. */
+    /** Delays the reading of the next command while too much output waits. */
     private interface Room {
         void await() throws InterruptedException;
     }
@@ -72,8 +73,8 @@ public final class Console implements AutoCloseable {
     }
 
     /**
-     * A console on standard output that prints on its own thread, so that {@link #emit} never blocks. If standard output
-     * cannot be written, as on a full disk or because its reader has gone away, the program ends with 74.
+     * A console on standard output that prints on its own thread, so that {@link #emit} never blocks. If standard
+     * output cannot be written (full disk, closed reader), the program ends with status 74.
      */
     public static Console onStandardOutput() {
         EventOutputQueue queue = new EventOutputQueue(StandardOutput.STREAM, Console::endWithoutOutput);
@@ -85,13 +86,13 @@ public final class Console implements AutoCloseable {
         FatalError.exit(ExitStatus.INPUT_OUTPUT);
     }
 
-    /** Prints the events that still wait. */
+    /** Prints the waiting events. */
     @Override
     public void close() {
         ending.run();
     }
 
-    /** Prints {@code ready}, the first line, and then the events emitted before it. */
+    /** Prints {@code ready}, the first line, then the events emitted earlier. */
     public synchronized void ready(Event ready) {
         List<Event> waiting = beforeReady;
         beforeReady = null;
@@ -122,7 +123,7 @@ public final class Console implements AutoCloseable {
         emit(Event.of("end").with("of", name).with("count", rows.size()));
     }
 
-    /** Prints {@code error text=}, of a text that quotes a long line the beginning. */
+    /** Prints {@code error text=}; a quoted long line is shortened to its beginning. */
     public void error(String text) {
         boolean isLong = text.codePointCount(0, text.length()) > MAX_ERROR_CHARACTERS;
         String shown = isLong ? text.substring(0, text.offsetByCodePoints(0, MAX_ERROR_CHARACTERS)) + " ..." : text;
@@ -138,7 +139,7 @@ public final class Console implements AutoCloseable {
         return run((Lines) input::readLine, commands);
     }
 
-    /** The same with lines that may be no text, each of which is an error. */
+    /** As above, with lines that may be no text, each an error. */
     boolean run(Lines input, Commands commands) throws IOException, InterruptedException {
         for (Optional<ConsoleCommand> next = read(input); next.isPresent(); next = read(input)) {
             ConsoleCommand command = next.get();

@@ -45,9 +45,9 @@ public record ConsoleCommand(String name, String rest) {
     }
 
     /**
-     * One of its words as a number within bounds, both included.
+     * A word as a number within bounds, both included.
      *
-     * @throws CommandException for any other word; the text names the command, the bounds and the word
+     * @throws CommandException for any other word, naming the command, the bounds and the word
      */
     public double number(String word, double least, double most) throws CommandException {
         if (word.matches("-?[0-9]{1,9}(\\.[0-9]{1,9})?")) {
@@ -60,7 +60,7 @@ public record ConsoleCommand(String name, String rest) {
                 String.format(Locale.ROOT, "%s: expected a number of %.0f to %.0f, found %s", name, least, most, word));
     }
 
-    /** True if it begins with {@code @NAME}, the robot that the rest is for. */
+    /** True if the line begins with {@code @NAME}, the robot addressed. */
     public boolean isAddressed() {
         return name.startsWith("@");
     }
@@ -71,7 +71,7 @@ public record ConsoleCommand(String name, String rest) {
     }
 
     /**
-     * A text argument: the rest as it stands, or one double-quoted string with JSON escapes.
+     * A text argument: the rest unchanged, or one double-quoted string with JSON escapes.
      *
      * @throws CommandException for a broken quote or text after the closing one
      */

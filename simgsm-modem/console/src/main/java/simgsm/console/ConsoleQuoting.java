@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 
-/** Values on console lines: bare where every character is plain, else in double quotes with JSON escapes. */
+/** Values on console lines: unquoted if every character is plain, else in double quotes with JSON escapes. */
 final class ConsoleQuoting {
     private static final String BARE_PUNCTUATION = "+.,:/*#_-";
 
@@ -72,7 +72,7 @@ final class ConsoleQuoting {
         return at + 1;
     }
 
-    /** Half of a character that UTF-16 writes as a pair would reach the far end as a question mark. */
+    /** Refuses half of a surrogate pair, which would reach the far end as a question mark. */
     private static void checkSurrogates(String text) throws CommandException {
         OptionalInt half = text.codePoints()
                 .filter(character -> Character.getType(character) == Character.SURROGATE)

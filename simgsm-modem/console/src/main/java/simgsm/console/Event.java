@@ -14,17 +14,17 @@ public record Event(String name, Map<String, String> fields) {
     private static final int OCTETS_OF_EVENT = 200;
     private static final int OCTETS_OF_FIELD = 100;
 
-    /** The part of the heap that events which wait for something may fill together. */
+    /** Divisor of the heap for the octets of waiting events. */
     private static final int PART_OF_HEAP = 8;
 
-    /** Most octets of events that may wait for one reader. */
+    /** Most octets of events waiting for one reader. */
     static final long MAX_OCTETS_HELD = Runtime.getRuntime().maxMemory() / PART_OF_HEAP;
 
     public Event {
         fields = Collections.unmodifiableMap(new LinkedHashMap<>(fields));
     }
 
-    /** An event without fields, to which {@link #with} adds. */
+    /** An event without fields. */
     public static Event of(String name) {
         return new Event(name, Map.of());
     }
@@ -32,7 +32,7 @@ public record Event(String name, Map<String, String> fields) {
     /**
      * The event of a record that declares its line.
      *
-     * @param given values by key that replace those of the record
+     * @param given values by key that replace the record's
      * @throws IllegalArgumentException if its class declares no line
      */
     public static Event from(Object record, Map<String, ?> given) {
@@ -42,12 +42,12 @@ public record Event(String name, Map<String, String> fields) {
         return new Event(form.name(), fields);
     }
 
-    /** The event of a record that has all values of its line. */
+    /** The event of a record with all values of its line. */
     public static Event from(Object record) {
         return from(record, Map.of());
     }
 
-    /** The same event with a further field; the value is converted by {@code toString}. */
+    /** A copy with a further field; the value is converted by {@code toString}. */
     public Event with(String key, Object value) {
         Map<String, String> more = new LinkedHashMap<>(fields);
         more.put(key, String.valueOf(value));
@@ -76,7 +76,7 @@ public record Event(String name, Map<String, String> fields) {
         return name.equals(wanted.name) && fields.entrySet().containsAll(wanted.fields.entrySet());
     }
 
-    /** About how many octets of memory it takes. */
+    /** Estimated octets of memory. */
     int octetsHeld() {
         int octets = OCTETS_OF_EVENT;
         for (String value : fields.values()) {

@@ -5,7 +5,7 @@ import java.util.concurrent.TimeUnit;
 
 /** The events after a console's cursor. Any thread may add; one thread waits. */
 final class EventBuffer {
-    /** Most unread events; beyond it the oldest are dropped, for consoles without {@code wait}. */
+    /** Most unread events; older ones are dropped, for consoles without {@code wait}. */
     static final int MAX_UNREAD = 100_000;
 
     private final ArrayDeque<Event> unread = new ArrayDeque<>();
@@ -43,10 +43,10 @@ final class EventBuffer {
     }
 
     /**
-     * Waits for an event after the cursor with this name and at least these fields, and sets the cursor after it; at the
-     * time-out, to the end.
+     * Waits for an event after the cursor with this name and at least these fields, and sets the cursor after it; at
+     * the time-out, to the end.
      *
-     * @return true if the event came
+     * @return true if the event was found
      */
     synchronized boolean await(Event wanted, long timeoutNanos) throws InterruptedException {
         long end = System.nanoTime() + timeoutNanos;

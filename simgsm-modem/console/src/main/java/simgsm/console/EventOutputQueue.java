@@ -13,7 +13,7 @@ import java.util.concurrent.atomic.AtomicLong;
  * of a protocol or a simulation.
  */
 final class EventOutputQueue implements AutoCloseable {
-    /** Most events that may wait; further ones are dropped. The longest list of any program is shorter. */
+    /** Most waiting events; further ones are dropped. The longest list of any program is shorter. */
     static final int MAX_UNPRINTED = 1_000_000;
 
     /** Most lines per write. */
@@ -38,7 +38,7 @@ final class EventOutputQueue implements AutoCloseable {
         this(out, lost, Event.MAX_OCTETS_HELD);
     }
 
-    /** @param maxOctets of memory that waiting events may take before {@link #awaitRoom} waits */
+    /** @param maxOctets memory of waiting events above which {@link #awaitRoom} waits */
     EventOutputQueue(PrintStream out, Runnable lost, long maxOctets) {
         this.out = out;
         this.lost = lost;
@@ -56,8 +56,8 @@ final class EventOutputQueue implements AutoCloseable {
     }
 
     /**
-     * Waits until the events that wait take little memory: for the thread that reads commands, so that answers
-     * that are not read do not fill the heap.
+     * Waits until the waiting events take little memory. Called by the thread that reads commands, so that unread
+     * answers do not fill the heap.
      */
     synchronized void awaitRoom() throws InterruptedException {
         while (octets.get() > maxOctets) {
@@ -103,7 +103,7 @@ final class EventOutputQueue implements AutoCloseable {
         }
     }
 
-    /** Prints the events that wait, for at most 2 s. */
+    /** Prints the waiting events, for at most 2 s. */
     @Override
     public void close() {
         queue.offer(END);

@@ -1,6 +1,6 @@
 package simgsm.console;
 
-/** The exit statuses of all programs; 69 and 74 are those of sysexits. */
+/** The exit statuses of all programs; 69 and 74 are from sysexits. */
 public final class ExitStatus {
     public static final int OK = 0;
     /** The run failed: a wait timed out, a file was no audio, a demo went wrong. */

@@ -5,12 +5,12 @@ import java.io.FileOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 
-/** Ends a program in which a necessary thread has failed, so that it neither seems to work nor hangs. */
+/** Ends a program in which a necessary thread has failed, instead of leaving it hanging. */
 public final class FatalError {
     /** Time-out for the shutdown hooks, such as detaching from the network. */
     private static final long SHUTDOWN_SECONDS = 5;
 
-    /** Made beforehand: without memory nothing can be made any more. */
+    /** Made beforehand, for use without memory. */
     private static final byte[] OUT_OF_MEMORY =
             ("ended: out of memory (java.lang.OutOfMemoryError); -Xmx gives the Java" + " heap more"
                             + System.lineSeparator())
@@ -18,14 +18,14 @@ public final class FatalError {
 
     private static final FileOutputStream STANDARD_ERROR = new FileOutputStream(FileDescriptor.err);
 
-    /** Once the process ends, errors are those of parts that have been closed. */
+    /** Errors after the end has begun come from closed parts. */
     private static volatile boolean isEnding;
 
     private FatalError() {}
 
     /**
-     * Ends the program where a thread dies of an error of the Java machine, such as {@link OutOfMemoryError}; other
-     * exceptions of threads are printed as without this call.
+     * Ends the program if a thread dies of an error of the Java machine, such as {@link OutOfMemoryError}; other
+     * exceptions of threads are printed as by default.
      *
      * @param program as in its messages
      */
@@ -58,7 +58,7 @@ public final class FatalError {
             }
             exit(ExitStatus.FAILED);
         } catch (Throwable hopeless) {
-            // Usually no memory for a thread.
+            // Usually out of memory for a thread.
             Runtime.getRuntime().halt(ExitStatus.FAILED);
         }
     }

@@ -8,9 +8,11 @@ import java.nio.file.StandardOpenOption;
 import simgsm.file.FileErrors;
 import simgsm.file.PrivateFiles;
 
-/** A data directory, or a part of it, that one process at a time owns, by a file lock that ends with the process. */
+/**
+ * A data directory, or a part of it, owned by one process at a time through a file lock that ends with the process.
+ */
 public final class FolderLock implements AutoCloseable {
-    /** One octet behind any content: a lock on the content would keep this process from reading it on Windows. */
+    /** One octet beyond any content: a lock on the content would keep this process from reading it on Windows. */
     private static final long LOCKED_OCTET = Long.MAX_VALUE - 1;
 
     private final Path folder;
@@ -29,7 +31,7 @@ public final class FolderLock implements AutoCloseable {
      * Creates the directory if it is missing, and locks it.
      *
      * @param file the lock file's name
-     * @param holder who else may hold it, such as "another centre", for the error's text
+     * @param holder other possible holder, such as "another centre", for the error's text
      * @throws IOException naming the directory if it cannot be made or another process holds it
      */
     public static FolderLock take(Path directory, String file, String holder) throws IOException {
@@ -43,8 +45,8 @@ public final class FolderLock implements AutoCloseable {
     }
 
     /**
-     * Locks a data file, which is created if it is missing, in place of the one before: so the lock holds although its own
-     * file is deleted. To be called when the file has been read or replaced, for to close a file ends its locks.
+     * Locks a data file, created if missing, in place of the previous one: the lock then holds even if its own file
+     * is deleted. Call it after reading or replacing the file, because closing a file ends its locks.
      *
      * @throws IOException naming the directory if another process holds the file
      */
@@ -53,7 +55,7 @@ public final class FolderLock implements AutoCloseable {
         dataFile = lock(folder, file, holder);
     }
 
-    /** Lets go of the data file, which Windows replaces only while nothing has it open; {@link #hold} follows. */
+    /** Releases the data file, which Windows can replace only while it is closed; {@link #hold} follows. */
     public void release() throws IOException {
         if (dataFile != null) {
             dataFile.close();
@@ -98,7 +100,7 @@ public final class FolderLock implements AutoCloseable {
                 dataFile.close();
             }
         } catch (IOException e) {
-            // The process is ending, and the lock with it.
+            // The process is ending, and so is the lock.
         }
     }
 }

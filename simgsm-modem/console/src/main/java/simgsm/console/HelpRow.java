@@ -11,10 +11,10 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * An option or a console command with its help, as a resource declares it: a line with the name and the arguments, then
- * indented lines of help, the Spanish ones after {@code es:}. A row without help is the shared row of that name, if there
- * is one; {@code include headless} is replaced by the rows that all programs with a console have, {@code include common} by
- * those and the rows that all programs with a window have.
+ * An option or a console command with its help, as a resource declares it: a line with the name and the arguments,
+ * then indented lines of help, the Spanish ones after {@code es:}. A row without help is the shared row of that name,
+ * if there is one; {@code include headless} stands for the rows of all programs with a console, {@code include
+ * common} for those and the rows of all programs with a window.
  *
  * @param name with its hyphens
  * @param arguments as in a usage line; empty for none

@@ -2,11 +2,11 @@ package simgsm.console;
 
 import simgsm.file.LineText;
 
-/** Strings as JSON writes them (RFC 8259), for consoles and web pages. */
+/** JSON strings (RFC 8259), for consoles and web pages. */
 public final class JsonString {
     private JsonString() {}
 
-    /** In double quotes, in one line; control characters are escaped. */
+    /** In double quotes on one line; control characters are escaped. */
     public static String quoted(String value) {
         return '"' + LineText.escaped(value.replace("\\", "\\\\").replace("\"", "\\\"")) + '"';
     }

@@ -13,7 +13,7 @@ import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 import simgsm.file.LineText;
 
-/** Writes log records from a level on to standard error, a line each. */
+/** Writes log records at or above a level to standard error, a line each. */
 final class LogSettings {
     private static final Map<String, Level> LEVELS = Map.of(
             "off", Level.OFF,
@@ -24,7 +24,7 @@ final class LogSettings {
             "trace", Level.FINER);
     /** The level without {@code --log-level}. */
     static final String DEFAULT = "info";
-    /** The same for a program with a window, which prints nothing in a normal run. */
+    /** The level of a program with a window, which prints nothing in a normal run. */
     static final String WITH_WINDOW = "warning";
     /** The root logger; the reference keeps its settings from garbage collection. */
     private static final Logger ROOT = Logger.getLogger("");
@@ -54,7 +54,7 @@ final class LogSettings {
         }
     }
 
-    /** The level as {@code --log-level} has it. */
+    /** The level as a word of {@code --log-level}. */
     private static String word(Level level) {
         return LEVELS.entrySet().stream()
                 .filter(entry -> entry.getValue().equals(level))
@@ -65,7 +65,7 @@ final class LogSettings {
 
     /** Control characters of a record, such as those of a peer's text, are escaped. */
     static final class OneLine extends Formatter {
-        /** Made for the first record: most runs write none. */
+        /** Created with the first record: most runs write none. */
         private DateTimeFormatter time;
 
         @Override

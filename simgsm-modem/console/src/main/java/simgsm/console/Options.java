@@ -8,7 +8,7 @@ import java.util.Map;
 
 /** The options of a program, from rows of text: reads command lines and prints the help. */
 public final class Options {
-    /** After the arguments of an option: all its values count, not only the last one. */
+    /** Suffix of an option's arguments: all values are kept, not only the last. */
     private static final String REPEATABLE = " ...";
 
     private final HelpRow program;
@@ -18,7 +18,7 @@ public final class Options {
 
     /**
      * @param usage a command line, as {@code java -jar simgsm-phone.jar --number N [options]}
-     * @param summary what it does, one or a few lines
+     * @param summary its purpose, one or a few lines
      */
     public Options(String usage, String summary) {
         this(new HelpRow(usage, "", summary, ""));
@@ -29,10 +29,10 @@ public final class Options {
     }
 
     /**
-     * The options of a resource: the usage and what the program does, then a row for each option, as
-     * {@code --name VALUE} with indented lines of help, the Spanish ones after {@code es:}. {@code [VALUE]} may be left out;
-     * after {@code VALUE ...} all values count, not only the last one. A row without help is one that programs share, and
-     * {@code include headless} or {@code include common} the rows of {@link HelpRow}.
+     * The options of a resource: the usage and the program's purpose, then a row for each option, as {@code --name
+     * VALUE} with indented lines of help, the Spanish ones after {@code es:}. {@code [VALUE]} may be left out; after
+     * {@code VALUE ...} all values are kept, not only the last. A row without help is shared by programs; {@code
+     * include headless} or {@code include common} are the rows of {@link HelpRow}.
      */
     public static Options read(InputStream resource) {
         List<HelpRow> rows = HelpRow.read(resource);
@@ -53,7 +53,7 @@ public final class Options {
         return this;
     }
 
-    /** Most arguments other than options; without this call none. */
+    /** Most arguments other than options; 0 without this call. */
     public Options arguments(int most) {
         maxArguments = most;
         return this;
@@ -68,7 +68,7 @@ public final class Options {
     /**
      * Reads a command line; {@code --opt value} and {@code --opt=value}, {@code --} ends the options.
      *
-     * @throws UsageException naming the option and what was expected
+     * @throws UsageException naming the option and the expected value
      */
     public Arguments parse(List<String> words) throws UsageException {
         Map<String, List<String>> given = new LinkedHashMap<>();

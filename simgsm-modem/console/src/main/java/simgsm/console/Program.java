@@ -18,7 +18,7 @@ import simgsm.file.FileErrors;
  * line on standard error and an exit status.
  */
 public final class Program {
-    /** A system property: true if another process in a terminal has started this one and shows what it prints. */
+    /** A system property: true if a process in a terminal has started this one and shows its output. */
     public static final String IN_TERMINAL = "simgsm.terminal";
 
     /** The work of a program. Returns the exit status. */
@@ -26,18 +26,18 @@ public final class Program {
         int run(Arguments arguments) throws Exception;
     }
 
-    /** Refuses values of options that the program does not read in every case. */
+    /** Refuses invalid options that the program does not always read. */
     public interface Check {
         void check(Arguments arguments) throws UsageException;
     }
 
-    /** Shows why a program with a window could not start, and returns when its user has read it. */
+    /** Shows the reason why a program with a window could not start, and returns when its user has read it. */
     public interface StartErrors {
         /** @param arguments as far as they could be read */
         void show(String program, String text, Optional<Arguments> arguments);
     }
 
-    /** Options of the programs with files that are written, and with files that are read. */
+    /** Options of the programs with written files, and with read files. */
     private static final List<String> OUTPUTS = List.of("record", "track", "record-audio", "capture", "result");
 
     private static final String[] INPUTS = {"script", "world", "replay", "sim", "hlr", "town", "check", "pioneer-params"
@@ -63,9 +63,9 @@ public final class Program {
     }
 
     /**
-     * Shows errors in a window, too, unless one of these options is given, with which the program opens no window.
+     * Shows errors in a window, too, unless an option is given that opens no window.
      *
-     * @param withoutWindow without their hyphens
+     * @param withoutWindow these options without their hyphens
      */
     public Program showingErrors(StartErrors view, String... withoutWindow) {
         startErrors = Optional.of(view);
@@ -152,7 +152,7 @@ public final class Program {
                                 args.stream().anyMatch(word -> word.equals(option) || word.startsWith(option + "=")));
     }
 
-    /** Java replaces octets of arguments that the locale's encoding does not have. */
+    /** Java replaces argument octets outside the locale's encoding. */
     private static void requireReadable(List<String> args) throws UsageException {
         for (String argument : args) {
             if (argument.indexOf('\uFFFD') >= 0
@@ -176,7 +176,7 @@ public final class Program {
         }
     }
 
-    /** The version of the jar, or of the image's module, that contains a class. */
+    /** The version of the jar, or of the image's module, with this class. */
     public static String version(Class<?> member) {
         return Optional.ofNullable(member.getPackage().getImplementationVersion())
                 .or(() ->
@@ -195,7 +195,7 @@ public final class Program {
         return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
     }
 
-    /** Standard output as UTF-8 whatever the locale; {@link #run} fails if something cannot be written to it. */
+    /** Standard output as UTF-8 in every locale; {@link #run} fails if a write fails. */
     public static PrintStream standardOutput() {
         return StandardOutput.STREAM;
     }
@@ -205,14 +205,14 @@ public final class Program {
         return isStandardInputClosed() ? InputStream.nullInputStream() : System.in;
     }
 
-    /** Where standard input is closed, Linux gives its number to the first file that the Java machine opens for itself. */
+    /** If standard input is closed, Linux gives its number to the first file opened by the Java machine. */
     private static boolean isStandardInputClosed() {
         try {
             return Path.of("/proc/self/fd/0")
                     .toRealPath()
                     .startsWith(Path.of(System.getProperty("java.home")).toRealPath());
         } catch (IOException e) {
-            // A pipe, or another system.
+            // A pipe, or another operating system.
             return false;
         }
     }

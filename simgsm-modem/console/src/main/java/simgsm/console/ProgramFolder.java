@@ -48,7 +48,7 @@ public record ProgramFolder(Path path, boolean isImage) {
         return new ProgramFolder(jar.getParent(), false);
     }
 
-    /** The folder above the files of a program's own class, jar or not; empty if the Java machine does not tell it. */
+    /** The folder above the files of a program's own class, in a jar or not; empty if unknown. */
     public static Optional<Path> above(Class<?> member) {
         return location(member)
                 .map(own -> own.getScheme().equals(IMAGE_SCHEME)
@@ -57,11 +57,11 @@ public record ProgramFolder(Path path, boolean isImage) {
     }
 
     /**
-     * Finds a file of the suite: as named, in a folder of that name, or upward from the files of a program's own
+     * Finds a file of the suite: by its name, in a folder of that name, or upward from the files of a program's own
      * class, with or without the folder.
      *
      * @param folder as {@code worlds}
-     * @return the file as named if it is not found
+     * @return the file unchanged if it is not found
      */
     public static Path find(Class<?> member, Path folder, Path wanted) {
         List<Path> places = new ArrayList<>(List.of(wanted, folder.resolve(wanted)));
@@ -101,11 +101,11 @@ public record ProgramFolder(Path path, boolean isImage) {
     }
 
     /**
-     * The command that starts a program, to which its arguments are appended.
+     * The command that starts a program, without its arguments.
      *
      * @param jar the program by its jar's name, {@code simgsm-phone.jar}; its module is {@code simgsm.phone}
      * @param machineOptions options of the Java machine
-     * @throws IOException naming the program if it is not there
+     * @throws IOException naming the program if it is missing
      */
     public List<String> command(String jar, List<String> machineOptions) throws IOException {
         List<String> command = new ArrayList<>(
@@ -123,7 +123,7 @@ public record ProgramFolder(Path path, boolean isImage) {
         return command;
     }
 
-    /** The command of this program's own Java, to which more words are appended. */
+    /** The command of this program's own Java, without further arguments. */
     public static List<String> java(List<String> machineOptions) {
         List<String> command = new ArrayList<>(
                 List.of(System.getProperty("java.home") + File.separator + "bin" + File.separator + "java"));

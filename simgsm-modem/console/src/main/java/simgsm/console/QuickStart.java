@@ -9,16 +9,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Options of the Java machine with which a program starts in less CPU time: only the first compiler, on one thread, the
- * serial collector, and an archive of its classes. The archive is a file in the jars' folder, {@code PROGRAM-KEY.jsa}; the first
- * run with a window writes it when it ends. The key is made of the Java machine and the jars, so an archive is never used after
- * either has changed. An image made by Java 25 or newer has a cache of linked classes for each window program,
- * {@code lib/PROGRAM.aot}; an older one has an archive in the place where the Java machine looks by itself.
+ * Options of the Java machine with which a program starts in less CPU time: only the first compiler, on one thread,
+ * the serial collector, and an archive of its classes. The archive is a file in the jars' folder, {@code
+ * PROGRAM-KEY.jsa}; the first run with a window writes it when it ends. The key depends on the Java machine and the
+ * jars, so an archive is never used after a change. An image made by Java 25 or newer has a cache of linked classes
+ * for each window program, {@code lib/PROGRAM.aot}; an older one has an archive in the Java machine's default place.
  */
 public final class QuickStart {
     /**
-     * A system property: the folder in which the programs that an image starts record what they load, {@code PROGRAM.conf} each.
-     * The build of an image makes the caches from these.
+     * A system property: the folder in which programs started by an image record the classes they load, {@code
+     * PROGRAM.conf} each. The build of an image makes the caches from these.
      */
     public static final String RECORD_FOLDER = "simgsm.record";
 
@@ -30,7 +30,7 @@ public final class QuickStart {
     private static final String ARCHIVE = ".jsa";
     private static final int KEY_DIGITS = 8;
     private static final String CACHE = ".aot";
-    /** The Java machine reports what it leaves out of an archive, which concerns no user. */
+    /** Silences reports on classes left out of an archive, which concern no user. */
     private static final String QUIET = "-Xlog:cds*=off";
 
     private static final String QUIET_CACHE = "-Xlog:aot*=off";
@@ -58,7 +58,7 @@ public final class QuickStart {
         try {
             options.addAll(archive(programs.path(), program, mayWrite));
         } catch (IOException e) {
-            // It starts without.
+            // The program starts without it.
         }
         return options;
     }
@@ -83,8 +83,9 @@ public final class QuickStart {
     }
 
     /**
-     * The options of a program of Java 25 or newer that records what it loads. It does not record what is compiled: with that
-     * each start compiles at once all that the recorded run has compiled, which takes longer than it gains.
+     * The options of a program of Java 25 or newer that records its loaded classes. Compilation profiles are not
+     * recorded: with them each start compiles at once all that the recorded run has compiled, which costs more than
+     * it gains.
      */
     public static List<String> recording(Path folder, String program) {
         return List.of(
@@ -142,7 +143,7 @@ public final class QuickStart {
         return "0".repeat(KEY_DIGITS - key.length()) + key;
     }
 
-    /** Sorted. They are found without streams, which a Java machine without an archive takes long to begin. */
+    /** Sorted. Found without streams, which are slow to start on a Java machine without an archive. */
     private static List<Path> files(Path folder, String ending) throws IOException {
         List<Path> files = new ArrayList<>();
         try (DirectoryStream<Path> all = Files.newDirectoryStream(folder)) {

@@ -9,9 +9,9 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.atomic.AtomicBoolean;
 
-/** Standard output as UTF-8 whatever the locale. It knows whether and why something could not be written. */
+/** Standard output as UTF-8 in every locale, with the cause of a failed write. */
 final class StandardOutput extends PrintStream {
-    /** One for the process, so that every lost line is noticed. */
+    /** One per process, so that every lost line is noticed. */
     static final StandardOutput STREAM = new StandardOutput(new FileOutputStream(FileDescriptor.out));
 
     private final Sink sink;
@@ -27,14 +27,13 @@ final class StandardOutput extends PrintStream {
         this.sink = sink;
     }
 
-    /** Sets the name of the program that writes, for {@link #hasFailed}. */
+    /** Sets the name of the writing program, for {@link #hasFailed}. */
     void setProgram(String name) {
         program = name;
     }
 
     /**
-     * True if something could not be written. The first call that finds so prints why, unless the reader of the output has
-     * gone away.
+     * True if a write failed. The first such call prints the cause, unless the reader of the output has closed it.
      */
     boolean hasFailed(PrintStream err) {
         if (!checkError()) {

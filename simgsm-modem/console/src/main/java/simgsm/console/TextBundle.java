@@ -20,7 +20,7 @@ public final class TextBundle {
     }
 
     /**
-     * The locale to load a bundle with: Spanish for Spanish, else the root, so that English never falls back to the
+     * The locale for loading a bundle: Spanish for Spanish, else the root, so that English never falls back to the
      * system's language.
      */
     public static Locale bundleLocale(Locale language) {
@@ -32,7 +32,7 @@ public final class TextBundle {
         return bundle.getLocale();
     }
 
-    /** The text of a key, its places filled in by MessageFormat if there are arguments. */
+    /** The text of a key, formatted by MessageFormat if there are arguments. */
     public String of(String key, Object... arguments) {
         String pattern;
         try {

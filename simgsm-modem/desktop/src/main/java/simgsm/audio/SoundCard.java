@@ -13,8 +13,8 @@ import simgsm.speech.Resampler;
 import simgsm.speech.SpeechCodec;
 
 /**
- * The system's default sound device. A thread of its own opens it and writes to it, because both may block. Samples are
- * dropped while no device is open; one that is absent, busy or taken away is looked for again.
+ * The system's default sound device. Its own thread opens and writes it, because both may block. Samples are dropped
+ * while no device is open; an absent, busy or removed device is searched for again.
  */
 public final class SoundCard implements AudioOutput {
     /** Finds the line of a device; it is not open yet. */
@@ -23,7 +23,7 @@ public final class SoundCard implements AudioOutput {
     }
 
     private static final System.Logger LOG = System.getLogger(SoundCard.class.getName());
-    /** Tried in turn: the rate of speech, then a rate that every device has. */
+    /** Tried in turn: the rate of speech, then a rate of every device. */
     private static final int[] RATES_HERTZ = {SpeechCodec.SAMPLES_PER_SECOND, 48_000};
 
     private static final int QUEUE_FRAMES = 10;
@@ -42,7 +42,7 @@ public final class SoundCard implements AudioOutput {
     private volatile boolean audible;
     private volatile boolean closed;
 
-    /** Begins to open the device and returns at once. */
+    /** Starts opening the device and returns at once. */
     public static AudioOutput open() {
         return new SoundCard(AudioSystem::getSourceDataLine, LOG, RETRY_MILLIS);
     }
@@ -128,12 +128,12 @@ public final class SoundCard implements AudioOutput {
         }
     }
 
-    /** Returns at the end, or when the device has taken less than it was given, which says that it has gone. */
+    /** Returns at the end, or if the device accepted less than it was given, since it was removed then. */
     private void playOn(SourceDataLine line, int rate) throws InterruptedException {
         Resampler resampler = new Resampler(SpeechCodec.SAMPLES_PER_SECOND, rate, Resampler.Slope.STEEP);
         SoundCushion cushion = new SoundCushion(System.nanoTime());
         short[] out = new short[rate / 50];
-        // A device begins to run with what it is given first: PulseAudio took 0.1 s for that under the first key.
+        // Starts the device with silence: PulseAudio needs 0.1 s to start, which delayed the first key's tone.
         short[] samples = new short[SoundCushion.CUSHION_MILLIS * SpeechCodec.SAMPLES_PER_SECOND / 1000];
         while (!closed) {
             float[] in = new float[samples.length];

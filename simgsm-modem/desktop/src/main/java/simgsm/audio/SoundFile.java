@@ -24,7 +24,7 @@ public final class SoundFile {
     /**
      * Reads a WAV, AU or AIFF file of 8 kHz, 16 bit, mono.
      *
-     * @throws IOException saying what was expected
+     * @throws IOException naming the expected format
      */
     public static short[] read(Path file) throws IOException {
         if (!Files.exists(file)) {

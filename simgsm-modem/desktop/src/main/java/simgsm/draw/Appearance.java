@@ -8,7 +8,7 @@ public enum Appearance {
     DARK,
     CONTRAST;
 
-    /** The one after this, and after the last the first. */
+    /** The next appearance; the first after the last. */
     public Appearance next() {
         return values()[(ordinal() + 1) % values().length];
     }

@@ -1,9 +1,9 @@
 package simgsm.draw;
 
 /**
- * What pictures are drawn on: a window, an image, an SVG document. Coordinates are pixels, y down; widths of pens and sizes
- * of texts are units of the design, of which {@link #px} gives the pixels. Ink and pen hold until they are set again;
- * what is set inside {@link #moved}, {@link #clipped} or {@link #group} ends with it.
+ * A drawing surface: a window, an image, an SVG document. Coordinates are pixels, y down; pen widths and text sizes
+ * are in design units, which {@link #px} converts to pixels. Ink and pen persist until set again; settings made
+ * inside {@link #moved}, {@link #clipped} or {@link #group} end with it.
  */
 public interface Canvas {
     /** The pixels of a length in units of the design: units times the zoom. */
@@ -49,9 +49,9 @@ public interface Canvas {
     /** Draws in a coordinate system that is moved and then turned clockwise. */
     void moved(double x, double y, double radians, Runnable inside);
 
-    /** Draws only what lies inside an outline. */
+    /** Draws only inside an outline. */
     void clipped(Outline edge, Runnable inside);
 
-    /** Draws what belongs together under a name, by which a document's scripts and styles find it; a screen ignores it. */
+    /** Draws a group under a name for a document's scripts and styles; a screen ignores the name. */
     void group(String name, Runnable inside);
 }

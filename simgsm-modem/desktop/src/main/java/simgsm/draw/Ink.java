@@ -1,17 +1,17 @@
 package simgsm.draw;
 
 /**
- * A colour by its task. The pairs that carry text have a contrast of at least 4.5 to 1, in high contrast of 7 to 1. Values:
- * light, dark, high contrast.
+ * A colour by its task. Pairs of text and background have a contrast of at least 4.5 to 1, in high contrast of 7 to
+ * 1. Values: light, dark, high contrast.
  */
 public enum Ink {
-    /** What windows are made of. */
+    /** Background of windows. */
     SURFACE(0xF6F7F9, 0x1E2126, 0xFFFFFF),
-    /** What lies on the surface and carries content. */
+    /** Background of content on the surface. */
     CARD(0xFFFFFF, 0x272B31, 0xFFFFFF),
     /** Borders and rules. */
     LINE(0xD5D9E0, 0x3B4149, 0x8C8C8C),
-    /** Borders of things that can be used; 3 to 1 against the card. */
+    /** Borders of controls; 3 to 1 against the card. */
     CONTROL_LINE(0x848D9A, 0x79828D, 0x404040),
     TEXT(0x1B1F24, 0xE8EAED, 0x000000),
     QUIET(0x5B6470, 0xA6AEB8, 0x333333),
@@ -32,21 +32,21 @@ public enum Ink {
     HOVER(0xEDF0F4, 0x30353C, 0xE6E6E6),
     PRESSED(0xDDE2E9, 0x3A4048, 0xCFCFCF),
 
-    /** The handset's body, its keys' faces and their lower edge. */
+    /** The handset's body, its keys' faces and lower edges. */
     BODY(0xDCE1E8, 0x2D3239, 0xE6E6E6),
     BODY_LINE(0xB4BCC7, 0x4A515B, 0x404040),
     KEY_FACE(0xFDFDFE, 0x3A4048, 0xFFFFFF),
     CALL_FACE(0x1E7F4F, 0x278052, 0x0B5A2B),
     END_FACE(0xB3261E, 0xC03A30, 0x8E0B0B),
-    /** Signs on those two. */
+    /** Signs on body and faces. */
     ON_FACE(0xFFFFFF, 0xFFFFFF, 0xFFFFFF),
     KEY_LINE(0xAAB3BF, 0x565E69, 0x404040),
     KEY_HOVER(0xF0F3F7, 0x434A53, 0xEDEDED),
-    /** The display of the phone: the same in light and dark, as a real one is. */
+    /** The display of the phone: the same in light and dark, like a real one. */
     LCD_PAPER(0xB9C9A3, 0xB9C9A3, 0xD4E3BD),
     LCD_INK(0x20301A, 0x20301A, 0x000000),
     LCD_QUIET(0x273420, 0x273420, 0x1F2E18),
-    /** Segments that are not driven, just to be seen. */
+    /** Segments that are off, faintly visible. */
     LCD_GHOST(0xA6B78F, 0xA6B78F, 0xC2D2AA),
     LCD_RIM(0x5E6B50, 0x10130E, 0x000000),
 
@@ -61,7 +61,10 @@ public enum Ink {
     TRAIL(0x1F5FBF, 0x7FB0FF, 0x0B3D91),
     RAY(0x9A6200, 0xF0B64A, 0x6B3A00),
 
-    /** Cells of a town, in the order of its towers; an eighth begins again. Laid over FLOOR, the stronger the denser. */
+    /**
+     * Cells of a town, in the order of its towers; the eighth has the first colour. Drawn over FLOOR with an opacity
+     * by signal strength.
+     */
     CELL_1(0x3B7DD8, 0x5C9BEA),
     CELL_2(0xD9822B, 0xE59A4C),
     CELL_3(0x2E9E6B, 0x4CBF8A),

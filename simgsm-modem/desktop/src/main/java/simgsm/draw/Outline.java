@@ -3,12 +3,12 @@ package simgsm.draw;
 import java.util.Arrays;
 import java.util.StringTokenizer;
 
-/** A shape of straight lines and cubic curves. Not to be changed once it is drawn. */
+/** A shape of straight lines and cubic curves. Must not change after it has been drawn. */
 public final class Outline {
     /** An empty outline. */
     public Outline() {}
 
-    /** Length of a cubic's handle for a quarter of a circle of radius 1. */
+    /** Handle length of the cubic for a quarter of a unit circle. */
     private static final double QUARTER = 0.5522847498;
 
     /** M, L, C or Z a step, as in SVG. */
@@ -94,7 +94,7 @@ public final class Outline {
         return line(x, y + r).curve(x, y + near, x + near, y, x + r, y).close();
     }
 
-    /** Part of the ellipse in a box, anticlockwise from an angle; 0 degrees lies to the right. */
+    /** Part of the ellipse in a box, anticlockwise from an angle; 0 degrees is to the right. */
     private Outline addArc(double x, double y, double width, double height, double startDegrees, double degrees) {
         int parts = (int) Math.ceil(Math.abs(degrees) / 90);
         double turn = Math.toRadians(degrees) / parts;
@@ -187,7 +187,7 @@ public final class Outline {
         return places[index];
     }
 
-    /** As SVG writes it, to a hundredth of a pixel. */
+    /** The outline as SVG, to a hundredth of a pixel. */
     @Override
     public String toString() {
         StringBuilder text = new StringBuilder(8 * count);

@@ -1,6 +1,6 @@
 package simgsm.draw;
 
-/** The shape of a lamp. Each state has a shape of its own, so that nothing hangs on its colour. */
+/** The shape of a lamp. Each state has its own shape and is readable without the colour. */
 public enum StatusMark {
     /** Steady: stopped, idle. */
     SQUARE(true, "M-.82 -.82L.82 -.82L.82 .82L-.82 .82Z"),

@@ -2,7 +2,7 @@ package simgsm.draw;
 
 import java.util.function.Function;
 
-/** A canvas that becomes an SVG document or a part of one; one unit of the design is one pixel. */
+/** A canvas that writes an SVG document or a part of one; one design unit is one pixel. */
 public final class SvgCanvas implements Canvas {
     /** Mean width of a letter of the usual sans-serif and monospaced faces, as a share of the size. */
     private static final double SANS_WIDTH = 0.58;
@@ -19,17 +19,19 @@ public final class SvgCanvas implements Canvas {
     private double penWidth = 1;
     private double dash;
 
-    /** @param colors what stands for an ink in the document: {@code #rrggbb}, or the name of a variable of its style sheet */
+    /**
+     * @param colors the document's colour of an ink: {@code #rrggbb}, or the name of a variable of its style sheet
+     */
     public SvgCanvas(Function<Ink, String> colors) {
         this.colors = colors;
     }
 
-    /** All that was drawn, as elements. */
+    /** The drawn elements. */
     public String elements() {
         return body.toString();
     }
 
-    /** All that was drawn, as a document with the given size in pixels. */
+    /** A document of the drawn elements, with the given size in pixels. */
     public String document(double width, double height, String title) {
         String size = number(width) + "\" height=\"" + number(height);
         return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + size
@@ -148,7 +150,7 @@ public final class SvgCanvas implements Canvas {
         return rounded == (long) rounded ? Long.toString((long) rounded) : Double.toString(rounded);
     }
 
-    /** A text as XML and HTML hold it, in elements and in quoted attributes. */
+    /** A text escaped for XML and HTML elements and quoted attributes. */
     public static String escaped(String text) {
         StringBuilder escaped = new StringBuilder();
         text.codePoints().forEach(c -> {

@@ -25,13 +25,13 @@ public final class Arrange {
         return panel(new LineLayout(false, gap), children);
     }
 
-    /** Marks a component as one that shares the remaining length. */
+    /** Marks a component that shares the remaining length. */
     public static <T extends JComponent> T growing(T component) {
         component.putClientProperty(GROWS, true);
         return component;
     }
 
-    /** Marks a component, or takes its mark away. */
+    /** Sets or removes a component's mark. */
     static void setGrowing(JComponent component, boolean grows) {
         component.putClientProperty(GROWS, grows ? true : null);
         component.revalidate();

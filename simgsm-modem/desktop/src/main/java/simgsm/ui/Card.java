@@ -15,7 +15,7 @@ public final class Card extends JPanel {
     private static final double FOLD_UNITS = 14;
 
     private final Component content;
-    /** Whether the card shares the remaining length when it is open. */
+    /** True if the open card shares the remaining length. */
     private boolean grewOpen;
 
     private final JLabel title = Theme.label("", Theme::title, Ink.TEXT);
@@ -36,7 +36,7 @@ public final class Card extends JPanel {
     }
 
     /**
-     * Makes the title a button that folds the content away and unfolds it.
+     * Makes the title a button that folds and unfolds the content.
      *
      * @param name of the button, for tests
      */

@@ -27,7 +27,10 @@ public final class Drawing {
         return g;
     }
 
-    /** Sets the rendering hints: antialiasing, exact geometry, grey-level text, which looks the same on every screen. */
+    /**
+     * Sets the rendering hints: antialiasing, exact geometry, and grey-level text, which looks the same on every
+     * screen.
+     */
     public static void prepare(Graphics2D g) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
@@ -124,7 +127,7 @@ public final class Drawing {
         return end == 0 ? "" : text.substring(0, end) + "\u2026";
     }
 
-    /** The text in rows of whole words, up to the given number; the last is cut with an ellipsis to fit. */
+    /** The text in rows of whole words, at most the given number; the last is cut with an ellipsis to fit. */
     public static List<String> wrapped(Font font, String text, double width, int mostRows) {
         List<String> rows = new ArrayList<>();
         String rest = text.strip();
@@ -136,7 +139,7 @@ public final class Drawing {
         return rows;
     }
 
-    /** The length of the part that stands in the first row: all, or the whole words that fit, at least one. */
+    /** The length of the first row: all, or the whole words that fit, at least one. */
     static int firstRow(Font font, String text, double width) {
         int end = text.length();
         while (width(font, text.substring(0, end)) > width) {
@@ -149,7 +152,7 @@ public final class Drawing {
         return end;
     }
 
-    /** The text, cut in front with an ellipsis where it does not fit: of numbers the last digits differ. */
+    /** The text, cut in front with an ellipsis if it does not fit: numbers differ in their last digits. */
     public static String fittedEnd(Font font, String text, double width) {
         if (width(font, text) <= width) {
             return text;

@@ -9,7 +9,7 @@ public abstract class DressedPanel extends JPanel {
         super(new BorderLayout());
     }
 
-    /** Sets what depends on the theme. A constructor calls it once all components are added. */
+    /** Sets the properties that depend on the theme. A constructor calls it once all components are added. */
     protected abstract void dress();
 
     @Override

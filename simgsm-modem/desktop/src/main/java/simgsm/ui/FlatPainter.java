@@ -12,14 +12,15 @@ import javax.swing.UIDefaults;
 import simgsm.draw.Ink;
 
 /**
- * Paints one region of a Nimbus component in one set of states: a fill, a thin line, a ring for the focus, or a mark such as
- * an arrow or a tick. Components that no window shows, such as trees and progress bars, keep Nimbus's painters.
+ * Paints one region of a Nimbus component in one set of states: a fill, a thin line, a ring for the focus, or a mark
+ * such as an arrow or a tick. Components not used by any window, such as trees and progress bars, keep Nimbus's
+ * painters.
  */
 record FlatPainter(Look look, List<String> states) implements Painter<JComponent> {
-    /** As much of a box lies outside its part of a spinner. */
+    /** Width of a box outside its part of a spinner. */
     private static final double JOINT_UNITS = 8;
 
-    /** The picture of a region, of a size in pixels; the painter knows the states. */
+    /** The picture of a region with a size in pixels; the painter knows the states. */
     interface Look {
         void paint(FlatPainter painter, Graphics2D g, double width, double height);
     }
@@ -50,7 +51,7 @@ record FlatPainter(Look look, List<String> states) implements Painter<JComponent
         }
     }
 
-    /** The look of a region; null keeps Nimbus's own. */
+    /** The look of a region; null keeps Nimbus's. */
     private static Look look(String region, String painter) {
         boolean background = painter.equals("backgroundPainter");
         return switch (region) {

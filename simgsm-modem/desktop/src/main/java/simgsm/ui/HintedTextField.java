@@ -8,7 +8,7 @@ import javax.swing.JTextField;
 import javax.swing.text.JTextComponent;
 import simgsm.draw.Ink;
 
-/** A text field that shows a hint while it is empty, which takes no room for a label. */
+/** A text field that shows a hint while it is empty, instead of a label. */
 public final class HintedTextField extends JTextField {
     private static final int COLUMNS = 6;
 
@@ -28,7 +28,7 @@ public final class HintedTextField extends JTextField {
         paintHint(graphics, this, hint, in.left, baseline);
     }
 
-    /** Paints the hint of an empty field. @param x with baseline where it begins */
+    /** Paints the hint of an empty field. @param x start of the text; @param baseline in pixels */
     public static void paintHint(Graphics graphics, JTextComponent field, String hint, int x, int baseline) {
         if (field.getDocument().getLength() == 0) {
             Graphics2D g = Drawing.on(graphics);

@@ -23,7 +23,7 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
             colours();
             sizes();
             FlatPainter.replaceIn(defaults);
-            // arrow keys move through an open list; Enter takes the row, Escape leaves things as they were
+            // arrow keys move through an open list; Enter takes the row, Escape cancels
             defaults.put("ComboBox.noActionOnKeyNavigation", Boolean.TRUE);
         }
         return defaults;
@@ -76,8 +76,8 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
     }
 
     /**
-     * Gives a colour to keys, which white space divides. State colours are plain Colors, because Synth ignores a renderer's
-     * background that is a UIResource.
+     * Sets the colour of keys separated by white space. State colours are plain Colors, because Synth ignores a
+     * renderer's background that is a UIResource.
      */
     private void put(Ink ink, String keys) {
         Color color = Theme.color(ink);
@@ -87,7 +87,9 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
         }
     }
 
-    /** Multiplies Nimbus's content margins, and the sizes of the buttons in combo boxes, spinners and scroll bars, by the zoom. */
+    /**
+     * Multiplies Nimbus's content margins and the button sizes of combo boxes, spinners and scroll bars by the zoom.
+     */
     private void zoom() {
         for (Object key : defaults.keySet().toArray()) {
             String name = key.toString();

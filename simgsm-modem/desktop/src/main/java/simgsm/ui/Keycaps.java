@@ -7,8 +7,8 @@ import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 
 /**
- * A sequence of telephone keys as keycaps in one row or more; a fault is underlined at its position. Keys that do not fit
- * become smaller, down to {@link #LEAST_SCALE}; if even then the first ones do not fit, an ellipsis stands for them.
+ * A sequence of telephone keys as keycaps in one row or more; a fault is underlined at its position. Keys that do not
+ * fit become smaller, down to {@link #LEAST_SCALE}; if they still do not fit, an ellipsis replaces the first ones.
  */
 public final class Keycaps extends PaintedComponent {
     private static final double CAP_UNITS = 22;
@@ -55,7 +55,7 @@ public final class Keycaps extends PaintedComponent {
         return Math.max(1, Math.max(keys.length(), faultPosition));
     }
 
-    /** One row, or two where the keys do not fit in the present width. */
+    /** One row, or two if the keys do not fit in the current width. */
     @Override
     public Dimension getPreferredSize() {
         boolean isOneRow = getWidth() == 0 || places() <= Grid.inRow(getWidth(), 1);
@@ -67,7 +67,7 @@ public final class Keycaps extends PaintedComponent {
         return new Dimension(Theme.px(4 * STEP_UNITS), Theme.px(HEIGHT_UNITS));
     }
 
-    /** How many keys are shown, from which on, and how large. */
+    /** Number, first index and scale of the keys shown. */
     record Grid(int inRow, int rows, int first, double scale) {
         static Grid of(int places, double width, double height) {
             double scale = 1;
@@ -76,7 +76,7 @@ public final class Keycaps extends PaintedComponent {
             }
             int inRow = inRow(width, scale);
             int rows = rows(height, scale);
-            // The ellipsis takes the place of the first key shown.
+            // The ellipsis replaces the first key.
             int first = inRow * rows < places ? places - inRow * rows + 1 : 0;
             return new Grid(inRow, rows, first, scale);
         }

@@ -8,11 +8,11 @@ import javax.accessibility.AccessibleRole;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 
-/** A status lamp: a mark and a word, both different in each state, so that the state is readable without its colour. */
+/** A status lamp: a mark and a word, both different in each state, which is readable without the colour. */
 public final class Lamp extends PaintedComponent {
     private static final int GAP_UNITS = 6;
     private static final double RADIUS_UNITS = 6;
-    /** Where the word begins. */
+    /** Start of the word. */
     private static final double TEXT_UNITS = 2 * RADIUS_UNITS + 2 + GAP_UNITS;
 
     private final String subject;
@@ -46,12 +46,12 @@ public final class Lamp extends PaintedComponent {
         }
     }
 
-    /** Shows the link to the centre, in the words that all windows share. */
+    /** Shows the link to the centre, in the words of all windows. */
     public void show(LinkState link, Locale language) {
         show(link.mark(), link.ink(), link.word(language));
     }
 
-    /** The lamp for the link to the centre that every window has. */
+    /** The lamp of every window for the link to the centre. */
     public static Lamp ofLink(Locale language) {
         Lamp lamp = new Lamp(DesktopTexts.in(language).of("link.name"));
         lamp.setName("lamp.link");
@@ -59,7 +59,7 @@ public final class Lamp extends PaintedComponent {
         return lamp;
     }
 
-    /** Lights the lamp or makes its mark grey; of a row of lamps one is lit. */
+    /** Lights the lamp or greys its mark; one lamp of a row is lit. */
     public void setLit(boolean nowLit) {
         if (lit != nowLit) {
             change(() -> lit = nowLit);
@@ -67,19 +67,19 @@ public final class Lamp extends PaintedComponent {
         }
     }
 
-    /** @param word said after the lamp's own word while it is not lit: "off" */
+    /** @param word spoken after the lamp's own word while it is not lit: "off" */
     public Lamp saysWhenUnlit(String word) {
         unlitWord = word;
         return this;
     }
 
-    /** A word that is too wide breaks into as many rows as the lamp is high; the tool tip has it whole. */
+    /** Breaks a too wide word into as many rows as fit the height; the tool tip has the whole word. */
     public Lamp wrapping() {
         isWrapping = true;
         return this;
     }
 
-    /** The height in which a wrapping lamp shows its whole word at a width in pixels. */
+    /** Height of a wrapping lamp with its whole word at a width in pixels. */
     public int heightFor(int width) {
         double room = width - Theme.exact(TEXT_UNITS);
         int rows = Drawing.wrapped(getFont(), word, room, Integer.MAX_VALUE).size();

@@ -47,7 +47,7 @@ public abstract class PaintedComponent extends JComponent implements Accessible 
         repaintOnFocus(this);
     }
 
-    /** Whether it takes the focus and shows it. */
+    /** True if the component takes the focus and shows it. */
     public final boolean showsFocus() {
         return focusRing;
     }
@@ -67,7 +67,7 @@ public abstract class PaintedComponent extends JComponent implements Accessible 
         });
     }
 
-    /** The preferred size, unless a component can be smaller or was given another. */
+    /** The preferred size, unless a component can be smaller or has another set. */
     @Override
     public Dimension getMinimumSize() {
         return isMinimumSizeSet() ? super.getMinimumSize() : getPreferredSize();

@@ -6,7 +6,7 @@ import java.awt.Insets;
 import javax.swing.BoundedRangeModel;
 import javax.swing.JTextField;
 
-/** A field to read and copy from; an ellipsis at an edge marks text that goes on beyond it. */
+/** A read-only field to copy from; an ellipsis at an edge marks text beyond it. */
 public final class ReadingField extends JTextField {
     private static final String CUT = "\u2026";
 

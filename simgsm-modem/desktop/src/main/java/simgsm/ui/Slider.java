@@ -12,9 +12,9 @@ import javax.swing.plaf.basic.BasicSliderUI;
 import simgsm.draw.Ink;
 
 /**
- * A slider: a track, coloured from the neutral value to the current one, and a knob. The mouse drags it; the arrows and the
- * wheel move it by 1, the Page keys by 5; Home and a double click set the neutral value. Nimbus's own slider cannot be made
- * without a display.
+ * A slider: a track, coloured from the neutral value to the current one, and a knob. The mouse drags it; the arrows
+ * and the wheel move it by 1, the Page keys by 5; Home and a double click set the neutral value. Nimbus's slider
+ * cannot be made without a display.
  */
 public final class Slider extends JSlider {
     private static final double KNOB = 6;
@@ -64,7 +64,7 @@ public final class Slider extends JSlider {
                 return new Pointing();
             }
 
-            /** Takes the place at which the track is pressed at once. */
+            /** Moves the knob at once to the pressed point of the track. */
             private final class Pointing extends TrackListener {
                 @Override
                 public void mousePressed(MouseEvent event) {
@@ -87,7 +87,7 @@ public final class Slider extends JSlider {
         });
     }
 
-    /** Sets the value without running the task: what the slider shows has changed by itself. */
+    /** Sets the value without running the task, after a change from elsewhere. */
     public void show(int shown) {
         isShown = true;
         setValue(shown);

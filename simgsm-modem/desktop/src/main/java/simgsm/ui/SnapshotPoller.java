@@ -5,8 +5,8 @@ import java.util.function.Supplier;
 import javax.swing.Timer;
 
 /**
- * Reads the newest snapshot 40 times a second and shows it if it is another object, so slow painting skips snapshots. The
- * snapshots come from another thread through a volatile or atomic reference.
+ * Reads the newest snapshot 40 times a second and shows it if it is another object; slow painting skips snapshots.
+ * Snapshots are published by another thread through a volatile or atomic reference.
  */
 public final class SnapshotPoller<T> {
     private static final int PERIOD_MILLIS = 25;
@@ -30,7 +30,7 @@ public final class SnapshotPoller<T> {
         timer.stop();
     }
 
-    /** Shows the newest snapshot now if it has not been shown. */
+    /** Shows the newest snapshot now if not yet shown. */
     public void show() {
         T newest = source.get();
         if (newest != shown) {

@@ -92,7 +92,7 @@ public enum Symbol {
 
     private final String lines;
     private final String areas;
-    /** Lines and areas, made when they are first painted. */
+    /** Lines and areas, made at the first painting. */
     private Path2D[] paths;
 
     Symbol(String lines, String areas) {

@@ -20,14 +20,14 @@ import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 
 /**
- * Colours, fonts, strokes and distances of the windows, at the window's appearance and zoom. Components read them when they
- * paint, so that a change of appearance or zoom needs only {@link #refresh}.
+ * Colours, fonts, strokes and distances of the windows, at the window's appearance and zoom. Components read them
+ * when painting, so a change of appearance or zoom needs only {@link #refresh}.
  *
- * <p>Distances are written in units of the design, on a grid of 8 (4 inside controls); {@link #px} multiplies them by the
- * zoom into logical pixels. The JRE applies the display's scale.
+ * <p>Distances are in design units, on a grid of 8 (4 inside controls); {@link #px} multiplies them by the zoom into
+ * logical pixels. The JRE applies the display's scale.
  *
- * <p>A program has one window, so appearance and zoom are static. They are set on the event thread. The zoom is read there
- * only; the appearance is read by any thread that draws a picture for a file.
+ * <p>A program has one window, so appearance and zoom are static. They are set on the event thread. The zoom is read
+ * there only; the appearance is read by any thread that draws a picture for a file.
  */
 public final class Theme {
     /** The step of the layout grid, in units. */
@@ -79,7 +79,7 @@ public final class Theme {
         reinstall();
     }
 
-    /** The present zoom changed by that many steps of 10 %. */
+    /** The current zoom changed by a number of steps of 10 %. */
     public static double zoomed(int steps) {
         return Math.round(zoom * Math.pow(ZOOM_STEP, steps) * 100) / 100.0;
     }
@@ -92,7 +92,7 @@ public final class Theme {
         }
     }
 
-    /** Updates a tree of components after appearance or zoom have changed. */
+    /** Updates a tree of components after a change of appearance or zoom. */
     public static void refresh(Component root) {
         SwingUtilities.updateComponentTreeUI(root);
         if (!(root instanceof Window)) {

@@ -17,7 +17,7 @@ public final class UserAction extends AbstractAction {
     /**
      * Creates an action.
      *
-     * @param id names the action in input maps and tests, as {@code phone.call}
+     * @param id name in input maps and tests, as {@code phone.call}
      * @param name shown in menus and on buttons; {@code &} precedes the mnemonic
      */
     public UserAction(String id, String name, Runnable task) {
@@ -33,7 +33,7 @@ public final class UserAction extends AbstractAction {
         }
     }
 
-    /** An action with the texts of a key: its name, and its tool tip at {@code KEY.why}. */
+    /** An action with the texts of a key: its name, and at {@code KEY.why} its tool tip. */
     public static UserAction of(TextBundle texts, String id, String key, Runnable task) {
         return new UserAction(id, texts.of(key), task).described(texts.of(key + ".why"));
     }
@@ -68,7 +68,10 @@ public final class UserAction extends AbstractAction {
         bind(anchor, JComponent.WHEN_IN_FOCUSED_WINDOW, strokes);
     }
 
-    /** Binds a key everywhere in the anchor's window; the tool tip is the name with the key. @param modifiers of InputEvent */
+    /**
+     * Binds a key everywhere in the anchor's window; the tool tip is the name with the key. @param modifiers of
+     * {@link java.awt.event.InputEvent}
+     */
     public UserAction onKey(JComponent anchor, int key, int modifiers) {
         bindInWindow(anchor, KeyStroke.getKeyStroke(key, modifiers));
         return described(

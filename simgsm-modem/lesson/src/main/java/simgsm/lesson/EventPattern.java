@@ -8,9 +8,9 @@ import simgsm.console.ConsoleCommand;
 import simgsm.console.Event;
 
 /**
- * Which events a condition means.
+ * The events accepted by a condition.
  *
- * @param source the program that prints it, or {@code student}, {@code trace}, {@code tool}
+ * @param source program that prints them, or {@code student}, {@code trace}, {@code tool}
  */
 public record EventPattern(String source, String event, List<FieldTest> tests) {
     /** Reads {@code SOURCE EVENT [TEST]...}. */
@@ -26,7 +26,7 @@ public record EventPattern(String source, String event, List<FieldTest> tests) {
         return new EventPattern(words.get(0), words.get(1), List.copyOf(tests));
     }
 
-    /** The words of a line; quotes may hold blanks. */
+    /** The words of a line; quoted ones may contain blanks. */
     static List<String> words(String text) throws LessonException {
         try {
             return new ConsoleCommand("", text).words();

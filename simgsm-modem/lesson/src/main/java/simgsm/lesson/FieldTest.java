@@ -32,7 +32,7 @@ public record FieldTest(String field, String operator, String value) {
         throw new LessonException("expected FIELD and one of " + String.join(" ", OPERATORS) + ", found " + word);
     }
 
-    /** Whether the fields pass; a field or value that is missing fails, except for {@code !=}. */
+    /** True if the fields pass; a missing field or value fails, except for {@code !=}. */
     boolean isPassedBy(Map<String, String> fields, UnaryOperator<String> variables) {
         String found = field.startsWith("{") ? known(variables.apply(field)) : fields.get(field);
         String wanted = known(variables.apply(value));
@@ -84,7 +84,7 @@ public record FieldTest(String field, String operator, String value) {
         };
     }
 
-    /** Not a number, with which every comparison is false, for what is none. */
+    /** NaN, for which every comparison is false, if the text is no number. */
     private static double number(String text) {
         try {
             return Double.parseDouble(text.strip().replace(',', '.'));
@@ -93,7 +93,7 @@ public record FieldTest(String field, String operator, String value) {
         }
     }
 
-    /** Without blanks and in small letters: neither decides whether an answer is right. */
+    /** Without blanks and in small letters, which do not affect an answer's correctness. */
     static String plain(String text) {
         return text.replaceAll("\\s+", "").toLowerCase(Locale.ROOT);
     }

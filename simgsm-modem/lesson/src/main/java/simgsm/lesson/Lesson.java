@@ -8,10 +8,10 @@ import java.util.Optional;
  * A lesson without its texts.
  *
  * @param name of its folder
- * @param minutes that a class takes
+ * @param minutes of a class
  * @param center options of the centre, without their hyphens
- * @param closed numbers whose SIMs the network accepts; empty for an open network
- * @param isCaptured whether the centre writes {@code lesson.pcap}
+ * @param closed numbers of the SIMs accepted by the network; empty for an open network
+ * @param isCaptured true if the centre writes {@code lesson.pcap}
  */
 public record Lesson(
         String name,

@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a button of a lesson does.
+ * The action of a lesson's button.
  *
- * @param stepsAbove number of steps that the lesson's text and window show above the button
- * @param input what the student gives with it
+ * @param stepsAbove number of steps above the button in the lesson's text and window
+ * @param input by the student
  * @param lines of a solution; {@code {input}} is that input
  */
 public record LessonAction(String name, int stepsAbove, Input input, List<String> lines) {
-    /** What a student types or chooses. */
+    /** The student's input. */
     public sealed interface Input permits Nothing, Text, Range, File {}
 
     /** A button alone. */
@@ -21,7 +21,7 @@ public record LessonAction(String name, int stepsAbove, Input input, List<String
     /** A line of text. */
     public record Text() implements Input {}
 
-    /** A number between two limits, which belong to it. */
+    /** A number between two limits, both included. */
     public record Range(int least, int most, boolean isWhole) implements Input {
         /**
          * The number in digits with a dot, if the text begins with one in range; a comma may stand for the dot. Equal numbers
@@ -38,7 +38,7 @@ public record LessonAction(String name, int stepsAbove, Input input, List<String
         }
     }
 
-    /** @param ending of its name, such as {@code wav}; empty for any */
+    /** @param ending of the file name, such as {@code wav}; empty for any */
     public record File(String ending) implements Input {}
 
     public LessonAction {

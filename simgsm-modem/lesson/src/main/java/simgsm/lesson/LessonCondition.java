@@ -6,10 +6,10 @@ import java.util.Optional;
 /**
  * One condition of a step.
  *
- * @param patterns events that have to come in this order
- * @param least how often the first must come; only with a single pattern
- * @param most how often it may come at most; without a limit for a condition that must come true
- * @param different the field whose different values count, each once; empty where all events count
+ * @param patterns events required in this order
+ * @param least count of the first event; only with a single pattern
+ * @param most count; unlimited for a condition that must become true
+ * @param different field of which different values count, each once; empty if all events count
  */
 public record LessonCondition(List<EventPattern> patterns, int least, int most, Optional<String> different) {
     static final int NO_LIMIT = Integer.MAX_VALUE;
@@ -19,7 +19,7 @@ public record LessonCondition(List<EventPattern> patterns, int least, int most, 
         return new LessonCondition(patterns, 1, NO_LIMIT, Optional.empty());
     }
 
-    /** Whether it only limits a number, so that it is true until too many events have come. */
+    /** True if the condition only limits a number: it holds until too many events have occurred. */
     boolean isLimit() {
         return most != NO_LIMIT;
     }

@@ -16,13 +16,13 @@ import simgsm.console.UsageException;
 import simgsm.file.FileErrors;
 import simgsm.file.Utf8Text;
 
-/** The lessons of the suite, and those of a teacher's own folder: a folder of text files each. */
+/** The lessons of the suite and of a teacher's folder; each is a folder of text files. */
 public final class LessonLibrary {
     private static final String OPTION = "lessons";
     private static final String PLACE = "/lessons/";
     private static final String LESSON = "lesson.txt";
     private static final String INDEX = "index.txt";
-    /** Of a file of a lesson; the longest of the suite has a hundredth of it. */
+    /** Limit of a lesson's file; the longest of the suite has a hundredth of it. */
     private static final long MOST_OCTETS = 1 << 20;
 
     private static final LessonLibrary SUITE =
@@ -44,9 +44,9 @@ public final class LessonLibrary {
     }
 
     /**
-     * The lessons of the suite and those of {@code --lessons DIR}, if it is given with a folder.
+     * The lessons of the suite and those of {@code --lessons DIR}.
      *
-     * @throws UsageException if the folder holds no lessons
+     * @throws UsageException if the folder has no lessons
      */
     public static LessonLibrary of(Arguments arguments) throws UsageException {
         String given = arguments.text(OPTION).orElse("");
@@ -58,10 +58,10 @@ public final class LessonLibrary {
     }
 
     /**
-     * The lessons of the suite and those in a teacher's folder: each folder in it that holds {@code lesson.txt}, in the order
-     * of its {@code index.txt}, or of their names.
+     * The lessons of the suite and those of a teacher's folder: each subfolder with {@code lesson.txt}, in the order
+     * of {@code index.txt}, or of their names.
      *
-     * @throws LessonException if it holds none, or one with a name of the suite's
+     * @throws LessonException if there are none, or one has a name of the suite's
      */
     public static LessonLibrary with(Path folder) throws LessonException {
         if (Files.isRegularFile(folder.resolve(LESSON))) {
@@ -100,7 +100,7 @@ public final class LessonLibrary {
         }
     }
 
-    /** Those that the index names, then the others. */
+    /** Those of the index, then the others. */
     private static List<String> ordered(Path index, List<String> found) throws LessonException {
         List<String> names = new ArrayList<>(LessonReader.list(text(index)));
         for (String name : names) {
@@ -116,17 +116,17 @@ public final class LessonLibrary {
         return names;
     }
 
-    /** Their names, in the order in which a class takes them, a teacher's own last. */
+    /** Names of the lessons in the order of a course, a teacher's own last. */
     public List<String> names() {
         return Stream.concat(suite.stream(), own.stream()).toList();
     }
 
-    /** Where a teacher's own lesson lies; nothing for a lesson of the suite. */
+    /** The folder of a teacher's own lesson; empty for a lesson of the suite. */
     public Optional<Path> folder(String name) {
         return own.contains(name) ? folder.map(each -> each.resolve(name)) : Optional.empty();
     }
 
-    /** @throws LessonException if there is no such lesson, naming those that there are, or if it cannot be read */
+    /** @throws LessonException if the lesson cannot be read, or does not exist; then naming those that do */
     public Lesson lesson(String name) throws LessonException {
         if (!names().contains(name)) {
             throw new LessonException("expected one of " + String.join(", ", names()) + ", found " + name);
@@ -134,7 +134,7 @@ public final class LessonLibrary {
         return LessonReader.read(name, place(name, LESSON), text(name, LESSON));
     }
 
-    /** The texts in a language, or those in the other one where a teacher has written only these. */
+    /** The texts in a language; in the other one if the lesson has only these. */
     public LessonTexts texts(Lesson lesson, Locale language) throws LessonException {
         String wanted = file(language, ".txt");
         String other = wanted.equals("es.txt") ? "en.txt" : "es.txt";
@@ -147,7 +147,7 @@ public final class LessonLibrary {
         return texts;
     }
 
-    /** The teacher's sheet of a lesson, in Markdown; in the other language where there is no other. */
+    /** The teacher's sheet of a lesson, in Markdown; in the other language if there is only that. */
     public Optional<String> sheet(String name, Locale language) throws LessonException {
         String wanted = file(language, ".md");
         Optional<String> sheet = sheet(name, wanted);
@@ -167,7 +167,7 @@ public final class LessonLibrary {
         return find(name, file).orElseThrow(() -> new LessonException(place(name, file) + ": no such file"));
     }
 
-    /** A file of a lesson's folder as it is. */
+    /** A file of a lesson's folder, unchanged. */
     public byte[] octets(String name, String file) throws LessonException, IOException {
         if (own.contains(name)) {
             Path path = folder.orElseThrow().resolve(name).resolve(file);
@@ -177,7 +177,7 @@ public final class LessonLibrary {
         return text(name, file).getBytes(StandardCharsets.UTF_8);
     }
 
-    /** How messages name a file of a lesson. */
+    /** The name of a lesson's file in messages. */
     private String place(String name, String file) {
         return folder(name).map(each -> each.resolve(file).toString()).orElse(name + "/" + file);
     }
@@ -197,7 +197,7 @@ public final class LessonLibrary {
         }
     }
 
-    /** A text file in UTF-8, as editors on any system write it. */
+    /** A text file in UTF-8, from an editor of any system. */
     private static String text(Path file) throws LessonException {
         try {
             requireSmall(file);

@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 final class LessonReader {
     private static final int MAX_MINUTES = 240;
 
-    /** Words with a meaning of their own where programs are named. */
+    /** Words with another meaning than a program's name. */
     private static final Set<String> TAKEN = Set.of(
             ("predict answer hint start stop tool java drive capture give use at submit act " + "different").split(" "));
 
@@ -52,8 +52,8 @@ final class LessonReader {
     /**
      * Reads a lesson.
      *
-     * @param file for the messages
-     * @throws LessonException naming file, line and what was expected
+     * @param file for error texts
+     * @throws LessonException naming file, line and expected form
      */
     static Lesson read(String name, String file, String text) throws LessonException {
         LessonReader reader = new LessonReader();
@@ -145,7 +145,7 @@ final class LessonReader {
         programs.add(new LessonProgram(words.get(0), words.get(1), words.subList(2, words.size()), isLater));
     }
 
-    /** {@code draw A B from 1 2 3}, or {@code draw A from 20..60}: different values for the names. */
+    /** {@code draw A B from 1 2 3}, or {@code draw A from 20..60}: draws different values for the names. */
     private void draw(List<String> words) throws LessonException {
         int from = words.indexOf("from");
         if (from < 1 || from == words.size() - 1) {
@@ -200,7 +200,7 @@ final class LessonReader {
                 Optional.empty()));
     }
 
-    /** {@code keep NAME FIELD SOURCE EVENT [TEST]...}: the field of the latest such event. */
+    /** {@code keep NAME FIELD SOURCE EVENT [TEST]...}: keeps the field of the latest such event. */
     private void keep(List<String> words, String rest) throws LessonException {
         String[] parts = rest.split("\\s+", 3);
         if (words.size() < 4) {
@@ -269,7 +269,7 @@ final class LessonReader {
         return text;
     }
 
-    /** Names in braces are those of variables; a program's options may use what is kept later. */
+    /** Requires that names in braces are variables; a program's options may use later ones. */
     private void requireKnownNames() throws LessonException {
         Set<String> known = new TreeSet<>(LessonVariables.PLACES);
         variables.forEach(variable -> known.addAll(variable.names()));
@@ -283,7 +283,7 @@ final class LessonReader {
         }
     }
 
-    /** Events come from programs of the lesson and from what all lessons have; answers are those of steps. */
+    /** Requires that events are from programs of the lesson or common sources, and answers from steps. */
     private void requireKnownSources() throws LessonException {
         Set<String> known = new TreeSet<>(SOURCES);
         programs.forEach(program -> known.add(program.name()));
@@ -372,7 +372,7 @@ final class LessonReader {
         throw new LessonException("expected a number of " + least + " to " + most + ", found " + text);
     }
 
-    /** For lists of words in one line of a text file. */
+    /** Items as a list in one line of a text file. */
     static List<String> list(String text) {
         return Arrays.stream(text.strip().split("\\s+"))
                 .filter(word -> !word.isEmpty())

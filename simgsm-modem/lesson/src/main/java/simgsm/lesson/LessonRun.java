@@ -14,9 +14,9 @@ import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import simgsm.console.Event;
 
-/** One student's way through a lesson: events come in, steps become done. One thread at a time. */
+/** One student's run of a lesson, which marks steps as done by events. One thread at a time. */
 public final class LessonRun {
-    /** The source of what the student types; the event's name is the answer's. */
+    /** The source of the student's answers; the event's name is the answer's. */
     public static final String STUDENT = "student";
 
     private final Lesson lesson;
@@ -27,7 +27,7 @@ public final class LessonRun {
     private String prediction = "";
     private Consumer<StepResult> listener = result -> {};
 
-    /** @param seed chooses the student's own numbers */
+    /** @param seed selects the student's own numbers */
     public LessonRun(Lesson lesson, long seed, LessonFunctions functions) {
         this.lesson = lesson;
         this.seed = seed;
@@ -48,12 +48,12 @@ public final class LessonRun {
         listener = next;
     }
 
-    /** Gives a name a value that the task may show, such as a folder. */
+    /** Sets a value for the task's text, such as a folder. */
     public void put(String name, String value) {
         variables.put(name, value);
     }
 
-    /** What the student expects to see; it is not marked. The first one stays: later ones would be none. */
+    /** The student's prediction, not marked. Only the first is kept: later ones would not be predictions. */
     public void predict(String text) {
         if (prediction.isEmpty()) {
             prediction = text.strip();
@@ -78,15 +78,15 @@ public final class LessonRun {
         event(STUDENT, event.with("count", words.size()));
     }
 
-    /** An answer without the signs that Wireshark writes between octets and before them: {@code 55:05}, {@code 0x03}. */
+    /** An answer without Wireshark's separators and prefixes of octets: {@code 55:05}, {@code 0x03}. */
     private static String octets(String text) {
         return text.replaceAll("(?i)\\b0x(?=[0-9a-f])", "")
                 .replaceAll("(?i)(?<=\\b[0-9a-f]{2}):(?=[0-9a-f]{2}\\b)", "");
     }
 
     /**
-     * The words of an answer; of an answer with numbers those alone, so that units and conjunctions may stand between them:
-     * {@code 697 Hz and 1209 Hz}, {@code 697,1209} and {@code 697/1209} are two numbers, {@code -9,5 dB} is one.
+     * The words of an answer; if it has numbers only these, so units and conjunctions are permitted: {@code 697 Hz
+     * and 1209 Hz}, {@code 697,1209} and {@code 697/1209} are two numbers, {@code -9,5 dB} is one.
      */
     private static List<String> words(String text) {
         String parted = text.replace('\u2212', '-')
@@ -101,10 +101,10 @@ public final class LessonRun {
         return numbers.isEmpty() ? words : numbers;
     }
 
-    /** An event that a program has printed. */
+    /** An event printed by a program. */
     public void event(String source, Event event) {
         variables.take(source, event);
-        // A step that this event makes possible begins with the next one.
+        // A step opened by this event begins with the next one.
         List<Progress> open = steps.stream().filter(this::isOpen).toList();
         open.forEach(step -> step.event(source, event));
     }
@@ -120,12 +120,12 @@ public final class LessonRun {
                 .orElseThrow();
     }
 
-    /** Whether all conditions of a step hold. */
+    /** True if all conditions of a step hold. */
     public boolean isDone(String name) {
         return progress(name).isDone();
     }
 
-    /** Whether a limit of a step is exceeded, so that only a new try can pass it, or a new run where it has no tries. */
+    /** True if a limit of a step is exceeded, so that only a new try can pass it, or a new run where it has no tries. */
     public boolean isExceeded(String name) {
         return progress(name).isExceeded();
     }
@@ -135,7 +135,7 @@ public final class LessonRun {
         progress(name).hint();
     }
 
-    /** How a step stands. */
+    /** The current result of a step. */
     public StepResult result(String name) {
         return progress(name).result();
     }
@@ -149,7 +149,7 @@ public final class LessonRun {
         return (int) steps.stream().filter(Progress::isDone).count();
     }
 
-    /** The answers in the order in which they were first given; the newest text of each. */
+    /** The newest text of each answer, in the order of their first texts. */
     public Map<String, String> answers() {
         return Collections.unmodifiableMap(answers);
     }
@@ -164,16 +164,16 @@ public final class LessonRun {
         return variables.replace(text, false);
     }
 
-    /** A text of the lesson's own solutions, with the values that the student has to find. */
+    /** A text of the lesson's solutions, with the values that the student has to find. */
     public String solved(String text) {
         return variables.replace(text, true);
     }
 
     private final class Progress {
         private final LessonStep step;
-        /** By condition: matched patterns of a chain, or counted events. */
+        /** Matched patterns or counted events, by condition. */
         private final int[] counts;
-        /** By condition: the values that have been counted. */
+        /** Counted values, by condition. */
         private final Map<LessonCondition, Set<String>> values = new HashMap<>();
 
         private boolean isDone;
@@ -225,7 +225,7 @@ public final class LessonRun {
                     .orElse(true);
         }
 
-        /** A step that was done once stays done. */
+        /** A step remains done. */
         boolean isDone() {
             return isDone;
         }

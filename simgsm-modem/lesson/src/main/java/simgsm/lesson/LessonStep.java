@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A step of a lesson, with a lamp of its own.
+ * A step of a lesson, with its own lamp.
  *
- * @param name by which texts and results refer to it
- * @param after the step that has to be done before its conditions count; empty for none
- * @param again events of which each begins a new try: what was counted is forgotten; empty for one try alone
- * @param answer the name of the answer that the student types here; empty for none
+ * @param name in texts and results
+ * @param after step to be done before this one's conditions count; empty for none
+ * @param again events that begin a new try and reset the counts; empty for a single try
+ * @param answer name of the student's answer at this step; empty for none
  */
 public record LessonStep(
         String name,

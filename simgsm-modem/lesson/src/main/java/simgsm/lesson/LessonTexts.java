@@ -11,13 +11,13 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The texts of a lesson in one language. In the file a line {@code KEY: text} begins one, such as {@code step dial: Dial the
+ * The texts of a lesson in one language. A line {@code KEY: text} begins one, such as {@code step dial: Dial the
  * robot.}; indented lines continue it, and an empty line in it begins a paragraph.
  */
 public final class LessonTexts {
     private final String file;
     private final Map<String, String> texts;
-    /** The line in which each key stands. */
+    /** Line number of each key. */
     private final Map<String, Integer> lines;
 
     private LessonTexts(String file, Map<String, String> texts, Map<String, Integer> lines) {
@@ -26,7 +26,7 @@ public final class LessonTexts {
         this.lines = lines;
     }
 
-    /** @param file for the messages, such as {@code twelve-keys/en.txt} */
+    /** @param file for error texts, such as {@code twelve-keys/en.txt} */
     static LessonTexts read(String file, String content) throws LessonException {
         Map<String, List<String>> read = new LinkedHashMap<>();
         Map<String, Integer> lines = new HashMap<>();
@@ -63,7 +63,7 @@ public final class LessonTexts {
     /**
      * Requires a text for each part of the lesson and no other, with no other names in braces than the student's own.
      *
-     * @throws LessonException naming file, line and what was expected
+     * @throws LessonException naming file, line and expected form
      */
     void require(Lesson lesson) throws LessonException {
         Set<String> keys = new LinkedHashSet<>(List.of("title", "task", "predict", "question"));
@@ -95,7 +95,7 @@ public final class LessonTexts {
         }
     }
 
-    /** Lines of a paragraph are joined by blanks, paragraphs by an empty line. */
+    /** Joins lines of a paragraph by blanks, paragraphs by an empty line. */
     private static String joined(List<String> lines) {
         StringBuilder text = new StringBuilder();
         for (String line : lines) {
@@ -109,7 +109,7 @@ public final class LessonTexts {
         return text.toString().strip();
     }
 
-    /** The text, or the key where there is none. */
+    /** The text; the key if there is none. */
     public String of(String key) {
         return texts.getOrDefault(key, key);
     }

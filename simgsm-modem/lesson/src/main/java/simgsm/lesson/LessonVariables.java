@@ -14,7 +14,7 @@ import simgsm.console.Event;
 
 /** The values of names in braces: drawn from the seed, computed from others, or taken from events. */
 final class LessonVariables {
-    /** The lesson's folder at work, and where a teacher's own lesson lies. */
+    /** The lesson's working folder, and the folder of a teacher's own lesson. */
     static final Set<String> PLACES = Set.of("folder", "lesson");
 
     private static final Pattern IN_BRACES = Pattern.compile("\\{([A-Za-z][A-Za-z0-9-]*)\\}");
@@ -36,12 +36,12 @@ final class LessonVariables {
         compute();
     }
 
-    /** The names that stand in braces in a text. */
+    /** The names in braces in a text. */
     static List<String> namesIn(String text) {
         return IN_BRACES.matcher(text).results().map(found -> found.group(1)).toList();
     }
 
-    /** The names whose values students see. */
+    /** Names with values shown to students. */
     static Set<String> shownNames(Lesson lesson) {
         Set<String> names = new TreeSet<>(PLACES);
         lesson.variables().stream()
@@ -58,7 +58,7 @@ final class LessonVariables {
         }
     }
 
-    /** Computes what can be: a function whose arguments are not known yet waits for them. */
+    /** Computes all functions with known arguments; the others remain open. */
     private void compute() {
         for (LessonVariable variable : lesson.variables()) {
             if (variable.kind() == LessonVariable.Kind.COMPUTED) {
@@ -86,7 +86,7 @@ final class LessonVariables {
         }
     }
 
-    /** Takes the values that conditions keep from this event. */
+    /** Takes the kept values from this event. */
     void take(String source, Event event) {
         boolean isChanged = false;
         for (LessonVariable variable : lesson.variables()) {
@@ -113,7 +113,7 @@ final class LessonVariables {
     /**
      * Replaces the known names in braces.
      *
-     * @param isAll whether the values of the solution are replaced, too
+     * @param isAll true to replace the solution's values, too
      */
     String replace(String text, boolean isAll) {
         String replaced = text;
@@ -125,7 +125,7 @@ final class LessonVariables {
         return replaced;
     }
 
-    /** The student's own numbers: the drawn values without the places. */
+    /** The student's own numbers: the drawn values without folders. */
     Map<String, String> drawn() {
         Map<String, String> shown = new HashMap<>(values);
         shown.keySet().retainAll(drawn);

@@ -103,7 +103,7 @@ final class DecodedFile {
         return status;
     }
 
-    /** Why the file could not be decoded; null without an error. */
+    /** The reason of a failure; null if there is none. */
     String error() {
         return error;
     }

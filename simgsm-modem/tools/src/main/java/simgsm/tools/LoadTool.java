@@ -52,7 +52,7 @@ final class LoadTool {
         return (int) arguments.integer(name, otherwise, 0, Integer.MAX_VALUE);
     }
 
-    /** Fails at once without a centre; the stations would try to connect without end. */
+    /** Fails at once without a centre; the stations would retry for ever. */
     private static void requireCenter(HostPort center) throws UnavailableException {
         try (Socket socket = new Socket()) {
             socket.connect(new InetSocketAddress(center.host(), center.port()), CONNECT_MILLIS);

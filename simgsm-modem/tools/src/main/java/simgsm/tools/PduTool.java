@@ -42,7 +42,7 @@ final class PduTool {
     }
 
     /**
-     * One user part a line, {@code udhi,dcs,udl,ud-hex}, all numbers decimal.
+     * One user part per line, {@code udhi,dcs,udl,ud-hex}, all numbers decimal.
      *
      * @param reference of the message, 0 to 255; used with several parts only
      * @throws IllegalArgumentException for a text of more than 255 parts
@@ -57,10 +57,10 @@ final class PduTool {
     }
 
     /**
-     * A SUBMIT, DELIVER or STATUS-REPORT in words, a field a line as {@code name: value}. Blanks in the digits are
-     * ignored.
+     * A SUBMIT, DELIVER or STATUS-REPORT in words, one field per line as {@code name: value}. Blanks in the digits
+     * are ignored.
      *
-     * @throws IllegalArgumentException for anything else; the text says what is wrong
+     * @throws IllegalArgumentException for anything else, naming the fault
      */
     static String decode(String hex) {
         OctetString octets = octets(hex);
@@ -71,7 +71,7 @@ final class PduTool {
         }
     }
 
-    /** Reads a TPDU, or one after the address of its service centre, as AT commands and phone software have it. */
+    /** Reads a TPDU, alone or after the address of its service centre, as in AT commands and phone software. */
     private static Tpdu decode(OctetString octets) throws ProtocolViolation {
         Direction direction = isSubmit(octets) ? Direction.UPLINK : Direction.DOWNLINK;
         try {

@@ -8,7 +8,7 @@ import simgsm.console.Options;
 /**
  * One tool of the command line: {@code simgsm-modem.jar WORD ...}. The resource {@code WORD.txt} has its options.
  *
- * @param logLevel in force without {@code --log-level}
+ * @param logLevel without {@code --log-level}
  * @param arguments most arguments other than options
  */
 record Tool(String word, String logLevel, int arguments, Body body) {
@@ -20,7 +20,7 @@ record Tool(String word, String logLevel, int arguments, Body body) {
             new Tool("pdu", "warning", 2, PduTool::run),
             new Tool("load", "warning", 0, LoadTool::run));
 
-    /** Does the work. Returns the exit status. */
+    /** Runs the tool. Returns the exit status. */
     interface Body {
         int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception;
     }

@@ -12,10 +12,10 @@ import java.util.Map;
 import simgsm.file.SecretFile;
 import simgsm.file.Utf8Text;
 
-/** The keys with which programs act for operators: {@code name=key}, a line each; {@code #} begins a line of comment. */
+/** The keys of programs that act for operators: {@code name=key} per line; {@code #} begins a line of comment. */
 public final class AccessKeys {
     private static final String NAME = "[\\p{L}\\p{N}_.+-]{1,64}";
-    /** Characters of a header field and of JSON alike. */
+    /** Characters permitted in a header field and in JSON. */
     private static final String KEY = "[!-~]{1,200}";
 
     private final Map<String, byte[]> keys = new LinkedHashMap<>();
@@ -23,7 +23,7 @@ public final class AccessKeys {
 
     private AccessKeys() {}
 
-    /** One key, of all that act for this operator. */
+    /** One key for all programs of this operator. */
     public static AccessKeys of(String operator, String key) {
         AccessKeys keys = new AccessKeys();
         keys.keys.put(operator, key.getBytes(StandardCharsets.US_ASCII));
@@ -33,8 +33,7 @@ public final class AccessKeys {
     /**
      * Reads a file, and logs a warning if every user of this machine may read it.
      *
-     * @throws IOException naming the file and, for content that is not understood, the line and what was expected there; no
-     *     keys
+     * @throws IOException naming the file and, for invalid content, the line and the expected form, but no keys
      */
     public static AccessKeys read(Path file) throws IOException {
         List<String> lines = Utf8Text.read(file).lines().map(String::strip).toList();
@@ -76,11 +75,11 @@ public final class AccessKeys {
     }
 
     /**
-     * The operator with this key. The time that this takes does not depend on the keys' characters. Any thread may call it;
-     * guesses that come at once are counted one after the other.
+     * The operator with this key. The run time does not depend on the keys' characters. Any thread may call it;
+     * simultaneous guesses are counted one after the other.
      *
-     * @param from the client's address, whose guesses are slowed
-     * @throws RequestException with status 401 for a wrong key, 429 for one too many
+     * @param from the client's address; its guesses are limited
+     * @throws RequestException with status 401 for a wrong key, 429 for one too many guesses
      */
     public synchronized String operator(String key, InetAddress from, long nowNanos) throws RequestException {
         guesses.require(from, nowNanos);

@@ -14,10 +14,10 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
     private static final int MOST_HEAD_OCTETS = 16 * 1024;
     private static final int HEAD_TOO_LARGE = 431;
     private static final long HEAD_NANOS = TimeUnit.SECONDS.toNanos(3);
-    /** A client that has been sent a close frame has this time for its own (RFC 6455, 7.1.1). */
+    /** Time of a client to answer a close frame by its own (RFC 6455, 7.1.1). */
     private static final long CLOSE_NANOS = TimeUnit.SECONDS.toNanos(1);
 
-    /** A client that has ended its side of the connection has this time for the answer. */
+    /** Time of the answer to a client that has ended its side of the connection. */
     private static final long ANSWER_NANOS = TimeUnit.SECONDS.toNanos(10);
 
     private static final long TAKE_NANOS = TimeUnit.SECONDS.toNanos(10);
@@ -31,7 +31,7 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
     private final OutputQueue output = new OutputQueue(MOST_MESSAGES, MOST_DROPPABLE, written -> countTaken());
     private long messagesTaken;
     private final StringBuilder head = new StringBuilder();
-    /** Null until the head has come, and of a passed connection. */
+    /** Null until the head has been read, and for a passed connection. */
     private WebSocketSession socket;
     /** Null unless the connection is passed on. */
     private PassedConnection passed;

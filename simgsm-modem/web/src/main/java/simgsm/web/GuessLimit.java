@@ -6,8 +6,8 @@ import java.util.Map;
 import simgsm.timer.RateLimit;
 
 /**
- * Slows the guessing of keys: each address has 10 wrong ones at once, then one a second. Until then its further keys, right
- * or wrong, are refused unread, so that a guess cannot be told from a right key in between.
+ * Slows the guessing of keys: each address may send 10 wrong ones at once, then one a second. Its further keys, right
+ * or wrong, are refused unread until then, so that a guess is not told from a right key.
  */
 final class GuessLimit {
     /** At once, after 10 s without a wrong key. */
@@ -24,7 +24,6 @@ final class GuessLimit {
         }
     };
 
-    /** No address has sent a wrong key. */
     public GuessLimit() {}
 
     /** @throws RequestException with status 429 if an address has sent too many wrong keys */

@@ -39,7 +39,7 @@ record HttpHead(String method, String target, String version, Map<String, String
         return Optional.ofNullable(fields.get(name));
     }
 
-    /** Whether a comma-separated field contains this token, in upper or lower case (RFC 9110, 5.6.1). */
+    /** True if a comma-separated field contains this token, in upper or lower case (RFC 9110, 5.6.1). */
     boolean contains(String name, String token) {
         return Arrays.stream(field(name).orElse("").toLowerCase(Locale.ROOT).split(","))
                 .anyMatch(each -> each.strip().equals(token.toLowerCase(Locale.ROOT)));

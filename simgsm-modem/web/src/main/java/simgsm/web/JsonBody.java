@@ -14,8 +14,8 @@ public final class JsonBody {
     /**
      * Reads a body.
      *
-     * @throws RequestException with status 415 for another type, 413 for more octets, 422 for what is no JSON object, naming
-     *     the position and what was expected
+     * @throws RequestException with status 415 for another type, 413 for more octets, 422 if it is no JSON object,
+     *     naming the position and the expected syntax
      */
     public static Map<String, Object> read(HttpExchange exchange, int mostOctets) throws IOException, RequestException {
         String type = Objects.requireNonNullElse(exchange.getRequestHeaders().getFirst("Content-Type"), "");

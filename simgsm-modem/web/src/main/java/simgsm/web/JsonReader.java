@@ -24,7 +24,7 @@ public final class JsonReader {
         this.text = text;
     }
 
-    /** @throws IllegalArgumentException naming the position, from 1, and what was expected */
+    /** @throws IllegalArgumentException naming the position, from 1, and the expected syntax */
     public static Object parse(String text) {
         JsonReader reader = new JsonReader(text);
         Object value = reader.value();

@@ -13,7 +13,6 @@ public final class JsonText {
     private final StringBuilder text = new StringBuilder();
     private boolean first = true;
 
-    /** Nothing yet. */
     public JsonText() {}
 
     /** Begins an array or object. */
@@ -66,10 +65,7 @@ public final class JsonText {
         return this;
     }
 
-    /**
-     * Any value that {@link JsonReader} returns, with numbers of every kind; numbers that are not finite become null, since JSON
-     * has none.
-     */
+    /** Any value of {@link JsonReader} or number; numbers that are not finite become null, since JSON has none. */
     public JsonText any(Object value) {
         if (value instanceof Map<?, ?> object) {
             open('{');
@@ -90,7 +86,7 @@ public final class JsonText {
         return this;
     }
 
-    /** An object with the fields that the event's class declares. */
+    /** An object with the fields declared by the event's class. */
     public JsonText object(Object event) {
         return object(EventForm.of(event).orElseThrow().values(event, Map.of()));
     }
@@ -100,7 +96,7 @@ public final class JsonText {
         return open('{').fields(values).close('}');
     }
 
-    /** Fields of the open object: numbers and truth values as such, times with milliseconds, all others as texts. */
+    /** Fields of the open object: numbers and truth values as such, times with milliseconds, others as texts. */
     public JsonText fields(Map<String, Object> values) {
         values.forEach((name, value) -> {
             name(name).separate();

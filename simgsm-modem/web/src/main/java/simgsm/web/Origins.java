@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Which pages may read. A page from elsewhere must not reach this server under a name that it makes point here, so requests
- * name this machine; a page on this machine may read what is served.
+ * Checks of the pages that may read. Against DNS rebinding, requests must name this machine; a page on this machine
+ * may read all answers.
  */
 final class Origins {
     /** An address or localhost, with or without a port. */
@@ -32,7 +32,7 @@ final class Origins {
 
     /** @throws RequestException if the request names another host */
     static void requireOwnHost(String host) throws RequestException {
-        // without a name no browser sent it
+        // Without a name it is not from a browser.
         if (host != null
                 && !ADDRESS.matcher(host).matches()
                 && !host.replaceFirst(":[0-9]+$", "").equalsIgnoreCase(OWN_NAME)) {
@@ -43,9 +43,10 @@ final class Origins {
     }
 
     /**
-     * A page of another site may open a WebSocket to this machine, or post to it, so its origin must be the host that it asks.
+     * Refuses a page of another site, which could open a WebSocket to this machine or post to it: the origin must be
+     * the requested host.
      *
-     * @param host null if the request names none, as the origin
+     * @param host null if the request names none; so is origin
      */
     static void requireSameOrigin(String host, String origin) throws RequestException {
         if (origin != null && !origin.replaceFirst("^https?://", "").equalsIgnoreCase(host)) {
@@ -53,12 +54,12 @@ final class Origins {
         }
     }
 
-    /** True if a request comes from no page, or from a page of this machine. */
+    /** True if a request has no page's origin, or that of a page of this machine. */
     static boolean isLocal(Optional<String> origin) {
         return origin.map(each -> LOCAL_PAGE.matcher(each).matches()).orElse(true);
     }
 
-    /** Lets a page of this machine read the answer. */
+    /** Permits a page of this machine to read the answer. */
     static void admit(HttpExchange exchange) {
         String origin = exchange.getRequestHeaders().getFirst("Origin");
         exchange.getResponseHeaders().add("Vary", "Origin");

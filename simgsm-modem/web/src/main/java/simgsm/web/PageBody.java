@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
-/** A page of three parts, of which the middle one is large and seldom new: its compressed form is kept with it. */
+/** A page of three parts; the large middle one seldom changes, and its compressed form is cached. */
 public final class PageBody {
     /** RFC 1952, 2.3: deflated, no time, no name, unknown system. */
     private static final byte[] GZIP_HEAD = {0x1f, (byte) 0x8b, 8, 0, 0, 0, 0, 0, 0, (byte) 0xff};
@@ -21,7 +21,7 @@ public final class PageBody {
     private static final Pattern ACCEPTS_GZIP =
             Pattern.compile("(^|[ ,])(gzip|\\*)($|[ ,]|;(?!\\s*q=0(\\.0*)?\\s*($|,)))");
 
-    /** A text, and its octets deflated by RFC 1951 as blocks of which none is the last. */
+    /** A text, and its octets deflated by RFC 1951 into blocks without the final one. */
     public static final class Part {
         private final byte[] octets;
         private final byte[] deflated;
@@ -72,7 +72,7 @@ public final class PageBody {
         return joined(before, middle.octets, after);
     }
 
-    /** The same, compressed by RFC 1952. Only the small parts are compressed now. */
+    /** The page compressed by RFC 1952. Only the small parts are compressed now. */
     byte[] gzipped() {
         byte[] tail = ByteBuffer.allocate(8)
                 .order(ByteOrder.LITTLE_ENDIAN)
@@ -87,7 +87,7 @@ public final class PageBody {
         return "W/\"" + Long.toHexString(checksum) + "-" + (before.length + middle.octets.length + after.length) + "\"";
     }
 
-    /** The answer to a request: nothing if the client has this page already, else compressed if it takes that. */
+    /** The answer to a request: nothing if the client has this page already, compressed if it accepts that. */
     public WebResponse answer(HttpExchange exchange) {
         Headers asked = exchange.getRequestHeaders();
         Headers headers = exchange.getResponseHeaders();

@@ -8,7 +8,7 @@ import simgsm.net.Connector;
 import simgsm.net.OutputQueue;
 import simgsm.net.SelectorLoop;
 
-/** The connection to the pages' server that belongs to a client's. A side that does not read stops the other's reading. */
+/** The connection to the pages' server for one client's. A side that does not read stops the other's reading. */
 final class PassedConnection implements Connector.Listener {
     private final DoorConnection client;
     private final WebDoor door;

@@ -4,8 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.IntPredicate;
 
 /**
- * A QR code (ISO/IEC 18004) of a text of up to 106 octets: byte mode, versions 1 to 5, error correction level L, which has
- * one block in these versions.
+ * A QR code (ISO/IEC 18004) of a text of up to 106 octets: byte mode, versions 1 to 5, error correction level L, one
+ * block.
  */
 public final class QrCode {
     /** Light modules around a code (5.3.8). */
@@ -21,7 +21,7 @@ public final class QrCode {
 
     private final int size;
     private final boolean[][] isDark;
-    /** Modules that hold no data: patterns and format information. */
+    /** Modules without data: patterns and format information. */
     private final boolean[][] isFixed;
 
     /** @throws IllegalArgumentException for a text of more than 106 octets in UTF-8 */
@@ -51,7 +51,7 @@ public final class QrCode {
         return isDark[row][column];
     }
 
-    /** The path of the dark modules in SVG, a unit for each module, beginning at the quiet zone's corner. */
+    /** The path of the dark modules in SVG, one unit per module, with the quiet zone's corner as origin. */
     public String svgPath() {
         StringBuilder path = new StringBuilder();
         for (int row = 0; row < size; row++) {
@@ -71,7 +71,7 @@ public final class QrCode {
     /** Data (7.4), then check codewords (7.5). */
     private static byte[] codewords(byte[] octets, int dataCount, int checkCount) {
         byte[] all = new byte[dataCount + checkCount];
-        // Mode 0100 and the length are 12 bits, so every octet is cut in two.
+        // Mode 0100 and the length have 12 bits, so every octet is split in two.
         all[0] = (byte) (0x40 | octets.length >> 4);
         all[1] = (byte) (octets.length << 4);
         for (int i = 0; i < octets.length; i++) {
@@ -107,7 +107,7 @@ public final class QrCode {
         return polynomial;
     }
 
-    /** In GF(256) modulo x^8 + x^4 + x^3 + x^2 + 1. */
+    /** The product in GF(256) modulo x^8 + x^4 + x^3 + x^2 + 1. */
     private static int product(int x, int y) {
         int product = 0;
         for (int bit = 7; bit >= 0; bit--) {
@@ -164,7 +164,7 @@ public final class QrCode {
         fix(8, size - 8, true);
     }
 
-    /** In pairs of columns from the right, up and down in turn (7.7.3). */
+    /** Fills pairs of columns from the right, up and down in turn (7.7.3). */
     private void placeData(byte[] codewords) {
         int bit = 0;
         for (int right = size - 1; right > 0; right -= 2) {
@@ -196,7 +196,7 @@ public final class QrCode {
         return best;
     }
 
-    /** Inverts the data modules of a mask (table 10) and writes its format; applied twice, the data is as before. */
+    /** Inverts the data modules of a mask (table 10) and writes its format; a second call restores the data. */
     private void mask(int mask) {
         placeFormat(mask);
         for (int row = 0; row < size; row++) {
@@ -221,7 +221,7 @@ public final class QrCode {
                 };
     }
 
-    /** The four features of 7.8.3.1 that disturb a reader. */
+    /** The penalty of the four features of 7.8.3.1. */
     private int penalty() {
         int penalty = 0;
         int dark = 0;

@@ -11,12 +11,12 @@ public final class RequestException extends Exception {
         this.status = status;
     }
 
-    /** Nothing is at a path. @param expected what could be there */
+    /** Nothing is at a path. @param expected possible paths */
     public static RequestException notFound(String path, String expected) {
         return new RequestException(WebResponse.NOT_FOUND, "nothing at " + shortened(path) + ", expected " + expected);
     }
 
-    /** What a request says is not sent back at length. */
+    /** Limits the part of a request that an error repeats. */
     public static String shortened(String text) {
         return text.length() <= MOST_QUOTED ? text : text.substring(0, MOST_QUOTED) + "...";
     }

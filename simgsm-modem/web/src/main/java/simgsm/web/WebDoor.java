@@ -10,14 +10,14 @@ import simgsm.net.Acceptor;
 import simgsm.net.Connection;
 
 /**
- * Serves WebSockets and passes every other connection, octet by octet, to the JDK's HTTP server on a port of the loopback
- * address. That server cannot upgrade a connection (JDK-8368695).
+ * Serves WebSockets and passes every other connection, octet by octet, to the JDK's HTTP server on a port of the
+ * loopback address. The JDK's server cannot upgrade a connection (JDK-8368695).
  */
 final class WebDoor implements Acceptor.Factory {
     private final InetSocketAddress pages;
     private final Map<String, WebSocketPath> paths;
     private final boolean admitsEveryHost;
-    /** The clients of passed connections, by their port on the loopback address. */
+    /** Clients of passed connections, by their port on the loopback address. */
     private final Map<Integer, InetSocketAddress> clients = new ConcurrentHashMap<>();
 
     /** @param admitsEveryHost see {@link WebPages} */
@@ -49,7 +49,7 @@ final class WebDoor implements Acceptor.Factory {
         return path;
     }
 
-    /** The client whose connection the HTTP server sees at this address of the loopback. */
+    /** The client behind a loopback address seen by the HTTP server. */
     InetSocketAddress client(InetSocketAddress seen) {
         return clients.getOrDefault(seen.getPort(), seen);
     }

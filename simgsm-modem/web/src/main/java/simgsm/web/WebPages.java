@@ -13,9 +13,9 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Answers requests to this machine by their path, those with a method that the path does not take with 405; pages of this
- * machine may read the answers to GET and HEAD, other methods are for the same origin; an error is answered with its reason as JSON, an error
- * of our own closes the connection and is logged.
+ * Answers requests to this machine by their path, with 405 to a method that the path does not accept. Pages of this
+ * machine may read the answers to GET and HEAD; other methods require the same origin. An error is answered with its
+ * reason as JSON; an internal error closes the connection and is logged.
  */
 public abstract class WebPages implements HttpHandler {
     private static final Logger LOG = System.getLogger(WebPages.class.getName());
@@ -28,15 +28,14 @@ public abstract class WebPages implements HttpHandler {
     /** Null on a port without WebSockets. */
     private volatile WebDoor door;
 
-    /** @param policy what pages may load and run (Content-Security-Policy) */
+    /** @param policy of loading and running (Content-Security-Policy) */
     protected WebPages(String policy) {
         this(policy, false);
     }
 
     /**
      * @param policy as above
-     * @param admitsEveryHost whether requests may name this machine as they like; only for pages that show nothing without
-     *     a key
+     * @param admitsEveryHost true to accept any host name; only for pages that show nothing without a key
      */
     protected WebPages(String policy, boolean admitsEveryHost) {
         this.policy = policy;
@@ -47,14 +46,14 @@ public abstract class WebPages implements HttpHandler {
         door = passing;
     }
 
-    /** The client behind a request: its own address, not that of the connection which the door passes on. */
+    /** The client of a request: its own address, not that of the connection made by the door. */
     protected final InetSocketAddress client(HttpExchange exchange) {
         InetSocketAddress seen = exchange.getRemoteAddress();
         return door == null ? seen : door.client(seen);
     }
 
     /**
-     * The operator whose key a request has.
+     * The operator of a request's key.
      *
      * @throws RequestException with status 401 without a right key, 429 after too many wrong ones
      */
@@ -67,7 +66,7 @@ public abstract class WebPages implements HttpHandler {
                 given.substring(SCHEME.length()).strip(), client(exchange).getAddress(), System.nanoTime());
     }
 
-    /** The methods that a path takes. */
+    /** The methods accepted by a path. */
     protected List<String> methods(List<String> parts) {
         return READING;
     }
@@ -78,7 +77,7 @@ public abstract class WebPages implements HttpHandler {
      * @param parts the segments of the path, decoded
      * @param path as requested, for error texts
      * @return empty if the exchange was taken over, for a stream
-     * @throws RequestException for anything but a success
+     * @throws RequestException for any other status than success
      * @throws IllegalStateException if the program does not answer: status 503
      */
     protected abstract Optional<WebResponse> answer(HttpExchange exchange, List<String> parts, String path)

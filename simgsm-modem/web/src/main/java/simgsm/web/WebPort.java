@@ -16,25 +16,25 @@ import simgsm.net.ConnectionLimits;
 import simgsm.net.ReachableAddresses;
 
 /**
- * A port for HTTP and, where paths for them are given, WebSockets. HTTP is served with at most 512 threads that end after
- * 10 s without work. A client that reads nothing of its answer loses the connection within 10 s.
+ * A port for HTTP and, at given paths, WebSockets. HTTP is served by at most 512 threads, which end after 10 s
+ * without work. A client that does not read its answer is disconnected within 10 s.
  */
 public final class WebPort implements AutoCloseable {
     private static final int BACKLOG = 64;
 
-    /** A thread for each request: a connection that sends half a request blocks its own only. */
+    /** One thread per request: a connection that sends half a request blocks only its own. */
     private static final int MOST_WORKERS = 512;
 
     private static final int MOST_CONNECTIONS = 1_024;
-    /** A class shares one address behind a router. */
+    /** A class behind a router has one address. */
     private static final int MOST_PER_ADDRESS = 400;
 
     private static final int IDLE_SECONDS = 10;
-    /** Less than the 10 s after which a stuck connection ends, by the time of a look. */
+    /** Less than 10 s, the limit of a stuck connection, by the period of the check. */
     public static final long WRITE_LIMIT_NANOS = TimeUnit.SECONDS.toNanos(8);
 
     static {
-        // The JDK's server takes these from system properties only: a connection without a complete request after 3 s
+        // The JDK's server reads these from system properties only: a connection without a complete request after 3 s
         // is closed, and small responses are sent without delay.
         System.getProperties().putIfAbsent("sun.net.httpserver.maxReqTime", "3");
         System.getProperties().putIfAbsent("sun.net.httpserver.nodelay", "true");
@@ -47,7 +47,7 @@ public final class WebPort implements AutoCloseable {
     }
 
     private final HttpServer server;
-    /** Null if there are no WebSockets: the HTTP server has the port itself. */
+    /** Null without WebSockets: the HTTP server has the port itself. */
     private Acceptor acceptor;
 
     private InetSocketAddress address;
@@ -67,7 +67,7 @@ public final class WebPort implements AutoCloseable {
     /**
      * Opens a port for pages and WebSockets; both are answered after {@link #start}.
      *
-     * @param loop whose thread owns the WebSockets
+     * @param loop its thread owns the WebSockets
      * @param admitsEveryHost see {@link WebPages}
      * @throws IOException naming address and port
      */
@@ -85,7 +85,7 @@ public final class WebPort implements AutoCloseable {
         this.address = new InetSocketAddress(address.getAddress(), acceptor.port());
     }
 
-    /** @param writeLimitNanos how long a connection may take nothing of its answer */
+    /** @param writeLimitNanos longest time without progress of an answer */
     public WebPort(InetAddress address, int port, HttpHandler pages, long writeLimitNanos) throws IOException {
         writeLimit = new WriteLimit(writeLimitNanos);
         try {
@@ -109,7 +109,10 @@ public final class WebPort implements AutoCloseable {
         return address.getPort();
     }
 
-    /** Where the port is: {@code http://127.0.0.1:8080/}; with a port on all addresses, that of this machine in its network. */
+    /**
+     * The port's address: {@code http://127.0.0.1:8080/}; for a port on all addresses, that of this machine in its
+     * network.
+     */
     public String url() {
         String host = host();
         return "http://" + (host.contains(":") ? "[" + host + "]" : host) + ":" + port() + "/";

@@ -4,15 +4,15 @@ import java.net.InetAddress;
 
 /** The server's end of one WebSocket; belongs to the port's thread. */
 public interface WebSocket {
-    /** Not acceptable data: {@link #close}. */
+    /** Data that cannot be accepted, for {@link #close}. */
     int UNSUPPORTED_DATA = 1003;
 
     void send(String text);
 
-    /** Of binary messages that the client does not take, the oldest beyond 10 are dropped. */
+    /** Sends a binary message. Of those that the client does not take, all but the newest 10 are dropped. */
     void send(byte[] octets);
 
-    /** Ends the socket. What arrives from now on is dropped. @param reason at most 123 octets in UTF-8 */
+    /** Ends the socket; later input is dropped. @param reason at most 123 octets in UTF-8 */
     void close(int code, String reason);
 
     /** True while sent messages wait for the client to take them. */
@@ -21,6 +21,6 @@ public interface WebSocket {
     /** The client's address. */
     InetAddress peer();
 
-    /** True if the request had no origin, or that of a page of this machine: no page of another host opened the socket. */
+    /** True if the request had no origin, or that of a page of this machine. */
     boolean isLocalPage();
 }

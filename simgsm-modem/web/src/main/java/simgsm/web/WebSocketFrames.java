@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 
-/** Frames of RFC 6455, 5: the client's are decoded as their octets come, the server's encoded. */
+/** Frames of RFC 6455, 5: decodes the client's from a stream of octets, encodes the server's. */
 final class WebSocketFrames {
     static final int CONTINUATION = 0;
     static final int TEXT = 1;
@@ -27,7 +27,7 @@ final class WebSocketFrames {
     private static final int LENGTH = 0x7f;
     private static final int MASK_OCTETS = 4;
 
-    /** What a client sends. */
+    /** Receives the client's frames. */
     interface Receiver {
         void text(String text);
 
@@ -64,7 +64,7 @@ final class WebSocketFrames {
         }
     }
 
-    /** Takes the next frame, if all of it has come. */
+    /** Takes the next frame if it is complete. */
     private boolean takesFrame() throws WebSocketViolation {
         if (pending.remaining() < 2) {
             return false;

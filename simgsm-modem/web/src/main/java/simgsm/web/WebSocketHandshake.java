@@ -16,12 +16,12 @@ final class WebSocketHandshake {
 
     private WebSocketHandshake() {}
 
-    /** Whether a request asks for a WebSocket; every other one is for the pages. */
+    /** True if a request asks for a WebSocket; all others are for the pages. */
     static boolean isAsked(HttpHead head) {
         return head.contains("Upgrade", "websocket");
     }
 
-    /** @throws RequestException if the request is not answered with 101 */
+    /** @throws RequestException if the answer is not 101 */
     static WebSocketPath path(HttpHead head, Map<String, WebSocketPath> paths) throws RequestException {
         if (!head.method().equals("GET")) {
             throw new RequestException(

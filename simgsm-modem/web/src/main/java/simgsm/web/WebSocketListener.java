@@ -1,11 +1,11 @@
 package simgsm.web;
 
-/** Receives what a client sends over one WebSocket, on the port's thread. */
+/** Receives a client's messages over one WebSocket, on the port's thread. */
 public interface WebSocketListener {
     void text(String text);
 
     void binary(byte[] octets);
 
-    /** The socket has ended for whatever reason; the last call. */
+    /** The socket has ended for any reason; the last call. */
     void closed();
 }

@@ -3,10 +3,10 @@ package simgsm.web;
 import java.util.function.Function;
 
 /**
- * A path of a port that takes WebSockets.
+ * A path for WebSockets.
  *
  * @param protocol named in the answer if the client offers it; empty for none
- * @param admitsEveryOrigin whether pages of other hosts may open it; else they are refused with 403
+ * @param admitsEveryOrigin true if pages of other hosts may open it, otherwise refused with 403
  * @param mostOctets of a message from the client
  * @param listeners makes the receiver of a new socket
  */

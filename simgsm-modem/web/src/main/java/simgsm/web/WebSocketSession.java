@@ -5,14 +5,14 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 
-/** One open WebSocket: passes messages on, answers pings, and ends a socket whose client is silent. */
+/** One open WebSocket: passes messages on, answers pings, and ends a socket with a silent client. */
 final class WebSocketSession implements WebSocket, WebSocketFrames.Receiver {
-    /** A client answers a ping, so that one which is silent for two of these periods has gone. */
+    /** Ping period; every client answers, so one silent for two periods is gone. */
     static final long PING_NANOS = TimeUnit.SECONDS.toNanos(3);
 
     private static final byte[] NOTHING = {};
 
-    /** The connection below. */
+    /** The underlying connection. */
     interface Carrier {
         void send(byte[] frame, boolean isDroppable);
 

@@ -9,15 +9,15 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Ends every answer whose client reads nothing: a write of up to 8 KiB that lasts longer than the limit is interrupted, on
- * which the JDK's server closes the connection.
+ * Ends every answer that its client does not read: a write of up to 8 KiB that exceeds the limit is interrupted, and
+ * the JDK's server then closes the connection.
  */
 final class WriteLimit extends Filter implements AutoCloseable {
     private static final int PART_OCTETS = 8_192;
     private static final long CHECK_MILLIS = 1_000;
 
     private final long limitNanos;
-    /** Since when each thread writes, by {@link System#nanoTime}. */
+    /** Start of each thread's write, by {@link System#nanoTime}. */
     private final Map<Thread, Long> writing = new ConcurrentHashMap<>();
 
     private final Thread watchdog = new Thread(this::watch, "http write limit");

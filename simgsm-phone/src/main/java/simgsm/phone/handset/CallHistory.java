@@ -10,7 +10,7 @@ import simgsm.station.context.StationEvent;
 
 /** Writes each call of the station to the log when it ends. */
 final class CallHistory {
-    /** A call that has not ended. @param kind MISSED while it is not taken */
+    /** A call that has not ended. @param kind MISSED until the call is taken */
     private record Begun(Kind kind, String number, Instant at) {
         CallRecord ended(boolean isTaken, int seconds) {
             return new CallRecord(kind == Kind.MISSED && isTaken ? Kind.RECEIVED : kind, number, at, seconds);
@@ -23,7 +23,7 @@ final class CallHistory {
     private boolean isTaken;
     private Optional<Begun> held = Optional.empty();
     private int heldSeconds;
-    /** The call that was held before {@link #held}, while the two change places. */
+    /** The call held before {@link #held}, while the two are being swapped. */
     private Optional<Begun> formerlyHeld = Optional.empty();
 
     private Optional<String> waiting = Optional.empty();
@@ -34,7 +34,7 @@ final class CallHistory {
         this.wallClock = wallClock;
     }
 
-    /** The user takes or refuses the ringing call, so that it is not a missed one. */
+    /** The user takes or refuses the ringing call, which is not missed then. */
     void taken() {
         isTaken = true;
     }
@@ -47,7 +47,7 @@ final class CallHistory {
             begin(Kind.MISSED, PhoneCall.digits(ringing.from()), waiting.isPresent() ? waitingAt : wallClock.instant());
             waiting = Optional.empty();
         } else if (event instanceof StationEvent.Connected) {
-            // A waiting call that is answered does not ring first.
+            // A waiting call is answered without ringing first.
             current = current.or(() -> waiting.map(caller -> new Begun(Kind.MISSED, caller, waitingAt)));
             waiting = Optional.empty();
             isTaken = true;

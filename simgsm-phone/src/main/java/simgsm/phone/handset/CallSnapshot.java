@@ -15,8 +15,8 @@ import simgsm.phone.screen.CallPhase;
  * @param ended the cause of the release, until the next key or call
  * @param waiting number of a second caller, empty text if unknown
  * @param held number of the held party, empty text if unknown
- * @param onHold whether the other party holds this call
- * @param incoming whether the other party called: no robot does
+ * @param onHold true if the other party holds this call
+ * @param incoming true if the other party called; robots do not call
  */
 public record CallSnapshot(
         CallPhase phase,
@@ -34,7 +34,10 @@ public record CallSnapshot(
         return heard.isEmpty() ? Optional.empty() : Optional.of(DtmfKey.of(heard.charAt(heard.length() - 1)));
     }
 
-    /** The key of a tone's meaning in a robot's replies; empty for other tones, and for a caller's: no robot calls. */
+    /**
+     * The text key of a tone's meaning in a robot's replies; empty for other tones, and for a caller's: robots do not
+     * call.
+     */
     public Optional<String> meaningOf(DtmfKey key) {
         return incoming ? Optional.empty() : ToneMeaning.textKey(key);
     }

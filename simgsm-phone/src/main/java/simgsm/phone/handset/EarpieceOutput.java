@@ -7,7 +7,7 @@ import simgsm.speech.AudioOutput;
 import simgsm.speech.CallMixer;
 import simgsm.tone.ToneExperiment;
 
-/** The sound at the earpiece, which the tone scope shows too: received speech mixed with the phone's own sound. */
+/** The sound of the earpiece and the tone scope: received speech mixed with the phone's own sound. */
 final class EarpieceOutput {
     private static final double STEP_DB = 3;
 
@@ -50,13 +50,13 @@ final class EarpieceOutput {
         gain = volume == 0 ? 0 : Math.pow(10, decibels / 20);
     }
 
-    /** Changes what the scope shows; the sound stays as it is. */
+    /** Sets the tone scope's experiment; the sound does not change. */
     void tryOut(ToneExperiment experiment) {
         tracer.tryOut(experiment);
         changed = true;
     }
 
-    /** No further sound for now. */
+    /** Tells the output that no sound follows for now. */
     void rest() {
         tracer.rest();
         changed = true;

@@ -88,12 +88,12 @@ public final class Handset {
         home = new HomeKeys(screens);
     }
 
-    /** The texts that are kept for the next run: names, calls, messages, settings. */
+    /** The texts stored for the next run: names, calls, messages, settings. */
     public Map<String, String> texts() {
         return store.texts(settings);
     }
 
-    /** Takes over the texts of an earlier run, after {@link #attach}. @return the keys of texts that are not understood */
+    /** Restores the texts of an earlier run, after {@link #attach}. @return the keys of invalid texts */
     public List<String> restore(Map<String, String> texts) {
         List<String> wrong = new ArrayList<>(store.restore(texts));
         try {
@@ -105,7 +105,7 @@ public final class Handset {
         return wrong;
     }
 
-    /** Passes the kept texts to the receiver now and after each change, before the change's event is reported. */
+    /** Passes the stored texts to the receiver now and after each change, before the change's event is reported. */
     public void keepBy(Consumer<Map<String, String>> receiver) {
         store.keepBy(receiver, settings);
     }
@@ -157,9 +157,9 @@ public final class Handset {
     }
 
     /**
-     * Performs what a user types before the green key (TS 22.030, 6.5): a service code, or a number to call.
+     * Performs a user's input before the green key (TS 22.030, 6.5): a service code, or a number to call.
      *
-     * @throws IllegalArgumentException for a text that is neither
+     * @throws IllegalArgumentException for any other text
      */
     public Optional<Refusal> dial(String typed) {
         return codes.perform(typed);
@@ -186,7 +186,7 @@ public final class Handset {
         return station.rejectWaiting() ? Optional.empty() : Optional.of(Refusal.NO_SECOND_CALL);
     }
 
-    /** Sends a USSD code, or the reply that the network waits for. */
+    /** Sends a USSD code, or the reply awaited by the network. */
     public Optional<Refusal> ussd(String text) {
         return codes.send(text);
     }
@@ -195,7 +195,7 @@ public final class Handset {
         return codes;
     }
 
-    /** Queues keys of 100 ms; before the call is connected they wait. */
+    /** Queues keys of 100 ms; they wait until the call is connected. */
     public Optional<Refusal> press(List<DtmfKey> pressed) {
         return press(pressed, KEY_MILLIS, () -> {});
     }
@@ -216,13 +216,13 @@ public final class Handset {
         return refusal;
     }
 
-    /** Notes a key that is sent to the far end. */
+    /** Notes a key sent to the far end. */
     void keyed(DtmfKey key) {
         call.keyed(key);
         events.keyed(key);
     }
 
-    /** Sends a sound in the call, in place of a microphone. @param samples at 8 kHz */
+    /** Sends a sound in the call instead of a microphone's. @param samples at 8 kHz */
     public Optional<Refusal> play(short[] samples) {
         Optional<Refusal> refusal = call.refusalOfKeys();
         if (refusal.isEmpty()) {
@@ -289,18 +289,21 @@ public final class Handset {
         changed();
     }
 
-    /** Changes what the tone scope shows; the sound stays as it is. */
+    /** Sets the tone scope's experiment; the sound does not change. */
     public void tryOut(ToneExperiment experiment) {
         audio.earpiece().tryOut(experiment);
         changed();
     }
 
-    /** True if {@link #timePassed} is to be called within 20 ms: for key tones, letters and long presses without a call. */
+    /**
+     * True if {@link #timePassed} must be called within 20 ms: for key tones, letters and long presses without a
+     * call.
+     */
     public boolean wantsTime() {
         return audio.wantsTime() || screens.wantsTime() || home.wantsTime(call.phase());
     }
 
-    /** Runs the action whenever an event makes the handset want time. */
+    /** Sets an action that runs whenever an event makes the handset want time. */
     public void whenTimeIsWanted(Runnable action) {
         audio.whenTimeIsWanted(action);
     }

@@ -16,12 +16,12 @@ import simgsm.tone.ToneSet;
 
 /**
  * All sound of the handset: keys sent in a call, the far end's keys and speech, and, without a call, key tones and
- * supervisory tones. The station's speech frames are its clock while there are any, else {@link #timePassed}.
+ * supervisory tones. The clock is the station's speech frames during a call, else {@link #timePassed}.
  */
 final class HandsetAudio {
     private static final int SAMPLES_PER_FRAME = 160;
     private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
-    /** Frames that are later than this are left out. */
+    /** Later frames are skipped. */
     private static final long MAX_CATCH_UP_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
     /** Frames played after the end of a sound, until the scope shows silence. */
     private static final int TAIL_FRAMES = 8;
@@ -46,9 +46,9 @@ final class HandsetAudio {
     private long nextLocalFrameNanos;
 
     /**
-     * No sound yet.
+     * Silent at first.
      *
-     * @param senders the sender of keys to the far end, asked for each call
+     * @param senders supplies each call's sender of keys
      * @param tones supervisory tones, European or American
      * @param keyHeard receives each key of the far end at its decision
      */
@@ -154,12 +154,14 @@ final class HandsetAudio {
         keyTones.up();
     }
 
-    /** Adds a sound to what is sent, from the next frame of a connected call on. @param whenPlayed runs at its end */
+    /**
+     * Adds a sound to the speech sent, from the next frame of a connected call. @param whenPlayed runs at its end
+     */
     void play(short[] samples, Runnable whenPlayed) {
         player.play(samples, whenPlayed);
     }
 
-    /** Drops the keys that have not been sent, and a sound that plays. @return the keys */
+    /** Drops unsent keys and a sound being played. @return the keys */
     String dropKeys() {
         player.stop();
         return sender.drop();
@@ -174,7 +176,7 @@ final class HandsetAudio {
         supervisory.stop();
     }
 
-    /** Fills the next 20 ms for the far end. @return whether a view has to show a change */
+    /** Fills the next 20 ms for the far end. @return true if a view has to show a change */
     boolean fillFrame(short[] speech) {
         if (!connected) {
             Arrays.fill(speech, (short) 0);
@@ -227,7 +229,7 @@ final class HandsetAudio {
         return localFramesLeft > 0 && !networkPlaysTones;
     }
 
-    /** @return whether a view has to show a change */
+    /** @return true if a view has to show a change */
     boolean timePassed(long nowNanos) {
         if (!localTimeKnown || nowNanos - nextLocalFrameNanos > MAX_CATCH_UP_NANOS) {
             nextLocalFrameNanos = nowNanos;

@@ -6,16 +6,16 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.event.EventLine;
 import simgsm.station.context.StationEvent;
 
-/** Events that a handset adds to those of its station. */
+/** Events of a handset besides its station's. */
 public sealed interface HandsetEvent extends StationEvent.OfTerminal {
-    /** The last tone of a {@code press} has been sent. @param keys as they were pressed, without blanks */
+    /** The last tone of a {@code press} has been sent. @param keys as pressed, without blanks */
     @EventLine("sent keys=")
     record KeysSent(String keys) implements HandsetEvent {}
 
-    /** The network refuses signalled keys. @param keys those that were not sent */
+    /** The network refuses signalled keys. @param keys those not sent */
     record KeysNotSent(String keys, Cause cause) implements HandsetEvent {}
 
-    /** The equipment's identity, asked for by {@code *#06#}. @param imei 15 digits */
+    /** The equipment's identity, requested by {@code *#06#}. @param imei 15 digits */
     @EventLine("imei number=imei")
     record ImeiShown(String imei) implements HandsetEvent {}
 
@@ -24,13 +24,13 @@ public sealed interface HandsetEvent extends StationEvent.OfTerminal {
     record SoundPlayed(int millis) implements HandsetEvent {}
 
     /**
-     * A tone is decoded; it still sounds.
+     * A tone is decoded and still sounds.
      *
-     * @param meaning the key of its meaning as a robot's reply
+     * @param meaning text key of its meaning as a robot's reply
      */
     @EventLine("tone key=key.symbol meaning=")
     record ToneHeard(DtmfKey key, Optional<String> meaning) implements HandsetEvent {
-        /** A robot's. */
+        /** With the meaning of a robot's reply. */
         public ToneHeard(DtmfKey key) {
             this(key, ToneMeaning.textKey(key));
         }

@@ -10,7 +10,10 @@ import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.screen.ScreenNavigation;
 import simgsm.ss.ServiceCode;
 
-/** The keys of the window and of a keyboard: what each does by the screen and the call, performed on the handset. */
+/**
+ * The keys of the window and of a keyboard: selects each key's action by the screen and the call, and performs it on
+ * the handset.
+ */
 public final class HandsetKeys {
     private final Handset handset;
     private final PhoneCall call;
@@ -53,7 +56,7 @@ public final class HandsetKeys {
         handset.changed();
     }
 
-    /** The red key ends the current call, and a held one once the end of the call before it has been read. */
+    /** The red key ends the current call; a held one once the user has read the end of the call before it. */
     private boolean endsCall() {
         CallSnapshot now = call.snapshot();
         boolean endsHeld = now.held().isPresent() && now.ended().isEmpty() && screens.isHome();

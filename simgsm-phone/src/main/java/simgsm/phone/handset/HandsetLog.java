@@ -16,13 +16,13 @@ import simgsm.phone.screen.ServiceWords;
 import simgsm.phone.screen.Words;
 import simgsm.station.context.StationEvent;
 
-/** The log of events, in words and in the order of time: the newest {@value #CAPACITY} events that concern the user. */
+/** The log of the newest {@value #CAPACITY} events that concern the user, in words and in order of time. */
 public final class HandsetLog {
     static final int CAPACITY = 300;
     /** Keys in one event, three lines in the window; further ones begin the next event. */
     static final int MOST_KEYS = 64;
 
-    /** An event. @param words for the user, in the phone's language when they are shown */
+    /** An event. @param words in the phone's language at the time of display */
     public record Entry(Instant at, Words words) {}
 
     private final InstantSource wallClock;
@@ -54,7 +54,7 @@ public final class HandsetLog {
         isPublished = false;
     }
 
-    /** The user keys a tone in the call: up to {@value #MOST_KEYS} keys are one event, until something else happens. */
+    /** The user keys a tone in the call: up to {@value #MOST_KEYS} keys are one event, until another event. */
     void keyed(DtmfKey key) {
         String keys = String.valueOf(key.symbol());
         Entry last = entries.peekLast();
@@ -69,7 +69,7 @@ public final class HandsetLog {
         }
     }
 
-    /** Adds the event if the user is told of it. */
+    /** Adds the event if it concerns the user. */
     void accept(StationEvent event) {
         if (event instanceof StationEvent.HoldRefused) {
             add("note.refused");
@@ -96,7 +96,7 @@ public final class HandsetLog {
         }
     }
 
-    /** Numbers are replaced by names; causes are put into words when they are shown. */
+    /** Numbers are replaced by names; causes become words when displayed. */
     private Object argument(Object value) {
         if (value instanceof Msisdn number) {
             return names.apply(number.toString());

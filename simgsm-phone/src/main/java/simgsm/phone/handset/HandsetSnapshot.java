@@ -20,13 +20,13 @@ import simgsm.station.StationSnapshot;
  * @param own the phone's own number
  * @param typed the number being typed
  * @param caret the number of its digits before the cursor
- * @param softKeys what the two keys under the display do
+ * @param softKeys functions of the two keys under the display
  * @param folders messages, oldest first
  * @param names by number, without a plus sign
- * @param missed calls that the user has not looked at
+ * @param missed calls not yet seen by the user
  * @param sounding the key with the tone that sounds now
- * @param audible whether there is a sound device
- * @param log what just happened, oldest first
+ * @param audible true with a sound device
+ * @param log recent events, oldest first
  */
 public record HandsetSnapshot(
         Msisdn own,
@@ -49,7 +49,7 @@ public record HandsetSnapshot(
         return folders.get(folder);
     }
 
-    /** The name of a number in the SIM's phone book; the number itself without one. */
+    /** The name of a number in the SIM's phone book; the number itself if it has none. */
     public String nameOf(String number) {
         return names.getOrDefault(Contacts.bare(number), number);
     }

@@ -11,7 +11,7 @@ import simgsm.phone.store.Mailbox;
 import simgsm.phone.store.PhoneImage;
 import simgsm.sim.SimPhoneBook;
 
-/** The data that a handset keeps for the next run: names, calls, messages, settings. */
+/** The data stored for a handset's next run: names, calls, messages, settings. */
 final class HandsetStore {
     private final Mailbox mailbox;
     private final CallLog log = new CallLog();
@@ -38,19 +38,19 @@ final class HandsetStore {
         return contacts;
     }
 
-    /** All of it, as texts by key. */
+    /** All data, as texts by key. */
     Map<String, String> texts(UserSettings settings) {
         Map<String, String> texts = image.texts();
         texts.putAll(settings.texts());
         return texts;
     }
 
-    /** Takes over names, calls and messages. @return the keys of texts that are not understood */
+    /** Restores names, calls and messages. @return the keys of invalid texts */
     List<String> restore(Map<String, String> texts) {
         return image.restore(texts);
     }
 
-    /** Gives all to this receiver, now and whenever {@link #keepChanges} finds a change. */
+    /** Passes all data to this receiver, now and whenever {@link #keepChanges} finds a change. */
     void keepBy(Consumer<Map<String, String>> receiver, UserSettings settings) {
         keep = receiver;
         keep.accept(texts(settings));

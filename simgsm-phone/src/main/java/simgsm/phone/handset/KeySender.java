@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 
-/** Sends keys as tones in the phone's speech: runs of keys of 100 ms, and keys that are held. */
+/** Sends keys as tones in the phone's speech: runs of keys of 100 ms, and held keys. */
 class KeySender {
     private static final class Run {
         final String keys;
@@ -25,7 +25,7 @@ class KeySender {
 
     private final Deque<Run> runs = new ArrayDeque<>();
     private final Consumer<String> runSent;
-    /** The sound: what is sent, or a sidetone. */
+    /** The sent sound, or a sidetone. */
     final DtmfGenerator generator;
 
     /** @param runSent receives the keys of each run when its last tone has been sent */
@@ -62,7 +62,7 @@ class KeySender {
         System.arraycopy(speech, 0, heard, 0, speech.length);
     }
 
-    /** Drops the keys that have not been sent. @return them */
+    /** Drops unsent keys. @return them */
     String drop() {
         String rest = runs.stream().map(run -> run.keys.substring(run.sent)).collect(Collectors.joining());
         generator.drop();

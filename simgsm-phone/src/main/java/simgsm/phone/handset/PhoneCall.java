@@ -15,7 +15,7 @@ final class PhoneCall {
 
     private Party current = new Party(CallPhase.NONE, "", false);
     private Party parked = current;
-    /** The party that was held before {@link #parked}, while the two change places. */
+    /** The party held before {@link #parked}, while the two are being swapped. */
     private Party formerlyParked = current;
 
     private Optional<Cause> ended = Optional.empty();
@@ -58,7 +58,7 @@ final class PhoneCall {
                 current.isIncoming);
     }
 
-    /** The state on which the keys of the home screen depend. */
+    /** The state that determines the keys of the home screen. */
     HomeKeys.Situation situation(int unread, int missed) {
         return new HomeKeys.Situation(
                 current.phase, isRingSilent, waiting.isPresent(), held.isPresent(), unread, missed);
@@ -102,7 +102,7 @@ final class PhoneCall {
         current.number = number;
     }
 
-    /** Holds the current call; another may become the current one. */
+    /** Holds the current call, so that another can become the current one. */
     private void park(String number) {
         formerlyParked = parked;
         parked = current;
@@ -145,7 +145,7 @@ final class PhoneCall {
         isRingSilent = true;
     }
 
-    /** Why keys cannot be queued now, if they cannot. */
+    /** The reason why keys cannot be queued now; empty if they can. */
     Optional<Refusal> refusalOfKeys() {
         return switch (phase()) {
             case NONE -> Optional.of(Refusal.NO_CALL);

@@ -1,6 +1,6 @@
 package simgsm.phone.handset;
 
-/** Why the handset refuses a command. */
+/** The reasons for which the handset refuses a command. */
 public enum Refusal {
     CALL_UNDER_WAY("a call is under way; hang up first"),
     NUMBER_IS_SHOWN("the network hides no number; leave #31# out"),

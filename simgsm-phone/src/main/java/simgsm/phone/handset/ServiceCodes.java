@@ -5,7 +5,7 @@ import simgsm.air.Msisdn;
 import simgsm.ss.ServiceCode;
 import simgsm.ss.UssdText;
 
-/** Performs what a user types before the green key, and USSD (TS 22.030, 6.5 and 6.7). */
+/** Performs a user's input before the green key, and USSD (TS 22.030, 6.5 and 6.7). */
 final class ServiceCodes {
     private final Handset handset;
 
@@ -13,7 +13,7 @@ final class ServiceCodes {
         this.handset = handset;
     }
 
-    /** Sends a service code, or calls a number. @throws IllegalArgumentException for a text that is neither */
+    /** Sends a service code, or calls a number. @throws IllegalArgumentException for any other text */
     Optional<Refusal> perform(String typed) {
         if (ServiceCode.isCode(typed)) {
             return send(typed);
@@ -23,7 +23,7 @@ final class ServiceCodes {
                 : handset.dial(Msisdn.parse(ServiceCode.called(typed)));
     }
 
-    /** Sends a USSD code, or the reply that the network waits for. */
+    /** Sends a USSD code, or the reply awaited by the network. */
     Optional<Refusal> send(String text) {
         if (!handset.isPowered()) {
             return Optional.of(Refusal.SWITCHED_OFF);

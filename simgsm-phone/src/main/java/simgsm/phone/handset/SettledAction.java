@@ -17,7 +17,7 @@ final class SettledAction {
         check();
     }
 
-    /** Runs the action if the condition holds; to be called when the condition may have changed. */
+    /** Runs the action if the condition holds; call it whenever the condition may have changed. */
     void check() {
         if (action != null && isSettled.getAsBoolean()) {
             Runnable due = action;

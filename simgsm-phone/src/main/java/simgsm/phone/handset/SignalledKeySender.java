@@ -8,8 +8,8 @@ import simgsm.station.StationCommands;
 import simgsm.station.context.StationEvent;
 
 /**
- * Sends keys as START DTMF and STOP DTMF: the network makes the tones. The generator makes only the sidetone, for as long
- * as the network plays the key. The station drops its keys at the end of each call by itself.
+ * Sends keys as START DTMF and STOP DTMF: the network makes the tones. The generator makes only the sidetone, as long
+ * as the network plays the key. The station drops its keys at the end of each call.
  */
 final class SignalledKeySender extends KeySender {
     private final Supplier<StationCommands> station;

@@ -1,12 +1,12 @@
 package simgsm.phone.handset;
 
-/** A sound that is added to the phone's speech, frame by frame. */
+/** Adds a sound to the phone's speech, frame by frame. */
 final class SoundPlayer {
     private short[] samples = {};
     private int next;
     private Runnable whenPlayed = () -> {};
 
-    /** Replaces a sound that plays. */
+    /** Replaces a sound being played. */
     void play(short[] sound, Runnable atEnd) {
         samples = sound;
         next = 0;
@@ -22,7 +22,7 @@ final class SoundPlayer {
         return next == samples.length;
     }
 
-    /** Adds the next samples to both frames; sums beyond 16 bits are cut. */
+    /** Adds the next samples to both frames; sums are clipped to 16 bits. */
     void addTo(short[] speech, short[] heard) {
         if (isIdle()) {
             return;

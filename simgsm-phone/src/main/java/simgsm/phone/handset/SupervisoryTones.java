@@ -10,13 +10,13 @@ import simgsm.tone.ToneCadence;
 import simgsm.tone.ToneSet;
 
 /**
- * The supervisory tones of a call (TS 22.001, annex F) and the ringing sound. In GSM the phone makes them from the network's
- * messages, unless the network announces tones of its own.
+ * The supervisory tones of a call (TS 22.001, annex F) and the ringing sound. In GSM the phone makes them from the
+ * network's messages, unless the network announces its own.
  */
 final class SupervisoryTones {
     private static final int RING_DBM0 = -13;
     private static final int WARBLE_MILLIS = 50;
-    /** The network ends a call that has rung this long. */
+    /** The network ends a call after ringing for this time. */
     private static final int LONGEST_MILLIS = 180_000;
 
     private static final int WAITING_MILLIS = 8_000;
@@ -69,7 +69,7 @@ final class SupervisoryTones {
         }
     }
 
-    /** A second call waits: two periods of the tone. */
+    /** A second call is waiting: two periods of the tone. */
     void callWaits() {
         player.start(set.cadence(ProgressTone.CALL_WAITING), WAITING_MILLIS);
     }

@@ -7,7 +7,7 @@ import simgsm.dtmf.DtmfKey;
 public final class ToneMeaning {
     private ToneMeaning() {}
 
-    /** The key of the meaning in the phone's bundle; empty for other tones. */
+    /** The text key of the meaning; empty for other tones. */
     public static Optional<String> textKey(DtmfKey key) {
         char symbol = key.symbol();
         return symbol >= '1' && symbol <= '8' ? Optional.of("tone." + symbol) : Optional.empty();

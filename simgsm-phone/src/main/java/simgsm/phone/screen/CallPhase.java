@@ -1,6 +1,6 @@
 package simgsm.phone.screen;
 
-/** The phases of a call for its user. */
+/** The phases of a call as seen by its user. */
 public enum CallPhase {
     NONE,
     /** Originated here, not yet ringing at the far end. */

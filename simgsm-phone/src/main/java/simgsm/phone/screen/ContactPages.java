@@ -27,7 +27,7 @@ final class ContactPages {
         writeTo = action;
     }
 
-    /** All names, and a new one. */
+    /** All names, and an entry for a new one. */
     KeyIntent list() {
         ListPage page = new ListPage(stack, Words.of("menu.names"), false, () -> {
             List<ListItem> items = new ArrayList<>();
@@ -73,7 +73,7 @@ final class ContactPages {
                 () -> KeyIntent.after(() -> contacts.erase(contact))));
     }
 
-    /** Chooses one of the names. @param picked is given its number */
+    /** Selects one of the names. @param picked receives its number */
     KeyIntent pick(Function<String, KeyIntent> picked) {
         ListPage[] page = new ListPage[1];
         page[0] = new ListPage(
@@ -94,7 +94,7 @@ final class ContactPages {
         return stack.open(page[0]);
     }
 
-    /** Saves a number under a name that is keyed in. */
+    /** Saves a number under a name to be keyed in. */
     KeyIntent save(String number) {
         return edit(Optional.empty(), "", number);
     }

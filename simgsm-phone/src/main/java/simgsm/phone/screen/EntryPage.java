@@ -6,9 +6,9 @@ import java.util.function.Supplier;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.KeyIntent.Simple;
 
-/** A line to key in: a number, a code or a name. */
+/** A page for keying in one line: a number, a code or a name. */
 final class EntryPage extends TextEntryPage {
-    /** The kind of text that is accepted. */
+    /** The kind of text accepted. */
     enum Kind {
         /** A telephone number; the star key writes its plus sign. */
         NUMBER("+0123456789"),
@@ -37,8 +37,8 @@ final class EntryPage extends TextEntryPage {
     /**
      * An empty line.
      *
-     * @param softLeft what the left key does, a key of the bundle
-     * @param done called with what was keyed, unless it is empty
+     * @param softLeft text key of the left key's function
+     * @param done called with the text keyed in, unless it is empty
      */
     EntryPage(PageStack stack, Words title, Kind kind, int most, String softLeft, Function<String, KeyIntent> done) {
         super(stack, new TextEntry(most));
@@ -54,7 +54,7 @@ final class EntryPage extends TextEntryPage {
         return this;
     }
 
-    /** Opens the names by the arrows up and down. */
+    /** Makes the up and down arrows open the names. */
     EntryPage withNames(ContactPages pages) {
         names = Optional.of(() -> pages.pick(picked -> KeyIntent.after(() -> with(picked))));
         return this;

@@ -8,9 +8,9 @@ import simgsm.phone.store.CallRecord;
 import simgsm.phone.store.MessageFolder;
 import simgsm.station.context.StationEvent;
 
-/** The keys on the home screen: the number being typed, calls, and keys that are held for a second function. */
+/** The keys on the home screen: the number being typed, calls, and second functions of keys that are held. */
 public final class HomeKeys {
-    /** The state on which the keys of the home screen depend. */
+    /** The state that determines the keys of the home screen. */
     public record Situation(
             CallPhase phase, boolean ringIsSilent, boolean waits, boolean holds, int unread, int missed) {
         boolean isActive() {
@@ -19,7 +19,7 @@ public final class HomeKeys {
     }
 
     private static final int MAX_TYPED = 40;
-    /** A key held this long does its second function: 1 opens the mailbox, 0 becomes a plus sign. */
+    /** Least time of a long press, for the second function: 1 opens the mailbox, 0 becomes a plus sign. */
     private static final long LONG_PRESS_NANOS = TimeUnit.MILLISECONDS.toNanos(800);
 
     private final ScreenNavigation screens;
@@ -44,7 +44,7 @@ public final class HomeKeys {
         typed.set("");
     }
 
-    /** A call that begins clears the display. */
+    /** A new call clears the display. */
     public void accept(StationEvent.OfCall event) {
         if (event instanceof StationEvent.Calling || event instanceof StationEvent.Ringing) {
             clear();
@@ -61,7 +61,7 @@ public final class HomeKeys {
         }
     }
 
-    /** The keyboard's key for erasing. */
+    /** The keyboard's erase key. */
     public void erase() {
         typed.erase();
     }
@@ -144,8 +144,8 @@ public final class HomeKeys {
     }
 
     /**
-     * Calls the number; without one the numbers dialled before are shown, the newest selected. With a second call it
-     * changes between the two.
+     * Calls the number; without one, shows the numbers dialled before, the newest selected. With a second call, swaps
+     * the two.
      */
     private KeyIntent call(Situation now) {
         if (now.phase() != CallPhase.NONE) {
@@ -165,7 +165,7 @@ public final class HomeKeys {
         return held.equals(Optional.of(key)) && typed().equals(alone) && screens.isHome() && phase == CallPhase.NONE;
     }
 
-    /** @return whether a long press was recognised */
+    /** @return true if a long press was recognised */
     public boolean timePassed(long nowNanos, CallPhase phase) {
         if (!wantsTime(phase) || nowNanos - heldSinceNanos < LONG_PRESS_NANOS) {
             return false;

@@ -12,7 +12,7 @@ public sealed interface KeyIntent {
         NOTHING,
         ANSWER,
         HANG_UP,
-        /** Ends the ringing sound; the call stays unanswered. */
+        /** Ends the ringing sound; the call remains unanswered. */
         SILENCE,
         /** Holds the active call, or takes the held or waiting one. */
         HOLD,
@@ -24,7 +24,7 @@ public sealed interface KeyIntent {
         SWITCH_OFF
     }
 
-    /** Changes the screen, and asks for nothing else. */
+    /** Changes the screen, without a further action. */
     static KeyIntent after(Runnable change) {
         change.run();
         return Simple.NOTHING;
@@ -39,9 +39,8 @@ public sealed interface KeyIntent {
     /** A service code, or the reply to the network's question. */
     record SendUssd(String text) implements KeyIntent {}
 
-    /** @param replaced the failed message that is sent again */
+    /** @param replaced failed message that is sent again */
     record SendText(Msisdn to, String text, Optional<StoredMessage> replaced) implements KeyIntent {}
 
-    /** The user has chosen a setting. */
     record ChangeSettings(UserSettings settings) implements KeyIntent {}
 }

@@ -1,6 +1,6 @@
 package simgsm.phone.screen;
 
-/** The way in which a phone sends its keys in a call. */
+/** The way a phone sends keys in a call. */
 public enum KeyMode {
     /** The phone sends tones in its speech, as in the paper. */
     IN_BAND,

@@ -40,7 +40,7 @@ final class LineEditor {
         return true;
     }
 
-    /** Erases the character before the cursor; both halves of one outside the basic plane. */
+    /** Erases the character before the cursor, including both halves of a surrogate pair. */
     void erase() {
         int from = caret - length(caret);
         text.delete(from, caret);
@@ -57,7 +57,7 @@ final class LineEditor {
         caret = Math.min(text.length(), caret + (isPair ? 2 : 1));
     }
 
-    /** Characters of the text that the one before the place takes. */
+    /** Number of UTF-16 units of the character before the place. */
     private int length(int place) {
         boolean isPair = place > 1 && Character.isSurrogatePair(text.charAt(place - 2), text.charAt(place - 1));
         return isPair ? 2 : Math.min(1, place);

@@ -8,12 +8,12 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.KeyIntent.Simple;
 
 /**
- * Rows to choose from. Each reading of the list builds its rows, so that it follows what it shows; the selected row stays
- * selected when rows are inserted before it.
+ * A page of rows to choose from. Each reading of the list builds its rows, so they are up to date; the selected row
+ * stays selected when rows are inserted before it.
  */
 final class ListPage extends ScreenPage {
     /**
-     * A row and what is done with it.
+     * A row and its actions.
      *
      * @param key identifies the row while the list changes
      * @param called by the green key; empty if the row is no party
@@ -25,7 +25,7 @@ final class ListPage extends ScreenPage {
             Supplier<KeyIntent> chosen,
             Optional<Supplier<KeyIntent>> called,
             Optional<Supplier<KeyIntent>> options) {
-        /** A row that is only chosen. */
+        /** A row with only the action of choosing. */
         static ListItem of(Screen.Row row, Supplier<KeyIntent> chosen) {
             return new ListItem(row.label(), row, chosen, Optional.empty(), Optional.empty());
         }
@@ -42,7 +42,7 @@ final class ListPage extends ScreenPage {
     private int selected;
     private Object selectedKey;
 
-    /** @param numbered whether the digit keys choose rows, as in a menu; the green key then does so, too */
+    /** @param numbered true if the digit keys choose rows, as in a menu; the green key then does so, too */
     ListPage(PageStack stack, Words title, boolean numbered, Supplier<List<ListItem>> source) {
         super(stack);
         this.title = title;
@@ -67,7 +67,7 @@ final class ListPage extends ScreenPage {
         return new ListPage(stack, title, true, () -> items);
     }
 
-    /** Adds a row, if it is offered, that closes this page before its action. */
+    /** Adds a row if it is offered; it closes this page before its action. */
     ListPage option(boolean isOffered, String text, Supplier<KeyIntent> act) {
         if (isOffered) {
             source.get().add(ListItem.of(text, () -> {

@@ -7,7 +7,7 @@ import simgsm.phone.store.StoredMessage;
 
 /** A message to read. */
 final class MessagePage extends ScreenPage {
-    /** The narrowest display shows this many letters on a line. */
+    /** Letters per line of the narrowest display. */
     private static final int LEAST_LETTERS = 16;
 
     private final Mailbox mailbox;
@@ -57,7 +57,7 @@ final class MessagePage extends ScreenPage {
         };
     }
 
-    /** The view stops earlier when all is shown. */
+    /** The view stops earlier if all is shown. */
     private int lastScroll() {
         String text = message().text();
         return text.length() / LEAST_LETTERS

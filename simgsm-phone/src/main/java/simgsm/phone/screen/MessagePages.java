@@ -90,7 +90,7 @@ final class MessagePages {
         return stack.open(new MessagePage(stack, mailbox, this, folder, message));
     }
 
-    /** Opens the options of a message. @param view of the message, closed when it is erased; null in the list */
+    /** Opens the options of a message. @param view of the message, closed if it is erased; null in the list */
     KeyIntent options(MessageFolder folder, StoredMessage message, MessagePage view) {
         boolean isParty = folder != MessageFolder.BROADCASTS && isNumber(message.party());
         boolean isDraft = folder == MessageFolder.DRAFTS;
@@ -121,7 +121,7 @@ final class MessagePages {
         return stack.open(new WritingPage(stack, entry, this));
     }
 
-    /** Begins a text to a number; another text that was begun becomes a draft. */
+    /** Begins a text to a number; another unfinished text becomes a draft. */
     KeyIntent writeTo(String number) {
         return begin(number, "");
     }
@@ -190,7 +190,7 @@ final class MessagePages {
                 : stack.open(new NotePage(stack, new Note(Note.Kind.NOT_A_NUMBER, number)));
     }
 
-    /** Shows the progress of a message in the outbox; it replaces a failed message or the text that was written. */
+    /** Shows the progress of a message in the outbox, which replaces a failed message or the written text. */
     void submitted(KeyIntent.SendText sent) {
         sent.replaced().ifPresent(failed -> mailbox.remove(MessageFolder.OUTBOX, failed));
         stack.home();

@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.Optional;
 import simgsm.phone.screen.KeyIntent.Simple;
 
-/** The pages, one over the other; without a page the home screen is shown. */
+/** A stack of pages; the home screen is shown while it is empty. */
 final class PageStack {
     private final Deque<ScreenPage> pages = new ArrayDeque<>();
 
@@ -13,21 +13,21 @@ final class PageStack {
         return Optional.ofNullable(pages.peek());
     }
 
-    /** Shows a page over the others. */
+    /** Shows a page above the others. */
     KeyIntent open(ScreenPage page) {
         top().ifPresent(ScreenPage::leave);
         pages.push(page);
         return Simple.NOTHING;
     }
 
-    /** Takes the page away; the one below it is shown again. */
+    /** Removes the page; the one below is shown again. */
     KeyIntent close(ScreenPage page) {
         page.leave();
         pages.remove(page);
         return Simple.NOTHING;
     }
 
-    /** Shows a page in another's place. */
+    /** Replaces a page by another. */
     KeyIntent replace(ScreenPage page, ScreenPage by) {
         close(page);
         return open(by);

@@ -17,7 +17,7 @@ public enum PhoneKey {
     STAR('*', ""),
     ZERO('0', "+"),
     HASH('#', ""),
-    /** The keys under the display; the display names what they do. */
+    /** The keys under the display, which names their functions. */
     SOFT_LEFT,
     SOFT_RIGHT,
     CALL,

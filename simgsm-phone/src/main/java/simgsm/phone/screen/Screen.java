@@ -28,7 +28,7 @@ public sealed interface Screen {
         DELIVERED,
         FAILED;
 
-        /** The mark of a message by its delivery, and of a received one by whether it has been read. */
+        /** The mark of a message by its delivery; of a received one by having been read. */
         public static Mark of(StoredMessage message) {
             return switch (message.delivery()) {
                 case RECEIVED -> message.read() ? READ : UNREAD;
@@ -45,8 +45,8 @@ public sealed interface Screen {
      * A row of a list.
      *
      * @param note at the right edge
-     * @param at shown in place of the note
-     * @param detail on a line of its own, empty for rows of one line
+     * @param at shown instead of the note
+     * @param detail on its own line, empty for rows of one line
      */
     record Row(Mark mark, Words label, Words note, Optional<Instant> at, String detail) {
         static Row of(Words label) {
@@ -65,11 +65,11 @@ public sealed interface Screen {
     /**
      * A menu or a list, with one selected row.
      *
-     * @param numbered whether the digit keys choose rows
+     * @param numbered true if the digit keys choose rows
      */
     record Listing(Words title, List<Row> rows, int selected, boolean numbered) implements Screen {}
 
-    /** A message that is read. @param scroll lines scrolled down */
+    /** A message being read. @param scroll lines scrolled down */
     record MessageView(MessageFolder folder, StoredMessage message, int scroll) implements Screen {}
 
     /** Lines of text. */
@@ -79,8 +79,8 @@ public sealed interface Screen {
      * A message being written.
      *
      * @param caret characters before the cursor
-     * @param pending whether the last letter may still change
-     * @param choices the letters among which it is chosen
+     * @param pending true if the last letter may still change
+     * @param choices the letters of its key
      */
     record Writing(String text, int caret, boolean pending, String choices, TextEntry.Mode mode) implements Screen {}
 
@@ -88,8 +88,8 @@ public sealed interface Screen {
      * A line being keyed in, such as a number or a name.
      *
      * @param caret characters before the cursor
-     * @param choices the letters among which the pending one is chosen; empty if none is pending
-     * @param mode empty where only digits are keyed
+     * @param choices the letters of the pending one's key; empty if none is pending
+     * @param mode empty for digits only
      */
     record Entry(Words title, String text, int caret, String choices, Optional<TextEntry.Mode> mode)
             implements Screen {}
@@ -100,14 +100,14 @@ public sealed interface Screen {
     /**
      * A USSD dialogue.
      *
-     * @param text of the network; while it is awaited, what the user has sent
+     * @param text of the network; until it arrives, the user's
      * @param reply as typed so far
      */
     record Ussd(Phase phase, String text, String reply) implements Screen {
         public enum Phase {
-            /** The network works. */
+            /** The network's answer is awaited. */
             WAITING,
-            /** The network waits for a reply. */
+            /** The network awaits a reply. */
             ASKED,
             /** The dialogue is over; any key leaves. */
             ANSWERED
@@ -126,7 +126,7 @@ public sealed interface Screen {
             KEYS_REFUSED,
             /** The network does not know the code. */
             USSD_UNKNOWN,
-            /** The network refused; the detail is the error's code, empty if it said none. */
+            /** The network refused; the detail is the error's code, empty if it gave none. */
             USSD_REFUSED,
             USSD_NO_SERVICE,
             USSD_NO_ANSWER

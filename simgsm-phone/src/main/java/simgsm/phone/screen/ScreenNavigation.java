@@ -53,7 +53,7 @@ public final class ScreenNavigation {
         return stack.top().isEmpty();
     }
 
-    /** Shows the home screen; a text that was begun stays. */
+    /** Shows the home screen; an unfinished text is kept. */
     public KeyIntent home() {
         return stack.home();
     }
@@ -125,7 +125,7 @@ public final class ScreenNavigation {
         return stack.top().filter(ScreenPage::wantsTime).isPresent();
     }
 
-    /** @return whether something changed */
+    /** @return true if the screen changed */
     public boolean timePassed(long nowNanos) {
         return stack.top().filter(page -> page.timePassed(nowNanos)).isPresent();
     }

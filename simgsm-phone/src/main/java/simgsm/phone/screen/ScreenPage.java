@@ -27,12 +27,12 @@ abstract class ScreenPage {
     /** Called before the page is covered by another or closed. */
     void leave() {}
 
-    /** True if {@link #timePassed} is to be called. */
+    /** True if {@link #timePassed} must be called. */
     boolean wantsTime() {
         return false;
     }
 
-    /** @return whether the page has changed */
+    /** @return true if the page has changed */
     boolean timePassed(long nowNanos) {
         return false;
     }

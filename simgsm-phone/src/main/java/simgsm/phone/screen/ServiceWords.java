@@ -34,7 +34,7 @@ public final class ServiceWords {
         return lines;
     }
 
-    /** The reason for the end of a dialogue without an answer; empty if the user ended it or has read the answer. */
+    /** The reason for a dialogue's end without an answer; empty if the user ended it or has read the answer. */
     public static Optional<Screen.Note> noteOf(StationEvent.UssdEnded end) {
         return switch (end.how()) {
             case COMPLETED, CANCELLED -> Optional.empty();

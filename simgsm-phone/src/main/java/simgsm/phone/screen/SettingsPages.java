@@ -57,7 +57,7 @@ final class SettingsPages {
         return setting("setting.volume", values, UserSettings::volume, words, UserSettings::withVolume);
     }
 
-    /** @param family beginning of the values' keys in the bundle */
+    /** @param family prefix of the values' text keys */
     private <T extends Enum<T>> ListItem choice(
             String family, List<T> values, Function<UserSettings, T> value, Change<T> change) {
         return setting("setting." + family.replace(".", ""), values, value, each -> named(family, each), change);
@@ -67,7 +67,7 @@ final class SettingsPages {
         return Words.of(family + value.name().toLowerCase(Locale.ROOT));
     }
 
-    /** Gives the settings another value. */
+    /** Sets one setting to a value. */
     private interface Change<T> {
         UserSettings of(UserSettings before, T value);
     }

@@ -1,10 +1,10 @@
 package simgsm.phone.screen;
 
 /**
- * What the two keys under the display do on this screen.
+ * The functions of the two keys under the display.
  *
- * @param left key of the bundle; empty if the key does nothing
- * @param right as left
+ * @param left text key; empty if the key has no function
+ * @param right likewise
  */
 public record SoftKeys(String left, String right) {
     static final SoftKeys NONE = new SoftKeys("", "");

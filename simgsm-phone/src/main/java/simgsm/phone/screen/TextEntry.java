@@ -4,16 +4,16 @@ import java.util.concurrent.TimeUnit;
 import simgsm.dtmf.DtmfKey;
 
 /**
- * Writing with twelve keys: each press of the same key within a second takes the next of its letters. Only letters of the
- * GSM alphabet are on the keys, so that a text keyed here stays short; a keyboard may write any.
+ * Writing with twelve keys: each press of the same key within a second selects its next letter. The keys have only
+ * letters of the GSM alphabet, which keeps messages short; a keyboard can write any.
  */
 public final class TextEntry {
     /** Time in which the same key changes the last letter. */
     public static final long TAP_NANOS = TimeUnit.MILLISECONDS.toNanos(1000);
-    /** Longer than any message may be: 255 parts of 153 letters. */
+    /** The longest message: 255 parts of 153 letters. */
     static final int MAX_CHARACTERS = 39_015;
 
-    /** The way in which keys become letters. */
+    /** The case of the letters, or digits. */
     public enum Mode {
         LOWER,
         /** The next letter is a capital, then as LOWER. */
@@ -56,7 +56,7 @@ public final class TextEntry {
         line = new LineEditor(most);
     }
 
-    /** A key of the twelve, pressed. */
+    /** One of the twelve keys was pressed. */
     void tap(DtmfKey key, long nowNanos) {
         settle(nowNanos);
         if (mode == Mode.NUMBERS) {
@@ -126,7 +126,7 @@ public final class TextEntry {
         taps = 0;
     }
 
-    /** Makes the pending letter final after one second. @return true if that happened */
+    /** Makes the pending letter final after one second. @return true if it did */
     boolean settle(long nowNanos) {
         if (tapped != null && nowNanos - tappedNanos >= TAP_NANOS) {
             commit();
@@ -176,7 +176,7 @@ public final class TextEntry {
         return tapped != null;
     }
 
-    /** The letters among which the pending one is chosen, empty if none is pending. */
+    /** The letters of the pending one's key; empty if none is pending. */
     String choices() {
         return tapped == null ? "" : lettersOf(tapped);
     }

@@ -1,6 +1,6 @@
 package simgsm.phone.screen;
 
-/** A page with a text that is keyed in; a pending letter becomes final when the page is covered or its second is over. */
+/** A page for keying in a text; a pending letter becomes final when the page is covered or its second is over. */
 abstract class TextEntryPage extends ScreenPage {
     final TextEntry entry;
 

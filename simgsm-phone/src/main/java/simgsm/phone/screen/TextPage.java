@@ -28,7 +28,7 @@ final class TextPage extends ScreenPage {
         return new TextPage(stack, title, lines, SoftKeys.BACK, () -> Simple.NOTHING);
     }
 
-    /** @param confirmed what is done on yes; the page is closed before */
+    /** @param confirmed performed on yes, after the page is closed */
     static TextPage question(PageStack stack, Words question, Supplier<KeyIntent> confirmed) {
         return new TextPage(stack, Words.NONE, () -> List.of(question), new SoftKeys("soft.yes", "soft.no"), confirmed);
     }

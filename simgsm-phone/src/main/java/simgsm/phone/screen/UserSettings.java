@@ -53,7 +53,7 @@ public record UserSettings(
                 toneLength.name());
     }
 
-    /** Replaces settings by those of an earlier run. @throws IllegalArgumentException for a text that is no such value */
+    /** Replaces settings by those of an earlier run. @throws IllegalArgumentException for an invalid value */
     public UserSettings restored(Map<String, String> texts) {
         UserSettings next = this;
         for (Map.Entry<String, String> text : texts.entrySet()) {

@@ -3,11 +3,11 @@ package simgsm.phone.screen;
 import java.util.List;
 
 /**
- * A text for the display that is put into words when it is drawn.
+ * A text for the display, put into words when it is drawn.
  *
- * @param key of the phone's bundle; empty for a text that is shown as it is
- * @param arguments of the bundle's text, or the text itself; {@code Words}, causes, notes and times among them are put into words
- *     first
+ * @param key of the phone's bundle; empty for a literal text
+ * @param arguments of the bundle's text, or the literal text; {@code Words}, causes, notes and times among them are
+ *     put into words first
  */
 public record Words(String key, List<Object> arguments) {
     /** No text. */

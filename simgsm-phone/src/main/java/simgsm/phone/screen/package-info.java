@@ -1,8 +1,7 @@
 /**
- * What the display shows and what each key does: pages on a stack, above them the home screen. Menus are data: rows with
- * what is done when they are chosen. Texts are keys of the bundle, so the pages know no language; a test drives them by key
- * strokes.
- *
+ * The content of the display and the function of each key: pages on a stack above the home screen. Menus are data:
+ * rows with their actions. Texts are keys of the bundle, so pages are independent of the language; tests drive them
+ * by key strokes.
  * <pre>
  *   key --> HomeKeys or the page on top of PageStack --> KeyIntent, which the handset performs
  *                                                    --> Screen and SoftKeys, which the display draws

@@ -12,10 +12,9 @@ public final class CallLog {
     private List<CallRecord> records = List.of();
     private int unseenMissed;
 
-    /** An empty log. */
     public CallLog() {}
 
-    /** Oldest first; a new list after each change, so a snapshot may keep it. */
+    /** Oldest first; each change makes a new list, so a snapshot may keep it. */
     public List<CallRecord> records() {
         return records;
     }
@@ -52,12 +51,12 @@ public final class CallLog {
         unseenMissed = 0;
     }
 
-    /** Missed calls that the user has not looked at. */
+    /** Missed calls not yet seen by the user. */
     public int unseenMissed() {
         return unseenMissed;
     }
 
-    /** The user has looked at the missed calls. */
+    /** The user has seen the missed calls. */
     public void missedSeen() {
         unseenMissed = 0;
     }

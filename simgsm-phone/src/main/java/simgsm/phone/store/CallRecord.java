@@ -20,7 +20,7 @@ public record CallRecord(Kind kind, String number, Instant at, int seconds) {
         MISSED
     }
 
-    /** mm:ss, from one hour on h:mm:ss. */
+    /** mm:ss, from one hour h:mm:ss. */
     public static String duration(int seconds) {
         String tail = String.format(Locale.ROOT, "%02d:%02d", seconds / 60 % 60, seconds % 60);
         return seconds < 3600 ? tail : seconds / 3600 + ":" + tail;

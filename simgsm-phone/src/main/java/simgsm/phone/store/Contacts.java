@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import simgsm.sim.SimPhoneBook;
 
-/** The names in the SIM's phone book, which AT commands read and write too. */
+/** The names in the SIM's phone book, also read and written by AT commands. */
 public final class Contacts {
     /** @param place in the SIM's phone book, from 1 */
     public record NamedNumber(int place, String name, String number) {}
@@ -62,12 +62,12 @@ public final class Contacts {
         return names;
     }
 
-    /** The name of a number, written with or without a plus sign; the number itself without one. */
+    /** The name of a number, with or without a plus sign; the number itself if it has none. */
     public String nameOf(String number) {
         return names().getOrDefault(bare(number), number);
     }
 
-    /** A number as {@link #names} has it. */
+    /** A number in the form of {@link #names}. */
     public static String bare(String number) {
         return number.startsWith("+") ? number.substring(1) : number;
     }
@@ -76,7 +76,7 @@ public final class Contacts {
         return book.free().isEmpty();
     }
 
-    /** Writes a contact. @param place of the contact that it replaces; empty for a new one, which needs room */
+    /** Writes a contact. @param place of the contact to replace; empty for a new one, which needs room */
     public void write(Optional<Integer> place, String name, String number) {
         place.or(book::free).ifPresent(free -> book.write(free, new SimPhoneBook.Entry(number, name)));
     }

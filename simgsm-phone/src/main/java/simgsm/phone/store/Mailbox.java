@@ -32,7 +32,7 @@ public final class Mailbox {
         return Map.copyOf(folders);
     }
 
-    /** Unmodifiable; a new list after each change, so a snapshot may keep it. */
+    /** Unmodifiable; each change makes a new list, so a snapshot may keep it. */
     public List<StoredMessage> in(MessageFolder folder) {
         return folders.get(folder);
     }
@@ -63,17 +63,17 @@ public final class Mailbox {
         return folder;
     }
 
-    /** Adds a message that the station has taken. */
+    /** Adds a message accepted by the station. */
     public void submitted(int id, String to, String text) {
         add(MessageFolder.OUTBOX, message(to, text, true, Delivery.SENDING, id, 1));
     }
 
-    /** Keeps a text that is not sent yet. @param to empty if it is not known yet */
+    /** Keeps a text not yet sent. @param to empty if unknown */
     public void keepDraft(String to, String text) {
         add(MessageFolder.DRAFTS, message(to, text, true, Delivery.DRAFT, 0, 1));
     }
 
-    /** Adds a message of an earlier run; it gets a serial of this one. */
+    /** Adds a message of an earlier run, with a new serial. */
     void restore(MessageFolder folder, StoredMessage kept) {
         add(
                 folder,
@@ -124,7 +124,7 @@ public final class Mailbox {
         return messages;
     }
 
-    /** The message as it is now; empty if it is erased. */
+    /** The current version of the message; empty if it is erased. */
     public Optional<StoredMessage> find(MessageFolder folder, int serial) {
         return in(folder).stream().filter(message -> message.serial() == serial).findFirst();
     }
@@ -154,7 +154,7 @@ public final class Mailbox {
         return (int) in(folder).stream().filter(message -> !message.read()).count();
     }
 
-    /** True if the network has not acknowledged each message. */
+    /** True if any message is unacknowledged by the network. */
     public boolean hasUnacknowledged() {
         return in(MessageFolder.OUTBOX).stream().anyMatch(message -> message.delivery() == Delivery.SENDING);
     }

@@ -13,8 +13,8 @@ import simgsm.phone.store.StoredMessage.Delivery;
 import simgsm.sim.SimPhoneBook;
 
 /**
- * The kept data as texts by key: {@code name.PLACE}, {@code call.N} and {@code message.N}; tabs separate the parts of a
- * text.
+ * The stored data as texts by key: {@code name.PLACE}, {@code call.N} and {@code message.N}; tabs separate the parts
+ * of a text.
  */
 public final class PhoneImage {
     private static final String NAME = "name.";
@@ -44,7 +44,7 @@ public final class PhoneImage {
         return isNew;
     }
 
-    /** All that is kept now. */
+    /** All data to be stored. */
     public SortedMap<String, String> texts() {
         SortedMap<String, String> texts = new TreeMap<>();
         book.entries().forEach((place, entry) -> texts.put(NAME + place, entry.number() + TAB + entry.name()));
@@ -87,7 +87,7 @@ public final class PhoneImage {
                 message.text());
     }
 
-    /** Takes over the kept texts; keys of other families are left out. @return the keys of texts that are not understood */
+    /** Restores the stored texts; keys of other families are ignored. @return the keys of invalid texts */
     public List<String> restore(Map<String, String> texts) {
         List<String> wrong = new ArrayList<>();
         new TreeMap<>(texts).forEach((key, text) -> {
@@ -118,7 +118,7 @@ public final class PhoneImage {
         }
     }
 
-    /** Restores a message; one that was being sent at the end of the phone counts as failed. */
+    /** Restores a message; one whose sending was interrupted counts as failed. */
     private void restoreMessage(List<String> parts) {
         Delivery delivery = Delivery.valueOf(parts.get(4));
         mailbox.restore(

@@ -10,10 +10,10 @@ import simgsm.event.EventLine;
  *
  * <p>As a line: answer to {@code inbox}.
  *
- * @param serial names the message within the phone, whatever becomes of it
+ * @param serial permanent identifier within the phone
  * @param party number or alphanumeric address of the sender or receiver; for a broadcast its channel
  * @param at time of reception or submission
- * @param id of a submitted message, as the station's events carry it; else 0
+ * @param id of a submitted message in the station's events; else 0
  * @param parts number of short messages or pages
  * @param cause of a failure
  */
@@ -28,7 +28,7 @@ public record StoredMessage(
         int id,
         int parts,
         Optional<RpCause> cause) {
-    /** The id of messages that the station does not know. */
+    /** The id of messages unknown to the station. */
     static final int NO_ID = -1;
 
     /** The progress of a message. */

@@ -10,7 +10,7 @@ import simgsm.phone.screen.Screen;
 import simgsm.phone.store.StoredMessage;
 import simgsm.ss.SsError;
 
-/** Cause texts: from the bundle if it has one, else the title in the standard. */
+/** Cause texts: from the bundle, or else the title in the standard. */
 final class CauseText {
     private CauseText() {}
 

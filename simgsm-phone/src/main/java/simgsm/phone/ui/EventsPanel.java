@@ -20,7 +20,7 @@ import simgsm.ui.Theme;
 import simgsm.ui.VerticalScrollPane;
 
 /**
- * The log of events, a line each, which the arrow keys read and which can be copied. Digits, Enter and Escape remain keys of
+ * The log of events, one per line, to be read with the arrow keys and copied. Digits, Enter and Escape remain keys of
  * the phone.
  */
 final class EventsPanel extends JPanel {
@@ -66,7 +66,7 @@ final class EventsPanel extends JPanel {
         dress();
     }
 
-    /** Scrolls to the end, if the caret is there, after the panel has opened or changed its size. */
+    /** Scrolls to the end, if the caret is there, after the panel was opened or resized. */
     private void showEnd() {
         int end = area.getDocument().getLength();
         if (area.getCaretPosition() == end) {

@@ -6,7 +6,7 @@ import simgsm.phone.handset.HandsetKeys;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.tone.ToneExperiment;
 
-/** The window's access to the handset, which another thread owns. */
+/** The window's access to the handset, owned by another thread. */
 @FunctionalInterface
 public interface HandsetControls {
     /** Runs an action on the owner thread, with the time in nanoseconds. */
@@ -38,12 +38,12 @@ public interface HandsetControls {
         perform((handset, now) -> new HandsetKeys(handset).charUp(character, now));
     }
 
-    /** Presses the keyboard's key for erasing. */
+    /** Presses the keyboard's erase key. */
     default void eraseDown() {
         perform((handset, now) -> new HandsetKeys(handset).eraseDown());
     }
 
-    /** Changes what the tone scope shows. */
+    /** Sets the tone scope's experiment. */
     default void tryOut(ToneExperiment experiment) {
         perform((handset, now) -> handset.tryOut(experiment));
     }

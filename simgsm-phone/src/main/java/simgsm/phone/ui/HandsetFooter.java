@@ -14,7 +14,7 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** The row below the keys: what can be folded open, and whether there is sound, in words where there is room for them. */
+/** The row below the keys: buttons of the folds and the state of the sound, in words if there is room. */
 final class HandsetFooter extends JPanel {
     private static final int ICON = 12;
 

@@ -11,8 +11,8 @@ import simgsm.ui.Arrange;
 import simgsm.ui.Theme;
 
 /**
- * Lays out the handset on a drawing 320 units wide and scales the drawing to the panel, centred. The open fold is below the
- * keys or, where that makes the handset larger, at their right.
+ * Lays out the handset on a drawing 320 units wide and scales the drawing to the panel, centred. The open fold is
+ * below the keys, or at their right if that makes the handset larger.
  */
 final class HandsetLayout implements Arrange.FixedLayout {
     static final double WIDTH = 320;
@@ -84,7 +84,9 @@ final class HandsetLayout implements Arrange.FixedLayout {
         return isBeside(panel) ? CLOSED_HEIGHT : height();
     }
 
-    /** The size that shows the drawing at this scale; wide where below the keys it would have to be drawn clearly smaller. */
+    /**
+     * The size that shows the drawing at this scale; wide if a fold below the keys would make it clearly smaller.
+     */
     Dimension sized(double scale, int mostHeight) {
         boolean isWide = fold != HandsetFold.NONE && height() * scale * LEAST_SHRINKING > mostHeight;
         return new Dimension((int) Math.round((isWide ? WIDTH + BESIDE_WIDTH : WIDTH) * scale), (int)

@@ -138,8 +138,7 @@ public final class HandsetPanel extends JPanel {
     }
 
     /**
-     * Opens or closes a fold; the window that holds the panel changes its size, so that the keys keep
-     * theirs as far as the screen allows.
+     * Opens or closes a fold; the window is resized, so that the keys keep their size as far as the screen allows.
      */
     void setFold(HandsetFold next) {
         double scale = layout.scale(this);
@@ -159,7 +158,7 @@ public final class HandsetPanel extends JPanel {
         repaint();
     }
 
-    /** Opens it in a window that has the height for it. */
+    /** Opens a fold in a window that is high enough. */
     void open(HandsetFold next) {
         layout.setFold(next);
         scope.setVisible(next == HandsetFold.SCOPE);

@@ -13,8 +13,8 @@ import simgsm.phone.screen.UserSettings;
 import simgsm.ui.Theme;
 
 /**
- * The handset in one language. The phone's settings of language and colours and those of its window follow each other: what
- * was changed last holds.
+ * The handset in one language. The phone's and its window's settings of language and colours follow each other: the
+ * last change is valid for both.
  */
 public final class HandsetView extends JPanel {
     private final transient HandsetControls controls;

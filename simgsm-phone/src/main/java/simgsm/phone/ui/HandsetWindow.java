@@ -27,7 +27,7 @@ public final class HandsetWindow {
      * A window without content yet.
      *
      * @param bundles the texts in a language
-     * @param speak rebuilds the content in the language that the phone's user has set
+     * @param speak rebuilds the content in the language set by the phone's user
      */
     public HandsetWindow(
             Function<Locale, TextBundle> bundles,

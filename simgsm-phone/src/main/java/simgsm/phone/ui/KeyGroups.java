@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Keys of a call as one reads orders, {@code ** #**20 **   ** #*#90 **}: a gap after each part of an order and a wider one
- * between orders. Nothing is checked here; keys of no order are one group.
+ * Keys of a call grouped like orders, {@code ** #**20 **   ** #*#90 **}: a gap after each part of an order and a
+ * wider one between orders. Nothing is checked; keys outside orders are one group.
  */
 final class KeyGroups {
     private static final String MARK = "**";
     private static final String STOP = "###";
 
-    /** A part of an order. @param begins whether it is the first of its order */
+    /** A part of an order. @param begins true for the first of its order */
     record Group(String keys, boolean begins) {}
 
     private final String keys;
@@ -64,7 +64,7 @@ final class KeyGroups {
         return from + MARK.length();
     }
 
-    /** In an order a hash begins the next instruction, where the one before can end. */
+    /** In an order a hash begins the next instruction if the one before can end. */
     private void add(char key) {
         boolean canEnd = isStop() || part.length() > 0 && Character.isDigit(part.charAt(part.length() - 1));
         if (isOpen && key == '#' && canEnd) {

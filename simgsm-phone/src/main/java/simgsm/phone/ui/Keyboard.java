@@ -22,9 +22,9 @@ import simgsm.phone.screen.PhoneKey;
 import simgsm.ui.UserAction;
 
 /**
- * Maps the computer's keyboard to the handset: typed characters are passed on in any keyboard layout; Enter, Escape and the
- * arrows are keys. A character stays pressed until a key is released or the focus leaves the panel, after which releases
- * do not arrive. The keyboard's repetition of a phone key's symbol is ignored.
+ * Maps the computer's keyboard to the handset: typed characters are passed on in any keyboard layout; Enter, Escape
+ * and the arrows are keys. A character remains pressed until a key is released or the focus leaves the panel, since
+ * releases are not received after that. The keyboard's repetition of a phone key's symbol is ignored.
  */
 final class Keyboard {
     private static final String FOCUS_OWNER = "focusOwner";
@@ -43,7 +43,7 @@ final class Keyboard {
             Map.entry(KeyEvent.VK_F4, PhoneKey.SOFT_LEFT),
             Map.entry(KeyEvent.VK_F5, PhoneKey.SOFT_RIGHT));
 
-    /** Keys that the help does not list: the key's name says what it does. */
+    /** Keys not listed by the help: the key's name is its function. */
     private static final Set<PhoneKey> ARROWS = EnumSet.of(PhoneKey.LEFT, PhoneKey.RIGHT, PhoneKey.UP, PhoneKey.DOWN);
 
     private final HandsetControls controls;
@@ -53,7 +53,10 @@ final class Keyboard {
         this.controls = controls;
     }
 
-    /** Binds the keyboard to a panel and to every focused component within it. The help lists keys by the texts of phone keys. */
+    /**
+     * Binds the keyboard to a panel and to every focused component in it. The help lists keys by the texts of phone
+     * keys.
+     */
     static void install(JComponent panel, TextBundle texts, HandsetControls controls) {
         Keyboard keyboard = new Keyboard(controls);
         InputMap inputs = new Inputs();
@@ -124,7 +127,7 @@ final class Keyboard {
         controls.charDown(character);
     }
 
-    /** Alt with a letter or digit is a key of the window, such as Alt+2; with it some keyboards write #. */
+    /** Alt with a letter or digit is a key of the window, such as Alt+2; some keyboards write # with it. */
     private static boolean isKeyOfWindow(char sign) {
         return sign < 0x80 && Character.isLetterOrDigit(sign);
     }

@@ -32,7 +32,7 @@ final class LcdCall {
         keys = new LcdKeys(texts);
     }
 
-    /** There is only a call that is held. */
+    /** The only call is held. */
     void held(LcdPen pen, HandsetSnapshot phone) {
         pen.left(texts.of("lcd.on_hold"), pen.sans(13, true), LcdPen.MARGIN, 53);
         String number = phone.call().held().orElseThrow();
@@ -110,7 +110,7 @@ final class LcdCall {
         }
     }
 
-    /** The other party, in inverse video. @param key of the bundle: does it wait, or is it held? */
+    /** The other party, in inverse video. @param key text for waiting or held */
     private void second(LcdPen pen, HandsetSnapshot phone, String key, String number) {
         String party = number.isEmpty() ? texts.of("lcd.unknown") : phone.nameOf(number);
         pen.inverse(texts.of(key, party), pen.sans(12, true), LcdPen.MARGIN, 155, 15);

@@ -13,10 +13,10 @@ import simgsm.ss.ServiceCode;
 import simgsm.station.ServingCell;
 import simgsm.station.StationSnapshot;
 
-/** The home screen: standby, a number being typed, or what {@link LcdCall} shows of a call. */
+/** The home screen: standby, a number being typed, or a call by {@link LcdCall}. */
 final class LcdHome {
     private static final double HINT_BASELINE = 151;
-    /** 3 lines of news leave no room for the cell's. */
+    /** 3 lines of news leave no room for the cell. */
     private static final int CROWDED = 3;
 
     private final TextBundle texts;
@@ -42,7 +42,7 @@ final class LcdHome {
         }
     }
 
-    /** The operator's name, the own number, and what is new. */
+    /** The operator's name, the own number, and news. */
     private void rest(LcdPen pen, HandsetSnapshot phone) {
         StationSnapshot station = phone.station();
         double number = 84;

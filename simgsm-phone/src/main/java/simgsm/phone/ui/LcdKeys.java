@@ -14,7 +14,7 @@ final class LcdKeys {
     private static final double LABEL_SIZE = 11;
     private static final double LABEL_GAP = 6;
     private static final double[] KEYED_SIZES = {20, 15};
-    /** Widths in letters of a gap within an order and of one before the next order. */
+    /** Gaps within an order and before the next order, in letter widths. */
     private static final double GAP = 0.4;
 
     private static final double WIDE_GAP = 1.2;
@@ -75,7 +75,7 @@ final class LcdKeys {
         return width;
     }
 
-    /** @return where the text after the label begins */
+    /** @return start of the text after the label */
     private double label(LcdPen pen, String key, double baseline) {
         Font font = pen.sans(LABEL_SIZE, false);
         String label = texts.of(key);
@@ -88,7 +88,7 @@ final class LcdKeys {
     /**
      * The newest key heard as a keycap, with its meaning; a line below shows those before it.
      *
-     * @param showsEarlier whether there is room for that line
+     * @param showsEarlier true if there is room for that line
      */
     void heard(LcdPen pen, CallSnapshot call, double baseline, boolean showsEarlier) {
         String heard = call.heard();

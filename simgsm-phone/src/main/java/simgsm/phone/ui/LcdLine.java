@@ -1,14 +1,14 @@
 package simgsm.phone.ui;
 
-/** One line of text with its cursor, in the largest type in which it fits. */
+/** One line of text with its cursor, in the largest type that fits. */
 final class LcdLine {
     private static final double[] SIZES = {28, 20, 15};
-    /** Marks the ends of a text that is longer than the line. */
+    /** Marks the ends of a text longer than the line. */
     private static final String CUT = "\u2026";
 
     private LcdLine() {}
 
-    /** @param pending whether the character before the cursor may still change */
+    /** @param pending true if the character before the cursor may still change */
     static void paint(LcdPen pen, String text, int caret, double baseline, boolean pending) {
         double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN - 4;
         double size = SIZES[SIZES.length - 1];

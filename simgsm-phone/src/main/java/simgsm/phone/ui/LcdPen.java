@@ -59,7 +59,7 @@ final class LcdPen {
         left(Drawing.fitted(font, text, room * unit), font, x, baseline);
     }
 
-    /** The text, cut in front with an ellipsis where it is wider than the room. */
+    /** The text, cut in front with an ellipsis to fit the room. */
     String fittedEnd(String text, Font font, double room) {
         return Drawing.fittedEnd(font, text, room * unit);
     }

@@ -12,11 +12,11 @@ import javax.swing.JTextField;
 import javax.swing.LayoutFocusTraversalPolicy;
 
 /**
- * Swing's file dialog: the file's name has the keyboard first, not the list of folders above it, and the folder of the last
- * choice is shown. Its words are in the default language of Swing components.
+ * Swing's file dialog with the focus in the file's name instead of the list of folders, and starting in the last
+ * chosen folder. Its words are in the default language of Swing components.
  */
 final class FileQuestion extends JFileChooser {
-    /** @param start the folder that is shown; empty for that of the last choice, or the user's own */
+    /** @param start folder to show; empty for the last choice's, or the user's home */
     FileQuestion(Optional<Path> start) {
         super(start.or(LastFolder::get).map(Path::toFile).orElse(null));
         setFocusTraversalPolicyProvider(true);
@@ -36,13 +36,13 @@ final class FileQuestion extends JFileChooser {
                 }));
     }
 
-    /** Typing replaces the proposed name and leaves its ending. */
+    /** Selects the proposed name without its ending, so that typing replaces it. */
     static void selectStem(JTextField field) {
         int dot = field.getText().lastIndexOf('.');
         field.select(0, dot > 0 ? dot : field.getText().length());
     }
 
-    /** The file that the user has confirmed, whose folder is remembered. */
+    /** The file confirmed by the user; its folder is remembered. */
     static Path chosen(JFileChooser question) {
         Path file = question.getSelectedFile().toPath();
         LastFolder.keepOf(file);

@@ -7,16 +7,16 @@ import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** Asks for a file that is to be read. */
+/** Asks for a file to read. */
 public final class OpenDialog {
     private OpenDialog() {}
 
     /**
-     * A dialog that is not shown yet.
+     * A dialog not yet shown.
      *
-     * @param start the folder that is shown; empty for that of the last choice
-     * @param description of the files that are expected
-     * @param endings of these files, without the dot; none for files of any kind. Others are shown if the user says so
+     * @param start folder to show; empty for the last choice's
+     * @param description of the expected files
+     * @param endings of these files, without the dot; none for files of any kind. The user can show others
      */
     public static JFileChooser question(Optional<Path> start, String description, List<String> endings) {
         JFileChooser question = new FileQuestion(start);

@@ -13,21 +13,21 @@ import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
 
-/** Asks where a file is to be saved, and before it replaces one. */
+/** Asks for a file to save, and before replacing one. */
 public final class SaveDialog {
     private SaveDialog() {}
 
-    /** Files that can be written. @param ending without the dot */
+    /** A writable kind of files. @param ending without the dot */
     public record Kind(String description, String ending) {}
 
-    /** The texts of the question. @param question with the name of the file */
+    /** The texts of the question. @param question for the name of the file */
     public record Replacing(Function<String, String> question, String title, String yes, String cancel) {}
 
     /**
      * Asks.
      *
      * @param kinds the first one is proposed
-     * @param base removes the ending that a kind's own takes the place of
+     * @param base removes the ending before a kind's own is appended
      * @return the file, with the ending of its kind; empty if the user has cancelled
      */
     public static Optional<Path> ask(
@@ -50,7 +50,7 @@ public final class SaveDialog {
         return Optional.empty();
     }
 
-    /** The file by the ending that was typed, where it is one of the kinds'; else with that of the chosen kind. */
+    /** The file by its typed ending if that is one of the kinds'; otherwise with the chosen kind's. */
     static Path named(Path typed, String chosenEnding, List<Kind> kinds, UnaryOperator<String> base) {
         return kinds.stream().anyMatch(kind -> hasEnding(typed, kind.ending()))
                 ? typed
@@ -61,7 +61,7 @@ public final class SaveDialog {
         return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT).endsWith("." + ending);
     }
 
-    /** With the ending, which takes the place of what the base leaves out. */
+    /** The base of the file with the ending. */
     public static Path withEnding(Path file, String ending, UnaryOperator<String> base) {
         return hasEnding(file, ending)
                 ? file

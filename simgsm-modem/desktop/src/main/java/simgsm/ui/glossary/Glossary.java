@@ -22,7 +22,7 @@ public final class Glossary {
     private final Map<String, String> terms = new LinkedHashMap<>();
     private final Pattern pattern;
 
-    /** A part of a text. @param term that it names; empty for none */
+    /** A part of a text. @param term named by it; empty for none */
     public record Part(String text, String term) {
         public static Part plain(String text) {
             return new Part(text, "");
@@ -66,22 +66,22 @@ public final class Glossary {
         return explanations.keySet();
     }
 
-    /** The explanation of a term, or of another name of it, in any letters. */
+    /** The explanation of a term by any of its names, ignoring case. */
     public Optional<String> find(String name) {
         return Optional.ofNullable(terms.get(name.strip().toLowerCase(Locale.ROOT)))
                 .map(explanations::get);
     }
 
     /**
-     * The explanation of a GSM message by its name; of one that carries another, such as "CP-DATA (RP-DATA SUBMIT)", that of the
-     * outer one. Names of messages that are everyday words, such as Hold, are no terms of texts.
+     * The explanation of a GSM message by its name; of the outer one in "CP-DATA (RP-DATA SUBMIT)". Message names
+     * that are everyday words, such as Hold, are not linked in texts.
      */
     public Optional<String> findMessage(String name) {
         String outer = outer(name);
         return find("message " + outer).or(() -> find(outer)).map(text -> outer + ": " + text);
     }
 
-    /** The explanation of what a message carries, {@code SUBMIT} in "CP-DATA (RP-DATA SUBMIT)"; empty for nothing. */
+    /** The explanation of a carried message, {@code SUBMIT} in "CP-DATA (RP-DATA SUBMIT)"; empty for none. */
     public Optional<String> findCarried(String name) {
         String[] carried = name.substring(outer(name).length())
                 .replaceAll("[()]", " ")
@@ -98,7 +98,7 @@ public final class Glossary {
         return parts(text).stream().anyMatch(part -> !part.term().isEmpty());
     }
 
-    /** Splits a text so that each term, also in the plural, where it stands first, is a part of its own. */
+    /** Splits a text so that the first occurrence of each term, also in the plural, is its own part. */
     public List<Part> parts(String text) {
         List<Part> parts = new ArrayList<>();
         List<String> seen = new ArrayList<>();

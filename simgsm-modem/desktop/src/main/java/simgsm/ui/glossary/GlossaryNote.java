@@ -9,8 +9,8 @@ import java.util.stream.Stream;
 import javax.swing.JPanel;
 
 /**
- * The explanation of a term below what names it; hidden without one. Glossary and text are made when there is something to
- * explain: a window that begins with neither is there sooner.
+ * The explanation of a term below the component that names it; hidden without one. Glossary and text are made at the
+ * first explanation, so that the window opens sooner.
  */
 public final class GlossaryNote extends JPanel {
     private final Locale language;
@@ -24,14 +24,14 @@ public final class GlossaryNote extends JPanel {
         setVisible(false);
     }
 
-    /** Explains a GSM message by its name, and what it carries. */
+    /** Explains a GSM message by its name, and the message it carries. */
     public void explainMessage(String name) {
         show(Stream.of(glossary().findMessage(name), glossary().findCarried(name))
                 .flatMap(Optional::stream)
                 .collect(Collectors.joining("\n\n")));
     }
 
-    /** Explains the first term in a text; without a term in it, nothing is shown. */
+    /** Explains the first term of a text; hides the note if there is none. */
     public void explain(String words) {
         List<Glossary.Part> parts = words.isEmpty() ? List.of() : glossary().parts(words);
         show(parts.stream()

@@ -26,8 +26,8 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /**
- * A text that wraps, in which the terms of the glossary are links. With the keyboard: Tab to a text that has terms, the arrows to
- * a term, Enter or Space to choose it.
+ * A text that wraps, in which the terms of the glossary are links. With the keyboard, Tab selects a text with terms,
+ * the arrows a term, and Enter or Space chooses it.
  */
 public final class GlossaryText extends JEditorPane {
     private static final int LEAST_PIXELS = 13;
@@ -43,7 +43,7 @@ public final class GlossaryText extends JEditorPane {
     private boolean isBold;
     /** True for explanations: the term before each colon is bold. */
     private boolean areTermsBold;
-    /** The term on which the keyboard is; -1 for none. */
+    /** The term selected by the keyboard; -1 for none. */
     private int at = -1;
 
     /** A text without links; the beginning of each paragraph up to its colon is bold. */
@@ -53,7 +53,7 @@ public final class GlossaryText extends JEditorPane {
         return text;
     }
 
-    /** @param glossary whose terms become links; empty for none; @param chosen receives the term that is clicked */
+    /** @param glossary of the linked terms; empty for none; @param chosen receives the term that is clicked */
     public GlossaryText(String name, Optional<Glossary> glossary, Consumer<String> chosen) {
         this.glossary = glossary;
         setContentType("text/html");
@@ -74,7 +74,7 @@ public final class GlossaryText extends JEditorPane {
     }
 
     private void bindKeys(Consumer<String> chosen) {
-        // Else Tab would end here, as in a text that is edited.
+        // Otherwise Tab would be inserted, as in an editable text.
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
         KEYS.forEach((key, step) -> new UserAction("term." + key, "", () -> move(step))
@@ -148,7 +148,7 @@ public final class GlossaryText extends JEditorPane {
         setFont(font(false));
         setForeground(Theme.color(Ink.TEXT));
         setOpaque(false);
-        // Nimbus paints the background of a text that is not opaque, too.
+        // Nimbus also paints the background of a text that is not opaque.
         setBackground(Theme.color(Ink.SURFACE, 0));
         if (shown != null && !shown.isEmpty()) {
             super.setText(html());
@@ -189,14 +189,14 @@ public final class GlossaryText extends JEditorPane {
         return Stream.of(text.split("\n\n", -1))
                 .map(SvgCanvas::escaped)
                 .collect(Collectors.joining("<br><br>"))
-                // Words of more than 24 characters would be cut at the edge: a path is broken behind a folder.
+                // Words of more than 24 characters would be cut at the edge: a path is broken after a folder.
                 .replaceAll("([^\\s&;<>]{11,23}/)(?=[^\\s<])", "$1<br>")
                 .replaceAll("([^\\s&;<>]{24})(?=[^\\s&;<>])", "$1<br>")
                 .replace("** ", "**&nbsp;")
                 .replaceAll("(?<=[0-9]) \\*\\*", "&nbsp;**");
     }
 
-    /** As high as its text needs at the present width. */
+    /** As high as the text needs at the current width. */
     @Override
     public Dimension getPreferredSize() {
         int width = 0;
@@ -221,10 +221,10 @@ public final class GlossaryText extends JEditorPane {
             super.setVisible(false);
         }
 
-        /** A new text leaves the place to which its list is scrolled. */
+        /** A new text keeps the scroll position of its list. */
         @Override
         protected void adjustVisibility(Rectangle place) {
-            // nothing is written here that has to be followed
+            // Nothing is written that the view has to follow.
         }
     }
 }

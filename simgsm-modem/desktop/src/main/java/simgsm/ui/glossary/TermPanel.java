@@ -8,7 +8,7 @@ import javax.swing.JPanel;
 import simgsm.ui.Arrange;
 import simgsm.ui.Theme;
 
-/** Some terms of the glossary as links, and below them the explanation of the one that was chosen. Needs no display. */
+/** Some terms of the glossary as links above the explanation of the chosen one. Needs no display. */
 public final class TermPanel extends JPanel {
     private final Glossary glossary;
     private final GlossaryText links;

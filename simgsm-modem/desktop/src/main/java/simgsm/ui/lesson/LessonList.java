@@ -22,9 +22,11 @@ import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.glossary.GlossaryText;
 import simgsm.ui.pane.WrappedColumn;
 
-/** All lessons with title, minutes, subject, a button that opens one, and one that shows the teacher's sheet. Needs no display. */
+/**
+ * All lessons with title, minutes, subject, a button to open them, and one for the teacher's sheet. Needs no display.
+ */
 public final class LessonList extends JPanel {
-    /** What the user may do with a lesson. */
+    /** User actions on a lesson. */
     public interface Actions {
         void open(String name);
 
@@ -68,13 +70,13 @@ public final class LessonList extends JPanel {
             Component row = Arrange.row(Theme.GRID, parts.toArray(Component[]::new));
             return texts.find("about").map(about -> withLine(row, name, about)).orElse(row);
         } catch (LessonException e) {
-            // A teacher's own lesson that is not right yet.
+            // A teacher's own lesson with a fault.
             text.show(e.getMessage());
             return text;
         }
     }
 
-    /** What the lesson is about, below its title and as wide as the list. */
+    /** The lesson's subject, below its title and as wide as the list. */
     private static Component withLine(Component row, String name, String about) {
         GlossaryText line = GlossaryText.ofExplanations("lessons.about." + name);
         line.show(about);

@@ -5,7 +5,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** A teacher's sheet as HTML: of Markdown headings, paragraphs, lists, tables, bold, code and links, whose texts remain. */
+/**
+ * A teacher's sheet as HTML: Markdown headings, paragraphs, lists, tables, bold and code; links become their texts.
+ */
 final class SheetHtml {
     private final StringBuilder html = new StringBuilder();
     private final List<String> paragraph = new ArrayList<>();
@@ -85,14 +87,14 @@ final class SheetHtml {
 
     private static String inline(String text) {
         StringBuilder out = new StringBuilder();
-        // What stands in code keeps its stars.
+        // Stars in code are kept.
         String[] parts = text.split("`", -1);
         for (int i = 0; i < parts.length; i++) {
             String escaped = parts[i].replace("&", "&amp;").replace("<", "&lt;");
             if (i % 2 == 1) {
                 out.append("<tt>").append(escaped).append("</tt>");
             } else {
-                // The list of all sheets is not in the window.
+                // Removes the link to the list of all sheets, which the window does not have.
                 out.append(escaped.replaceAll(" \u00b7 \\[[^]]*]\\(README[.]md\\)", "")
                         .replaceAll("\\[([^]]*)]\\([^)]*\\)", "$1")
                         .replaceAll("\\*\\*([\\p{L}][^*]*)\\*\\*", "<b>$1</b>")

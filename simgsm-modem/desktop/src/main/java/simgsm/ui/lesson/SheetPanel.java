@@ -10,12 +10,12 @@ import simgsm.ui.Theme;
 import simgsm.ui.VerticalScrollPane;
 import simgsm.ui.glossary.GlossaryText;
 
-/** A teacher's sheet of a lesson: time, course, steps, answers, what goes wrong. Needs no display. */
+/** A teacher's sheet of a lesson: time, course, steps, answers, usual mistakes. Needs no display. */
 public final class SheetPanel extends JPanel {
     private final String markdown;
     private final JEditorPane text;
 
-    /** @param markdown the sheet; @param name of what is shown, for assistive technology */
+    /** @param markdown the sheet; @param name of the text, for assistive technology */
     public SheetPanel(String markdown, String name) {
         super(new BorderLayout());
         this.markdown = markdown;
@@ -41,7 +41,7 @@ public final class SheetPanel extends JPanel {
         setBackground(Theme.color(Ink.SURFACE));
     }
 
-    /** The colours of HTML are in its text. */
+    /** Renews the HTML, which contains the colours. */
     private void fill() {
         text.setText(SheetHtml.of(markdown, css(Ink.ACCENT_WASH), css(Ink.TEXT), GlossaryText.font(false)));
         text.setCaretPosition(0);

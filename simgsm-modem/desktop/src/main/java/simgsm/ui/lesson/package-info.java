@@ -1,2 +1,5 @@
-/** The list of lessons and their teachers' sheets, which the help of each window shows. Read {@link simgsm.ui.lesson.LessonList} first. */
+/**
+ * The list of lessons and their teachers' sheets in the help of each window. Read {@link simgsm.ui.lesson.LessonList}
+ * first.
+ */
 package simgsm.ui.lesson;

@@ -8,7 +8,7 @@ import javax.swing.JPanel;
 import simgsm.ui.Arrange;
 import simgsm.ui.Theme;
 
-/** Two parts side by side, or one above the other, with a {@link Divider} between them while both are there and visible. */
+/** Two parts side by side, or one above the other, with a {@link Divider} between them while both are visible. */
 public final class DividedPanel extends JPanel {
     private final boolean sideBySide;
     private final JComponent first;
@@ -20,8 +20,8 @@ public final class DividedPanel extends JPanel {
     /**
      * Both parts.
      *
-     * @param divider has the least size of the second part
-     * @param own the second part's size in pixels while the user has not moved the divider; receives the pixels for both
+     * @param divider gives the least size of the second part
+     * @param own the second part's size in pixels by the pixels for both, until the user moves the divider
      */
     public DividedPanel(
             boolean sideBySide,
@@ -44,7 +44,7 @@ public final class DividedPanel extends JPanel {
         setLayout(new Parts());
     }
 
-    /** Adds the second part, which may be elsewhere meanwhile, or removes it. */
+    /** Adds the second part, which may have another parent meanwhile, or removes it. */
     public void showSecond(boolean shown) {
         if (shown != hasSecond()) {
             if (shown) {
@@ -57,7 +57,7 @@ public final class DividedPanel extends JPanel {
         }
     }
 
-    /** Whether the second part is here. */
+    /** True if the second part is here. */
     public boolean hasSecond() {
         return second.getParent() == this;
     }
@@ -66,7 +66,7 @@ public final class DividedPanel extends JPanel {
         return first.isVisible() && hasSecond() && second.isVisible();
     }
 
-    /** The part that has all the room. */
+    /** The part that has the whole area. */
     private JComponent only() {
         return first.isVisible() || !hasSecond() ? first : second;
     }

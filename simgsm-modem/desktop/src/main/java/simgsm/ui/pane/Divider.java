@@ -30,11 +30,12 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /**
- * The gap between two parts of a window, which sets the size of the part at its right, or below it. The mouse drags it; the
- * arrow keys move it by 16 units, with Shift by 1; Home and End move it as far as it goes; Enter and a double click give the
- * part its own size again. F8 moves the focus to the window's next divider, Escape back to where it was before.
+ * The gap between two parts of a window, which sets the size of the part at its right, or below it. The mouse drags
+ * it; the arrow keys move it by 16 units, with Shift by 1; Home and End move it to its limits; Enter and a double
+ * click restore the part's own size. F8 moves the focus to the window's next divider, Escape back to where it was
+ * before.
  *
- * <p>The layout of the container asks for the part's size by {@link #sized} and places the divider by {@link #place}.
+ * <p>The container's layout gets the part's size from {@link #sized} and sets the divider's place by {@link #place}.
  */
 public final class Divider extends JComponent implements Accessible {
     private static final int STEP_UNITS = 16;
@@ -44,17 +45,17 @@ public final class Divider extends JComponent implements Accessible {
     private OptionalInt wantedUnits = OptionalInt.empty();
     private int pixels;
     private int mostPixels;
-    /** Where the mouse took it, and the part's size then. */
+    /** Pressed position, and the part's size then. */
     private int grasped;
 
     private int graspedPixels;
-    /** Had the focus before F8. */
+    /** Component focused before F8. */
     private transient Component before;
 
     /**
-     * A divider whose part has its own size.
+     * A divider with the part's own size.
      *
-     * @param id its name for tests; @param name what it divides: "Divider between floor and modem"
+     * @param id its name for tests; @param name as "Divider between floor and modem"
      * @param leastUnits of the part
      */
     public Divider(String id, String name, Locale language, int leastUnits) {
@@ -82,14 +83,14 @@ public final class Divider extends JComponent implements Accessible {
         new UserAction("divider." + id, "", task).bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0));
     }
 
-    /** @param across whether the key moves an upright divider; @param sign 1 where it makes the part larger */
+    /** @param across true if the key moves a vertical divider; @param sign 1 if the key enlarges the part */
     private void bind(String id, int key, boolean across, int sign) {
         bind(id, key, () -> step(across, sign * STEP_UNITS));
         new UserAction("divider." + id + ".little", "", () -> step(across, sign))
                 .bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key, InputEvent.SHIFT_DOWN_MASK));
     }
 
-    /** In units: a single one may be less than a pixel, or lost by rounding one. */
+    /** Adds in units: a single one may be less than a pixel and would be lost by rounding. */
     private void step(boolean across, int changeUnits) {
         if (across == upright) {
             int most = units(mostPixels);
@@ -109,9 +110,9 @@ public final class Divider extends JComponent implements Accessible {
     // ---- for the layout --------------------------------------------------------------------------------------------
 
     /**
-     * The size of the part in pixels: as the user wants it, else its own.
+     * The size of the part in pixels: the user's choice, else its own.
      *
-     * @param own without the user's wish; @param most that there is room for
+     * @param own without a choice; @param most available
      */
     public int sized(int own, int most) {
         mostPixels = Math.max(most, Theme.px(leastUnits));
@@ -123,7 +124,7 @@ public final class Divider extends JComponent implements Accessible {
         return Math.max(Theme.px(leastUnits), Math.min(mostPixels, wanted));
     }
 
-    /** Stands in a gap; upright between two parts side by side. */
+    /** Sets the bounds in the gap; vertical between two parts side by side. */
     public void place(int x, int y, int width, int height) {
         upright = height > width;
         setCursor(Cursor.getPredefinedCursor(upright ? Cursor.E_RESIZE_CURSOR : Cursor.N_RESIZE_CURSOR));
@@ -136,7 +137,7 @@ public final class Divider extends JComponent implements Accessible {
         change(OptionalInt.of(units(limited(wantedPixels))));
     }
 
-    /** Gives the part its own size. */
+    /** Restores the part's own size. */
     public void reset() {
         change(OptionalInt.empty());
     }
@@ -175,7 +176,7 @@ public final class Divider extends JComponent implements Accessible {
             }
         }
 
-        /** In the container: the divider itself moves. */
+        /** In the container's coordinates, since the divider moves. */
         private int along(MouseEvent event) {
             return upright ? getX() + event.getX() : getY() + event.getY();
         }
@@ -238,7 +239,7 @@ public final class Divider extends JComponent implements Accessible {
         return accessibleContext;
     }
 
-    /** A separator whose value is the size of its part in units. */
+    /** A separator with the part's size in units as its value. */
     private final class AccessibleDivider extends AccessibleJComponent implements AccessibleValue {
         @Override
         public AccessibleRole getAccessibleRole() {

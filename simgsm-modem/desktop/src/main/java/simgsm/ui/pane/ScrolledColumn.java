@@ -8,8 +8,8 @@ import javax.swing.SwingUtilities;
 import simgsm.ui.Arrange;
 
 /**
- * The content of a scroll pane, as high as the view; below its minimum height it scrolls, also to the component that gets the
- * focus.
+ * The content of a scroll pane, as high as the view; it scrolls below its minimum height, also to the focused
+ * component.
  */
 public final class ScrolledColumn extends ScrollContent {
     private static final String FOCUS = "permanentFocusOwner";
@@ -20,12 +20,12 @@ public final class ScrolledColumn extends ScrollContent {
         }
     };
 
-    /** @param content with a minimum size, as {@link Arrange#column} has one */
+    /** @param content with a minimum size, as from {@link Arrange#column} */
     public ScrolledColumn(JComponent content) {
         super(content);
     }
 
-    /** Scrolls as far as needed to show a component, if it is one of the column's. */
+    /** Scrolls to a component if it is one of the column's. */
     void scrollTo(Component component) {
         if (component != this && SwingUtilities.isDescendingFrom(component, this)) {
             scrollRectToVisible(SwingUtilities.convertRectangle(component.getParent(), component.getBounds(), this));

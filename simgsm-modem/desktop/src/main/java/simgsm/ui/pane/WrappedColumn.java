@@ -16,8 +16,8 @@ public final class WrappedColumn extends ScrollContent {
     }
 
     /**
-     * The texts' height depends on their width: after a change of the width, or of what is shown, all of them are measured anew,
-     * until nothing changes.
+     * The texts' height depends on their width: after a change of width or content, all are measured again until
+     * nothing changes.
      */
     @Override
     public void doLayout() {

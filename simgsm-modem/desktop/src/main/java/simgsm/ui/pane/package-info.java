@@ -1,5 +1,5 @@
 /**
- * The parts of a window's content: dividers that the mouse and the keyboard move ({@link simgsm.ui.pane.DividedPanel}), and
- * columns that scroll.
+ * The parts of a window's content: dividers moved by mouse and keyboard ({@link simgsm.ui.pane.DividedPanel}), and
+ * scrolling columns.
  */
 package simgsm.ui.pane;

@@ -25,14 +25,14 @@ import simgsm.ui.Theme;
  * </pre>
  */
 final class CandidateLane extends PaintedComponent {
-    /** In units. */
+    /** Units. */
     private static final int HEIGHT = 38;
 
     private static final double STEP = 13;
     private static final double LABEL = 11;
-    /** Of the width, in which bars stand. */
+    /** Part of the width with bars. */
     private static final double BARS = 0.42;
-    /** Of the bars' height, at which the line of the decision lies. */
+    /** Height of the decision's line, relative to the bars. */
     private static final double LINE = 0.75;
 
     private final TextBundle texts;
@@ -99,7 +99,7 @@ final class CandidateLane extends PaintedComponent {
         Drawing.centred(g, symbol, Theme.mono(9.5, accepted), x + step / 2, tall + Theme.exact(LABEL) * 0.55);
     }
 
-    /** As many lines as there is room for; the last is cut. */
+    /** As many lines as fit; the last is cut. */
     private void paintWords(Graphics2D g, double x, double width, double height) {
         var font = Theme.small();
         g.setFont(font);

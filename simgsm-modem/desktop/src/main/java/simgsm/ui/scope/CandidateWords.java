@@ -5,7 +5,7 @@ import simgsm.console.TextBundle;
 import simgsm.dtmf.KeyCandidate;
 import simgsm.dtmf.KeyCandidate.Finding;
 
-/** A candidate key's finding in words: why it is a key, or what is missing. */
+/** A candidate key's finding in words: the reason why it is a key, or is none. */
 final class CandidateWords {
     private CandidateWords() {}
 

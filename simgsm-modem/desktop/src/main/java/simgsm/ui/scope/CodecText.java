@@ -11,7 +11,7 @@ public final class CodecText {
     private CodecText() {}
 
     /**
-     * As "A-law", or "GSM 06.10 out, A-law in" when the two directions differ; empty where nothing is known.
+     * As "A-law", or "GSM 06.10 out, A-law in" when the two directions differ; empty if unknown.
      *
      * @param heard empty until speech has been received
      */

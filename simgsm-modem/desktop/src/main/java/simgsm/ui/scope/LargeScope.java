@@ -25,7 +25,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** A scope in a window of its own, which ends with the window that it was opened from. */
+/** A scope in its own window, which is closed with its opener's. */
 record LargeScope(JDialog dialog, ToneScopePanel panel) {
     private static final int WIDTH = 720;
     private static final int HEIGHT = 560;
@@ -60,7 +60,7 @@ record LargeScope(JDialog dialog, ToneScopePanel panel) {
         return new LargeScope(dialog, panel);
     }
 
-    /** What the desktop's own bars leave of the screen, in pixels. */
+    /** The screen area without the desktop's bars, in pixels. */
     private static Rectangle room(Window window) {
         Rectangle screen = window.getGraphicsConfiguration().getBounds();
         Insets bars = Toolkit.getDefaultToolkit().getScreenInsets(window.getGraphicsConfiguration());
@@ -71,7 +71,7 @@ record LargeScope(JDialog dialog, ToneScopePanel panel) {
                 screen.height - bars.top - bars.bottom);
     }
 
-    /** Escape closes the window; the keys of the owner's frame, such as those of help and zoom, are keys here, too. */
+    /** Escape closes the window; keys of the owner's frame, such as help and zoom, also work here. */
     private static void bindKeys(JDialog dialog, Window owner, String name) {
         JRootPane root = dialog.getRootPane();
         if (owner instanceof RootPaneContainer frame) {

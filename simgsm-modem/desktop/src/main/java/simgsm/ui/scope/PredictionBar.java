@@ -23,16 +23,16 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** Asks for the key that a student reads off the picture, and shows whether it is right. */
+/** Asks for the key that a student reads off the picture, and marks the answer as right or wrong. */
 final class PredictionBar extends JPanel {
     private final TextBundle texts;
     private final KeyPrediction prediction;
     private final JLabel question = Theme.label(" ", Theme::base, Ink.TEXT);
     private final JTextField field = new JTextField(2);
-    /** Where the keyboard goes, and how it is given back. */
+    /** Tells which window gets the typed keys, and how to change that. */
     private final JLabel keyboard = Theme.label(" ", Theme::small, Ink.TEXT);
 
-    /** @param guess receives each key that is typed; @param practise makes a tone to guess at */
+    /** @param guess receives each typed key; @param practise plays a tone to guess */
     PredictionBar(TextBundle texts, KeyPrediction prediction, Consumer<DtmfKey> guess, Runnable practise) {
         super(new BorderLayout());
         this.texts = texts;

@@ -19,8 +19,8 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /**
- * Both receivers, each with a button and its candidates: they hear the same samples. The button selects the receiver whose
- * levels, limits and last key the scope shows.
+ * Both receivers of the same samples, each with a button and its candidates. The button selects the receiver of the
+ * levels, limits and last key in the scope.
  */
 final class ReceiverPanel extends JPanel {
     private final Map<ShownReceiver, CandidateLane> lanes = new EnumMap<>(ShownReceiver.class);
@@ -30,7 +30,7 @@ final class ReceiverPanel extends JPanel {
     private boolean compact;
     private boolean hiding;
 
-    /** @param chosen receives each receiver that is selected */
+    /** @param chosen receives each selected receiver */
     ReceiverPanel(Locale language, Consumer<ShownReceiver> chosen) {
         super(new BorderLayout());
         texts = DesktopTexts.in(language);
@@ -81,7 +81,7 @@ final class ReceiverPanel extends JPanel {
         arrange();
     }
 
-    /** Hides all findings, which tell the key. */
+    /** Hides all findings, which reveal the key. */
     void setHiding(boolean nowHiding) {
         hiding = nowHiding;
         arrange();

@@ -17,7 +17,7 @@ import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** The buttons of a scope: symbols, with their words where there is room. */
+/** The buttons of a scope: symbols, with words if there is room. */
 final class ScopeTools extends JPanel {
     private static final double SIDE_UNITS = 26;
     private static final double ICON_UNITS = 14;
@@ -34,7 +34,7 @@ final class ScopeTools extends JPanel {
         add(row);
     }
 
-    /** Adds a button that stays down. @param id key of its word; its tool tip's ends with ".tip" */
+    /** Adds a toggle button. @param id key of its word; its tool tip's ends with ".tip" */
     void toggle(String id, Symbol symbol, Consumer<Boolean> task) {
         JToggleButton button = new JToggleButton();
         dress(button, id, symbol, () -> task.accept(button.isSelected()));
@@ -45,7 +45,7 @@ final class ScopeTools extends JPanel {
         button(id).doClick(0);
     }
 
-    /** Whether the button with this identifier is down. */
+    /** True if the button with this identifier is down. */
     boolean isOn(String id) {
         return button(id).isSelected();
     }

@@ -9,7 +9,7 @@ enum ShownReceiver {
     MODEM("scope.receiver.modem", ToneTrace::modem),
     CLASSIC("scope.receiver.classic", ToneTrace::classic);
 
-    /** Key of the text with its name; the tool tip's ends with ".tip". */
+    /** Key of the name's text; the tool tip's ends with ".tip". */
     final String key;
 
     private final Function<ToneTrace, ReceiverTrace> part;
@@ -19,7 +19,7 @@ enum ShownReceiver {
         this.part = part;
     }
 
-    /** What this receiver made of the sound. */
+    /** The receiver's part of the trace. */
     ReceiverTrace of(ToneTrace trace) {
         return part.apply(trace);
     }

@@ -12,7 +12,9 @@ import simgsm.scope.Spectrogram;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
-/** Paints the last 2 s of a sound: time to the right, frequency upwards, the darker the louder; lines at the eight tones. */
+/**
+ * Paints the last 2 s of a sound: time to the right, frequency upwards, louder is darker; lines at the eight tones.
+ */
 final class SpectrogramPainter {
     private static final double LABEL_POINTS = 9.5;
     private static final int ROWS = 96;
@@ -58,7 +60,7 @@ final class SpectrogramPainter {
         return red << 16 | green << 8 | blue;
     }
 
-    /** The eight frequencies at the left, those that have room. */
+    /** Labels the eight frequencies at the left, if they fit. */
     private static void paintTones(Graphics2D g, Rectangle2D area) {
         var font = Theme.mono(LABEL_POINTS, false);
         g.setFont(font);

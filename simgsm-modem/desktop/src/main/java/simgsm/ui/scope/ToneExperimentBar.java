@@ -30,9 +30,8 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /**
- * Two sliders for the noise and the frequency shift that are added to what a tone scope hears, the codec that it then passes, and how
- * many keys it still hears. The call itself is not changed, and the bar says so.
- *
+ * Two sliders for noise and frequency shift of a tone scope's sound, the codec applied after them, and the number of
+ * keys still detected. The call itself is not changed, and the bar says so.
  * <pre>
  *   What if? Only this scope hears it.        [reset]
  *   Noise --o------- 12 dB    Pitch ----o--- +1.5 %
@@ -67,7 +66,7 @@ final class ToneExperimentBar extends JPanel {
     private ShownReceiver receiver = ShownReceiver.MODEM;
     private ToneTrace newest = ToneTrace.EMPTY;
 
-    /** @param chosen receives each experiment that is set, on the event thread */
+    /** @param chosen receives each new experiment, on the event thread */
     ToneExperimentBar(Locale language, Consumer<ToneExperiment> chosen) {
         super(new BorderLayout());
         this.texts = DesktopTexts.in(language);
@@ -161,12 +160,12 @@ final class ToneExperimentBar extends JPanel {
         return codecRow.getParent() == sliders;
     }
 
-    /** What the row of the codec takes. */
+    /** Height of the codec's row. */
     int codecHeight() {
         return codecRow.getPreferredSize().height;
     }
 
-    /** @param narrow whether the sliders lie one below the other */
+    /** @param narrow true for one slider below the other */
     void arrange(boolean narrow) {
         if (columns.getColumns() != (narrow ? 1 : 2)) {
             columns.setColumns(narrow ? 1 : 2);
@@ -181,7 +180,7 @@ final class ToneExperimentBar extends JPanel {
         show(newest);
     }
 
-    /** Shows the score of the experiment that is set. */
+    /** Shows the score of the current experiment. */
     void show(ToneTrace trace) {
         newest = trace;
         ToneScore now =

@@ -21,11 +21,11 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
 /**
- * The picture of a tone scope. The arrows and the mouse move the cursors, with Shift the second one; a click on a key of the
- * matrix is a guess at the key that is asked for.
+ * The picture of a tone scope. The arrows and the mouse move the cursors, with Shift the second one; a click on a key
+ * of the matrix answers the question.
  */
 public final class ToneScope extends PaintedComponent {
-    /** In units. */
+    /** Units. */
     private static final int WIDTH = 288;
 
     private static final int HEIGHT = 168;
@@ -49,7 +49,7 @@ public final class ToneScope extends PaintedComponent {
         this(language, new ScopeInstrument(), key -> {});
     }
 
-    /** @param guess receives the keys of the matrix that are clicked */
+    /** @param guess receives the clicked keys of the matrix */
     ToneScope(Locale language, ScopeInstrument instrument, Consumer<DtmfKey> guess) {
         super(AccessibleRole.CANVAS);
         this.instrument = instrument;
@@ -68,7 +68,7 @@ public final class ToneScope extends PaintedComponent {
         addMouseMotionListener(mouse);
     }
 
-    /** With Shift the second cursor, with Ctrl eight steps at once. */
+    /** Shift selects the second cursor, Ctrl makes eight steps at once. */
     private void bind(int key, int cursor, int time, int frequency) {
         int shift = cursor == 1 ? InputEvent.SHIFT_DOWN_MASK : 0;
         bind(KeyStroke.getKeyStroke(key, shift), cursor, time, frequency);
@@ -104,12 +104,12 @@ public final class ToneScope extends PaintedComponent {
         }
     }
 
-    /** Selects the receiver whose levels, limits and last key are shown. */
+    /** Selects the receiver of the levels, limits and last key. */
     void show(ShownReceiver newReceiver) {
         changed(() -> receiver = newReceiver);
     }
 
-    /** A preferred height of 132 units in place of 168. */
+    /** A preferred height of 132 units instead of 168. */
     void setCompact(boolean wanted) {
         if (compact != wanted) {
             compact = wanted;

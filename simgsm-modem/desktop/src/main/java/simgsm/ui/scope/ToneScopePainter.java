@@ -22,9 +22,9 @@ import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
 /**
- * Paints a {@link ToneTrace}: the wave above, below it the eight levels with their thresholds, the key matrix, and one line of
- * numbers; or its spectrogram. A wave that an experiment has changed has another colour and the experiment's values.
- *
+ * Paints a {@link ToneTrace}: the wave above, below it the eight levels with their thresholds, the key matrix, and
+ * one line of numbers; or its spectrogram. A wave changed by an experiment has another colour and shows the
+ * experiment's values.
  * <pre>
  *   +---------------------------+
  *   |  wave, 24 ms              |
@@ -42,7 +42,7 @@ final class ToneScopePainter {
     /** Tones of -10 dBm0 fill most of the height. */
     private static final double WAVE_GAIN = 1.6;
 
-    /** The frequencies below the bars; where they are too wide, every other one stands a line lower. */
+    /** The frequencies below the bars; if they are too wide, every other one is a line lower. */
     private static final double LABEL_POINTS = 10;
 
     private static final double LINE_UNITS = 18;
@@ -58,10 +58,10 @@ final class ToneScopePainter {
     }
 
     /**
-     * Paints what an instrument shows.
+     * Paints the state of an instrument.
      *
-     * @param shown the receiver's part of the trace, whose levels, limits and last key are painted
-     * @param width of the box that starts at the origin, in pixels
+     * @param shown the receiver of the levels, limits and last key
+     * @param width of the box at the origin, in pixels
      */
     void paint(Graphics2D g, ScopeInstrument instrument, ReceiverTrace shown, double width, double height) {
         ToneTrace trace = instrument.trace();
@@ -100,7 +100,7 @@ final class ToneScopePainter {
         }
     }
 
-    /** Where the cursors are: the wave, or the whole spectrogram. */
+    /** The area of the cursors: the wave, or the whole spectrogram. */
     Rectangle2D area(ScopeInstrument instrument, double width, double height) {
         double line = Theme.exact(LINE_UNITS);
         if (instrument.picture() == Picture.SPECTROGRAM) {
@@ -174,7 +174,7 @@ final class ToneScopePainter {
         return wave;
     }
 
-    /** The first sample at which the wave rises through zero, so that the picture stands still. */
+    /** The first sample at which the wave rises through zero, for a steady picture. */
     private static int trigger(short[] samples) {
         for (int i = 1; i <= ToneTrace.SAMPLES - SHOWN_SAMPLES; i++) {
             if (samples[i - 1] < 0 && samples[i] >= 0) {
@@ -184,7 +184,7 @@ final class ToneScopePainter {
         return 0;
     }
 
-    /** Words in the corner of the wave: the experiment's values, since the wave is not the call's; or that it is frozen. */
+    /** Words in the corner of the wave: the experiment's values, since the wave is not the call's; or "frozen". */
     private static void paintFlag(Graphics2D g, String text, Ink ink, double width, double top) {
         var font = Theme.monoSmall();
         double textWidth = Drawing.width(font, text);
@@ -261,7 +261,7 @@ final class ToneScopePainter {
         }
     }
 
-    /** The level that a tone of the group must reach: a dashed line across its four bars. */
+    /** The least level of the group's tones: a dashed line across its four bars. */
     private static void paintThreshold(Graphics2D g, double dbm0, double x, double y, double width, double tall) {
         double at = y + tall * (1 - share(dbm0));
         g.setColor(Theme.color(Ink.DANGER));
@@ -301,7 +301,7 @@ final class ToneScopePainter {
         }
     }
 
-    /** Of the cursors, or of the last key. */
+    /** Reading of the cursors, or of the last key. */
     private String reading(ScopeInstrument instrument, ReceiverTrace shown) {
         if (instrument.hasCursors()) {
             return CursorPainter.words(texts, instrument.cursors());

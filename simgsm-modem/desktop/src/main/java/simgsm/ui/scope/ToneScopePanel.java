@@ -30,15 +30,15 @@ import simgsm.ui.UserAction;
 import simgsm.ui.glossary.TermPanel;
 
 /**
- * The tone scope of phone and modem: tools above the picture; below it the question of a prediction, the receivers with their
- * candidate keys, and the experiment. A small one opens a large one in a window of its own.
+ * The tone scope of phone and modem: tools above the picture; below it the question of a prediction, the receivers
+ * with their candidate keys, and the experiment. A small one opens a large one in its own window.
  */
 public final class ToneScopePanel extends JPanel {
-    /** In units: below it the two sliders lie one below the other. */
+    /** Units; the sliders of a narrower scope are one below the other. */
     private static final int NARROW = 440;
-    /** In units: in a lower compact scope the row of the receiver is hidden. */
+    /** Units; a lower compact scope hides the row of the receiver. */
     private static final int LOW = 174;
-    /** In units: from here on there is room for the receivers below a question. */
+    /** Units; a higher scope has room for the receivers below a question. */
     private static final int HIGH = 440;
 
     private static final String NAME = "scope";
@@ -56,12 +56,12 @@ public final class ToneScopePanel extends JPanel {
     private final ReceiverPanel receivers;
     private final ToneExperimentBar experiment;
     private final JPanel below;
-    /** Where the terms are shown. They are made when they are first asked for: their text takes long to lay out at a start. */
+    /** Shows the terms, made when first asked for: the layout of their text takes long. */
     private final JPanel terms = new JPanel(new BorderLayout());
 
     private TermPanel termPanel;
     private final UserAction leave;
-    /** What had the keyboard before the question. */
+    /** Component focused before the question. */
     private Component keyboardBefore;
 
     private Consumer<Boolean> whenHiding = hiding -> {};
@@ -75,15 +75,15 @@ public final class ToneScopePanel extends JPanel {
     private LargeScope large;
 
     /**
-     * A scope that shows nothing yet.
+     * An empty scope.
      *
-     * @param chosen receives each experiment that is set, on the event thread; the scope's owner passes it to its tracer
+     * @param chosen receives each new experiment, on the event thread; the scope's owner passes it to its tracer
      */
     public ToneScopePanel(Locale language, Consumer<ToneExperiment> chosen) {
         this(language, chosen, true);
     }
 
-    /** @param opensLarge whether there is a button for a large scope */
+    /** @param opensLarge true for a button that opens a large scope */
     ToneScopePanel(Locale language, Consumer<ToneExperiment> chosen, boolean opensLarge) {
         super(new BorderLayout());
         this.language = language;
@@ -153,7 +153,7 @@ public final class ToneScopePanel extends JPanel {
         }
     }
 
-    /** A question is about the picture that is shown, not about one behind a frozen picture. */
+    /** A question is about the current sound, not a frozen picture. */
     private void thaw() {
         if (tools.isOn(FREEZE)) {
             tools.press(FREEZE);
@@ -168,7 +168,7 @@ public final class ToneScopePanel extends JPanel {
         }
     }
 
-    /** The terms take the place of receivers and experiment. */
+    /** Replaces receivers and experiment by the terms. */
     private void explain(boolean on) {
         terms.setVisible(on);
         experiment.setVisible(!on && !isCompact);
@@ -213,7 +213,7 @@ public final class ToneScopePanel extends JPanel {
         return language;
     }
 
-    /** Hides keys while the other scope of the same sound asks for one. */
+    /** Hides keys during a question of the other scope of the same sound. */
     void conceal(boolean concealed) {
         instrument.conceal(concealed);
         updateHiding();
@@ -231,12 +231,12 @@ public final class ToneScopePanel extends JPanel {
         }
     }
 
-    /** @param listener called with true when keys are to be hidden in the whole window, with false when shown again */
+    /** @param listener called with true when keys must be hidden in the whole window, with false at the end */
     public void whenHiding(Consumer<Boolean> listener) {
         whenHiding = listener;
     }
 
-    /** A scope of the same sound for a window of its own; while one of the two asks for a key, both hide it. */
+    /** A scope of the same sound for its own window; during a question of one, both hide the key. */
     ToneScopePanel enlarged() {
         ToneScopePanel panel = new ToneScopePanel(language, chosen, false);
         panel.whenAsking = this::conceal;
@@ -258,7 +258,7 @@ public final class ToneScopePanel extends JPanel {
         large.show(newest);
     }
 
-    /** A window that speaks another language has another scope, which the large one then belongs to. */
+    /** A window that changes its language makes another scope, which then owns the large one. */
     @Override
     public void removeNotify() {
         super.removeNotify();
@@ -298,13 +298,13 @@ public final class ToneScopePanel extends JPanel {
         super.doLayout();
     }
 
-    /** Without tools and codec: the lowest picture, and what stands below it. */
+    /** The lowest picture and the components below it, without tools and codec. */
     private int leastHeight() {
         int least = Theme.px(ToneScope.COMPACT_HEIGHT) + below.getPreferredSize().height;
         return least - (experiment.isVisible() && experiment.isCodecVisible() ? experiment.codecHeight() : 0);
     }
 
-    /** Tools and codec are shown where there is room to spare. */
+    /** Tools and codec are shown if there is room. */
     @Override
     public Dimension getPreferredSize() {
         if (isPreferredSizeSet()) {

@@ -18,10 +18,7 @@ import javax.swing.SwingUtilities;
 public final class Display {
     private Display() {}
 
-    /**
-     * Whether a window can be shown: not when the named display cannot be reached, nor when the JRE has no desktop
-     * libraries.
-     */
+    /** True if a window can be shown: the named display can be reached, and the JRE has desktop libraries. */
     public static boolean isAvailable() {
         try {
             return !GraphicsEnvironment.isHeadless()
@@ -31,7 +28,7 @@ public final class Display {
         }
     }
 
-    /** The part of the main screen that no task bar covers. */
+    /** The part of the main screen without task bars. */
     public static WindowPlace usableArea() {
         Rectangle area = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         return new WindowPlace(area.x, area.y, area.width, area.height);
@@ -62,14 +59,14 @@ public final class Display {
         return area;
     }
 
-    /** Lets the frame around a component fill its screen, or gives it its former size back. */
+    /** Maximizes the frame around a component, or restores its size. */
     public static void maximize(Component inside, boolean wanted) {
         if (SwingUtilities.getWindowAncestor(inside) instanceof JFrame frame) {
             frame.setExtendedState(wanted ? JFrame.MAXIMIZED_BOTH : JFrame.NORMAL);
         }
     }
 
-    /** The wanted bounds cut to the area's size and moved left and up into it; they may begin outside it. */
+    /** The wanted bounds, cut to the area's size and moved left and up into it; they may begin outside it. */
     static Rectangle within(Rectangle wanted, Rectangle area) {
         int width = Math.min(wanted.width, area.width);
         int height = Math.min(wanted.height, area.height);

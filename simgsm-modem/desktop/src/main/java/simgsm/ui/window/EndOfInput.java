@@ -3,18 +3,18 @@ package simgsm.ui.window;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** The end of standard input, which the program that started this one holds open. */
+/** The end of standard input, held open by the program that started this one. */
 final class EndOfInput {
     private EndOfInput() {}
 
-    /** Performs the act on a thread of its own when the input has ended, or was broken. */
+    /** Performs the act on its own thread when the input has ended or failed. */
     static void then(Runnable act) {
         Thread reader = new Thread(
                 () -> {
                     try {
                         System.in.transferTo(OutputStream.nullOutputStream());
                     } catch (IOException e) {
-                        // a broken input has ended, too
+                        // a failed input has ended, too
                     }
                     act.run();
                 },

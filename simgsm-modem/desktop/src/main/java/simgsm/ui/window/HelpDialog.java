@@ -42,7 +42,7 @@ import simgsm.ui.glossary.GlossaryList;
 import simgsm.ui.lesson.LessonList;
 import simgsm.ui.lesson.SheetPanel;
 
-/** The help of a window, opened by F1: what the window is for, all its keys, and the version. */
+/** The help of a window, opened by F1: the window's purpose, all its keys, and the version. */
 final class HelpDialog {
     private static final Dimension SIZE_UNITS = new Dimension(720, 520);
     private static final int KEY_MARGIN_UNITS = 24;
@@ -50,13 +50,16 @@ final class HelpDialog {
 
     private HelpDialog() {}
 
-    /** The lessons that there are, and what begins one; empty where the program cannot. */
+    /** The lessons and the action that begins one; empty if the program cannot. */
     record Lessons(LessonLibrary library, Optional<Consumer<String>> chosen) {}
 
-    /** A key and what it does. */
+    /** A key and its action. */
     record ShownKey(String key, String action) {}
 
-    /** The keys that work everywhere in the window or in a panel of it now, and the mnemonics of its buttons, in the order of the keys' names. */
+    /**
+     * The keys that work now everywhere in the window or in a panel of it, and the mnemonics of its buttons, in the
+     * order of the keys' names.
+     */
     static List<ShownKey> keysOf(Component root) {
         return components(root)
                 .filter(JComponent.class::isInstance)
@@ -67,7 +70,7 @@ final class HelpDialog {
                 .toList();
     }
 
-    /** Without pages that are hidden, such as the editor's, whose keys do nothing now. */
+    /** Without hidden pages, such as the editor's, whose keys have no effect now. */
     private static Stream<Component> components(Component root) {
         Stream<Component> own = Stream.of(root);
         return root instanceof Container container
@@ -111,7 +114,7 @@ final class HelpDialog {
 
     private static String text(int modifiers, int keyCode) {
         String held = InputEvent.getModifiersExText(modifiers);
-        // Java's names are words such as "Equals"; these codes are the signs themselves
+        // Java's names are words such as "Equals"; these codes equal their characters
         boolean isSign = keyCode >= KeyEvent.VK_COMMA && keyCode <= KeyEvent.VK_CLOSE_BRACKET;
         String key = keyCode == KeyEvent.VK_PLUS
                 ? "+"
@@ -122,10 +125,10 @@ final class HelpDialog {
     /**
      * Opens help, lessons and glossary as tabs.
      *
-     * @param about what the window is for
+     * @param about purpose of the window
      * @param version of the program
-     * @param lessons that can be begun from here
-     * @param first key of the text of the tab that is shown first
+     * @param lessons that can be begun here
+     * @param first text key of the tab shown first
      */
     static void open(
             JFrame frame,
@@ -164,7 +167,7 @@ final class HelpDialog {
         dialog.setVisible(true);
     }
 
-    /** The versions of program, Java and system, to be read or copied. */
+    /** The versions of program, Java and system, selectable for copying. */
     static JComponent versions(String title, String version, TextBundle texts) {
         JTextArea lines = wrapped(String.join(
                 "\n",
@@ -178,7 +181,7 @@ final class HelpDialog {
         return ComponentNames.name(lines, "about.versions", texts.of("about.title"));
     }
 
-    /** A text for a message box, in several lines, so that the box fits the screen at any zoom. */
+    /** A text of a message box in several lines, so that the box fits the screen at any zoom. */
     static JTextArea message(String text) {
         JTextArea lines = wrapped(text);
         lines.setSize(Theme.px(MESSAGE_UNITS), Short.MAX_VALUE);
@@ -191,7 +194,7 @@ final class HelpDialog {
         return lines;
     }
 
-    /** Closed by Escape; the list of lessons stays open. */
+    /** Closed by Escape; the list of lessons remains open. */
     private static void sheet(JDialog list, String title, String markdown, TextBundle texts) {
         JDialog dialog = new JDialog(list, texts.of("lessons.sheet") + ": " + title);
         dialog.setContentPane(new SheetPanel(markdown, title));

@@ -42,10 +42,10 @@ public final class ProgramWindow {
     /**
      * The content of a window, made on the event thread.
      *
-     * @param help what the window is for, shown by F1 above its keys
+     * @param help purpose of the window, shown by F1 above its keys
      * @param symbol of the window's icon
-     * @param size at first, unless {@code --window} gives another; empty for the panel's preferred size
-     * @param closing called when the user closes the window, with the action that does it; asks about what is unsaved
+     * @param size without {@code --window}; empty for the panel's preferred size
+     * @param closing called when the user closes the window, with the action that closes it; asks about unsaved work
      * @param shown run when the window is on the screen
      * @param closed run when the window has been closed
      */
@@ -60,7 +60,7 @@ public final class ProgramWindow {
             Runnable shown,
             Runnable closed) {}
 
-    /** Under which the folder of the file that was chosen last is kept. */
+    /** Key of the last chosen file's folder in the window's memory. */
     private static final String FOLDER = "folder";
 
     private static final int HUNDRED_PERCENT = 100;
@@ -83,7 +83,7 @@ public final class ProgramWindow {
     private Locale language;
     private JFrame frame;
     private Content content;
-    /** Makes the content in another language; empty where the program has a setting of its own. */
+    /** Makes the content in another language; empty if the program has its own setting. */
     private Optional<Function<Locale, Content>> contents = Optional.empty();
 
     private ProgramWindow(Appearance appearance, double zoom, Optional<WindowPlace> place, Arguments arguments)
@@ -103,7 +103,7 @@ public final class ProgramWindow {
      * Reads {@code --theme}, {@code --zoom}, {@code --window}, {@code --lang}, {@code --lessons} and {@code
      * --end-with-input}; opens nothing.
      *
-     * @param otherwise the place without {@code --window}; empty for the desktop's choice
+     * @param otherwise place without {@code --window}; empty for the desktop's choice
      * @throws UnavailableException without a display
      */
     public static ProgramWindow of(Arguments arguments, Optional<WindowPlace> otherwise)
@@ -119,7 +119,7 @@ public final class ProgramWindow {
                 chosen.orElseGet(ProgramWindow::systemAppearance), zoom, place.or(() -> otherwise), arguments);
     }
 
-    /** Refuses values of a window's options that none could have, also where no window opens. */
+    /** Refuses invalid values of window options, also if no window opens. */
     public static void check(Arguments arguments) throws UsageException {
         if (arguments.has("theme") && !arguments.text("theme").orElseThrow().equalsIgnoreCase("system")) {
             arguments.value("theme", Appearance::parse);
@@ -133,7 +133,7 @@ public final class ProgramWindow {
         return text.equalsIgnoreCase("system") ? systemAppearance() : Appearance.parse(text);
     }
 
-    /** The desktop's appearance by its GTK theme's name; light where there is none. */
+    /** The desktop's appearance by its GTK theme's name; light without one. */
     private static Appearance systemAppearance() {
         Object name = System.getenv("GTK_THEME");
         if (name == null && Display.isAvailable()) {
@@ -152,7 +152,7 @@ public final class ProgramWindow {
                 : OptionalInt.empty();
     }
 
-    /** The options with which a program that this one starts has zoom and colours as this one has them now. */
+    /** Options that give a started program the current zoom and colours of this one. */
     public static List<String> presentLook() {
         return List.of(
                 "--zoom",
@@ -161,7 +161,7 @@ public final class ProgramWindow {
                 Theme.appearance().name().toLowerCase(Locale.ROOT));
     }
 
-    /** Opens the window and returns when its user or {@link #close} has closed it. */
+    /** Opens the window and returns after its user or {@link #close} has closed it. */
     public void show(Supplier<Content> made) throws InterruptedException {
         SwingUtilities.invokeLater(() -> {
             Theme.install(appearance, zoom);
@@ -172,7 +172,7 @@ public final class ProgramWindow {
             EndOfInput.then(this::close);
         }
         ended.await();
-        // The end of the process may take a second or two.
+        // The process may need 1 or 2 s to end.
         SwingUtilities.invokeLater(() -> {
             keep();
             if (sharing != null) {
@@ -182,23 +182,23 @@ public final class ProgramWindow {
         });
     }
 
-    /** The same, with a content that is made anew when the user chooses another language. */
+    /** As above, with a content that is made again for another language. */
     public void show(Function<Locale, Content> made) throws InterruptedException {
         contents = Optional.of(made);
         show(() -> made.apply(language));
     }
 
-    /** What happens when the user begins a lesson in the help; without it the help says how to begin one. */
+    /** Sets the action that begins a lesson from the help; without it the help says how to begin one. */
     public void onLesson(Consumer<String> chosen) {
         lessonChosen = Optional.of(chosen);
     }
 
-    /** A console beside the window: its end closes the window. */
+    /** A console of the window's program; its end closes the window. */
     public interface ConsoleRun {
         void run() throws Exception;
     }
 
-    /** Runs a console on a thread of its own, for {@code --console}; to be called before {@link #show}. */
+    /** Runs a console on its own thread, for {@code --console}; call before {@link #show}. */
     public void withConsole(ConsoleRun console) {
         Thread thread = new Thread(
                 () -> {
@@ -259,7 +259,7 @@ public final class ProgramWindow {
         frame.validate();
         frame.repaint();
         content.shown().run();
-        // The icon is painted after the panel.
+        // Painted after the panel.
         SwingUtilities.invokeLater(() -> frame.setIconImages(WindowIcon.images(content.symbol())));
     }
 
@@ -274,7 +274,7 @@ public final class ProgramWindow {
                         KeyStroke.getKeyStroke(KeyEvent.VK_F10, 0));
     }
 
-    /** @param tab key of the text of the tab that is shown first */
+    /** @param tab text key of the tab shown first */
     private void help(String tab) {
         Consumer<Locale> speakAndStay = next -> {
             speak(next);
@@ -292,8 +292,8 @@ public final class ProgramWindow {
     }
 
     /**
-     * Shows the window in another language, unless its user wants to keep what is unsaved there. Called on the event thread,
-     * for a content that is made for a language.
+     * Shows the window in another language, unless its user wants to keep unsaved work. Called on the event thread,
+     * for a content made for a language.
      */
     public void speak(Locale next) {
         if (next.getLanguage().equals(language.getLanguage())) {
@@ -338,7 +338,7 @@ public final class ProgramWindow {
         WindowKeys.zoomTo(frame.getRootPane(), percent / (double) HUNDRED_PERCENT);
     }
 
-    /** Keeps place and zoom, and what was changed of theme and language. */
+    /** Keeps place and zoom, and changes of theme and language. */
     private void keep() {
         memory.ifPresent(kept ->
                 LastFolder.get().ifPresent(folder -> kept.keepList(FOLDER, List.of(folder.toString()))));

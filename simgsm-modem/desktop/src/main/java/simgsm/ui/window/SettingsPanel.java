@@ -22,22 +22,22 @@ import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** Language, colours and size of a window, and what is remembered of them. */
+/** Language, colours and size of a window, and its remembered values. */
 final class SettingsPanel extends JPanel {
     private static final List<Integer> ZOOMS = List.of(75, 100, 125, 150, 175, 200, 250, 300);
     private static final List<Locale> LANGUAGES = List.of(Locale.ENGLISH, Locale.forLanguageTag("es"));
 
     /**
-     * What the settings change.
+     * Actions of the settings.
      *
-     * @param language shows the window in another language; empty where its program has a setting of its own
+     * @param language shows the window in another language; empty if its program has its own setting
      */
     record Actions(
             Optional<Consumer<Locale>> language,
             Consumer<Appearance> appearance,
             Consumer<Integer> zoomPercent,
             Optional<WindowMemory> memory) {
-        /** The same, with an act before another language is shown. */
+        /** The same, with an act before a change of language. */
         Actions beforeLanguage(Runnable first) {
             Optional<Consumer<Locale>> both = language.map(speak -> chosen -> {
                 first.run();
@@ -94,7 +94,7 @@ final class SettingsPanel extends JPanel {
         box.addActionListener(event -> {
             if (box.getSelectedIndex() >= 0) {
                 T value = values.get(box.getSelectedIndex());
-                // The box is painted anew by the choice, so it takes effect after the event.
+                // The choice repaints the box, so it takes effect after the event.
                 SwingUtilities.invokeLater(() -> chosen.accept(value));
             }
         });

@@ -6,9 +6,9 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Theme and language, which all windows of a user share: passes on a change made in this window, and takes over one
- * made in another while this one is open. Values are those of the options {@code --theme} and {@code --lang}; they pass
- * through the {@link WindowMemory}. What differs when the window opens stays as it is.
+ * Theme and language of all windows of a user: publishes a change made in this window, and adopts one made in another
+ * while this one is open. Values are those of the options {@code --theme} and {@code --lang}, shared through the
+ * {@link WindowMemory}. Differences at the window's opening remain.
  */
 final class SharedSettings {
     private final WindowMemory memory;
@@ -18,8 +18,8 @@ final class SharedSettings {
     private Map<String, String> lastKept;
 
     /**
-     * @param own what this window has now
-     * @param adopt gives this window what another one has changed
+     * @param own current values of this window
+     * @param adopt applies another window's change to this one
      */
     SharedSettings(WindowMemory memory, Supplier<Map<String, String>> own, Consumer<Map<String, String>> adopt) {
         this.memory = memory;
@@ -29,7 +29,7 @@ final class SharedSettings {
         lastKept = memory.shared();
     }
 
-    /** Passes on and takes over changes; to be called periodically on the event thread. */
+    /** Publishes and adopts changes; call periodically on the event thread. */
     void look() {
         tell();
         Map<String, String> kept = memory.shared();
@@ -41,7 +41,7 @@ final class SharedSettings {
         }
     }
 
-    /** Passes on to the other windows what has changed in this one. */
+    /** Publishes this window's changes. */
     void tell() {
         Map<String, String> now = own.get();
         if (!now.equals(lastOwn)) {

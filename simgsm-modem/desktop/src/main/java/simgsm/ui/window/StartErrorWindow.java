@@ -27,7 +27,7 @@ import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** Says in a window why a program could not start, for a start without a terminal. */
+/** A window with the reason why a program could not start, for a start without a terminal. */
 public final class StartErrorWindow {
     private static final int COLUMNS = 44;
     private static final int ROWS = 4;
@@ -79,7 +79,7 @@ public final class StartErrorWindow {
         frame.setVisible(true);
     }
 
-    /** What the window shows: the program, the error's text, which can be copied, and a button. */
+    /** The window's content: the program, the error's text, which can be copied, and a button. */
     static JPanel content(String program, String text, TextBundle texts, Runnable close) {
         String title = texts.of("window.failed.title", program);
         JTextArea words = new ReadingArea(text);

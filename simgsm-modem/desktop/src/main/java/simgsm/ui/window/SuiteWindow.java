@@ -2,7 +2,7 @@ package simgsm.ui.window;
 
 import java.awt.Dimension;
 
-/** The least sizes of the suite's windows at 100 %, with their frames. A larger zoom needs proportionally more. */
+/** The least sizes of the suite's windows at 100 %, frames included; they grow in proportion to the zoom. */
 public enum SuiteWindow {
     PHONE(336, 660),
     ROBOT(764, 432),

@@ -50,7 +50,7 @@ public final class WindowKeys {
         zoomTo(anchor, steps == 0 ? 1 : Theme.zoomed(steps));
     }
 
-    /** Gives the anchor's window another zoom, and a size that fits it. */
+    /** Sets the zoom of the anchor's window, and a size that fits. */
     static void zoomTo(JComponent anchor, double zoom) {
         double before = Theme.zoom();
         Theme.zoomTo(zoom);
@@ -65,7 +65,7 @@ public final class WindowKeys {
         }
     }
 
-    /** A program's windows look alike: a large tone scope, the help and the class, too. */
+    /** All windows of a program change: also a large tone scope, the help and the class. */
     private static void refreshAll(JComponent anchor) {
         if (SwingUtilities.getWindowAncestor(anchor) == null) {
             Theme.refresh(anchor);

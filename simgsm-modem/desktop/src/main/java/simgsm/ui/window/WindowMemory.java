@@ -18,10 +18,10 @@ import simgsm.file.FileReplacement;
 import simgsm.ui.Theme;
 
 /**
- * What windows remember from one run to the next: each its place, size and zoom, and all together theme and language. It
- * lies in small files in the user's folder of settings, as values of the options {@code --window}, {@code --zoom},
- * {@code --theme} and {@code --lang}, which are read where the command line does not have them. A value that does not fit is
- * left out. Nothing is remembered without a display, with {@code --headless} or with {@code --fresh}.
+ * Values that windows keep from one run to the next: each its place, size and zoom, all together theme and language.
+ * Small files in the user's folder of settings hold them as values of the options {@code --window}, {@code --zoom},
+ * {@code --theme} and {@code --lang}, and are used for options missing on the command line. An invalid value is
+ * ignored. Nothing is kept without a display, with {@code --headless} or with {@code --fresh}.
  */
 public final class WindowMemory {
     private static final System.Logger LOG = System.getLogger(WindowMemory.class.getName());
@@ -36,7 +36,7 @@ public final class WindowMemory {
 
     private final Path folder;
 
-    /** What is kept in a folder; it is made when something is kept. */
+    /** A memory in a folder, which is made by the first write. */
     public WindowMemory(Path folder) {
         this.folder = folder;
     }
@@ -64,9 +64,9 @@ public final class WindowMemory {
     }
 
     /**
-     * The command line with what was remembered in place of options that it lacks.
+     * The command line with remembered values of missing options.
      *
-     * @param window the name under which the window's own values are kept, unless {@code --remember-as} gives another
+     * @param window name of the window's own values, unless {@code --remember-as} gives another
      */
     public static Arguments recall(Arguments arguments, String window) {
         if (arguments.has("headless") || arguments.has("fresh") || !Display.isAvailable()) {
@@ -88,7 +88,7 @@ public final class WindowMemory {
         return arguments.or(values);
     }
 
-    /** The place that a window of this name was left at on the present screens. */
+    /** The last place of a window of this name on the current screens. */
     public static Optional<WindowPlace> place(Arguments arguments, String window) {
         return arguments.has(NAME)
                 ? ofUser().recall(arguments.without(NAME, "window", "zoom"), window, Display.screens())
@@ -112,12 +112,12 @@ public final class WindowMemory {
         }
     }
 
-    /** The memory that {@link #recall} has read for a window; empty where nothing is remembered. */
+    /** The memory that {@link #recall} has read for a window; empty if nothing is remembered. */
     public static Optional<WindowMemory> of(Arguments arguments) {
         return arguments.has(NAME) && !arguments.has("fresh") ? Optional.of(ofUser()) : Optional.empty();
     }
 
-    /** The options with which a program that this one starts remembers nothing where this one does not. */
+    /** Options that keep a started program from remembering if this one does not remember. */
     public static List<String> passedOn(Arguments arguments) {
         return arguments.has(NAME) && !arguments.has("fresh") ? List.of() : List.of("--fresh");
     }
@@ -146,7 +146,7 @@ public final class WindowMemory {
         write(ALL_WINDOWS, values);
     }
 
-    /** The values of all windows, as they are kept now. */
+    /** The stored values of all windows. */
     Map<String, String> shared() {
         Map<String, String> values = new TreeMap<>(read(ALL_WINDOWS));
         values.entrySet().removeIf(value -> !isGood(value.getKey(), value.getValue()));
@@ -162,12 +162,12 @@ public final class WindowMemory {
         write(name, values);
     }
 
-    /** A list as it was kept; empty if none was. */
+    /** A stored list; empty if there is none. */
     public List<String> list(String name) {
         return List.copyOf(read(name).values());
     }
 
-    /** Removes all that was remembered. */
+    /** Removes all remembered values. */
     public void forget() {
         try (Stream<Path> files = Files.list(folder)) {
             for (Path file :
@@ -199,7 +199,7 @@ public final class WindowMemory {
         return values;
     }
 
-    /** Replaces the file in one step. Where it cannot be written, nothing is remembered. */
+    /** Replaces the file in one step. If it cannot be written, nothing is remembered. */
     private void write(String name, Map<String, String> values) {
         Properties written = new Properties();
         written.putAll(values);

@@ -12,7 +12,7 @@ public record WindowPlace(int x, int y, int width, int height) {
     private static final String COORDINATE = "-?[0-9]{1,5}";
     private static final String LENGTH = "[1-9][0-9]{0,4}";
 
-    /** Reads the value of {@code --window}; IllegalArgumentException says what was expected. */
+    /** Reads the value of {@code --window}; IllegalArgumentException names the expected form. */
     public static WindowPlace parse(String text) {
         if (!text.matches(COORDINATE + "," + COORDINATE + "(," + LENGTH + "," + LENGTH + ")?")) {
             throw new IllegalArgumentException("expected X,Y or X,Y,WIDTH,HEIGHT, found " + text);
@@ -35,7 +35,7 @@ public record WindowPlace(int x, int y, int width, int height) {
         frame.setLocation(x, y);
     }
 
-    /** As {@link #parse} reads it. */
+    /** In the form read by {@link #parse}. */
     @Override
     public String toString() {
         return x + "," + y + (width > 0 ? "," + width + "," + height : "");

@@ -22,7 +22,7 @@ public class KeepWall implements Behaviour {
         double ahead = senses.nearestMeters(2, 5);
         double right = senses.nearestMeters(6, 8);
 
-        // Something is in the way: turn left on the spot until the way is free over 0.7 m.
+        // The way is blocked: turn left on the spot until it is free over 0.7 m.
         turning = senses.isBlocked() || ahead < (turning ? 0.7 : 0.45);
         if (turning) {
             return Steering.ofDegrees(0, 40);

@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 import java.nio.file.Path;
 import simgsm.speech.SpeechCodec;
 
-/** GSM 06.10 at 8 kHz: frames of 33 octets, or blocks of two frames in 65 octets as WAV files have them. */
+/** GSM 06.10 at 8 kHz: frames of 33 octets, or two frames per block of 65 octets in WAV files. */
 final class GsmSamples implements SampleSource {
     static final int FRAME_OCTETS = SpeechCodec.Kind.GSM_FULL_RATE.octetsPerFrame();
     static final int WAV_BLOCK_OCTETS = 65;
@@ -48,7 +48,7 @@ final class GsmSamples implements SampleSource {
         return at - from;
     }
 
-    /** Decodes the next block. @return false at the end; an incomplete block is left out */
+    /** Decodes the next block. @return false at the end; an incomplete block is dropped */
     private boolean fill() throws IOException {
         int length = isWav ? WAV_BLOCK_OCTETS : FRAME_OCTETS;
         byte[] block = left < length ? new byte[0] : stream.readNBytes(length);

@@ -23,11 +23,11 @@ import simgsm.speech.Resampler;
 import simgsm.speech.SpeechCodec;
 
 /**
- * A sound file read as speech: WAV and all formats of javax.sound, channels mixed to one, resampled to 8 kHz. It is read
- * in order and in constant memory, so a pipe can be read too.
+ * A sound file read as speech: WAV and all formats of javax.sound, channels mixed to one, resampled to 8 kHz. The
+ * file, possibly a pipe, is read in order and in constant memory.
  */
 public final class SpeechFile implements Closeable {
-    /** Octets per read; the header of a WAV file has to end within the first 64 KiB. */
+    /** Octets per read; a WAV header must end within the first 64 KiB. */
     private static final int BUFFER_OCTETS = 1 << 16;
 
     private static final Path STANDARD_INPUT = Path.of("-");
@@ -132,7 +132,7 @@ public final class SpeechFile implements Closeable {
         return new SequenceInputStream(new ByteArrayInputStream(read), Channels.newInputStream(file));
     }
 
-    /** The octets of sound that the header promises and the file does not have; 0 for a pipe. */
+    /** Octets of sound promised by the header but missing in the file; 0 for a pipe. */
     public long missingOctets() throws IOException {
         return Files.isRegularFile(path) ? Math.max(0, end - Files.size(path)) : 0;
     }

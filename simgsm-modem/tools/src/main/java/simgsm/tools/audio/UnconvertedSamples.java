@@ -9,7 +9,7 @@ import java.nio.channels.ReadableByteChannel;
 final class UnconvertedSamples implements SampleSource {
     private final ReadableByteChannel file;
     private final ByteBuffer octets;
-    /** Octets of sound in the file after those in the buffer. */
+    /** Octets of sound in the file, those in the buffer excluded. */
     private long left;
 
     /**
@@ -35,7 +35,6 @@ final class UnconvertedSamples implements SampleSource {
         return at - from;
     }
 
-    /** @return true if the buffer has a sample */
     private boolean fill() throws IOException {
         octets.compact();
         octets.limit((int) Math.min(octets.capacity(), octets.position() + left));

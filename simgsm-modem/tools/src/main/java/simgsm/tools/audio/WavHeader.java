@@ -9,15 +9,15 @@ import javax.sound.sampled.AudioFormat.Encoding;
 import simgsm.speech.SpeechCodec;
 
 /**
- * The header of a RIFF or RF64 file: format, position and length of its samples. Unknown chunks are skipped, and a length
- * that the writing program did not fill in means "to the end of the file".
+ * The header of a RIFF or RF64 file: format, position and length of its samples. Unknown chunks are skipped, and a
+ * missing length means "to the end of the file".
  *
  * @param dataAt index of the first sample's first octet
  * @param dataOctets {@link Long#MAX_VALUE} for "to the end"
  */
 record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
     private static final int CHUNK_HEAD_OCTETS = 8;
-    /** Unknown length, as programs write it that write to a pipe. */
+    /** Unknown length, written by programs that write to a pipe. */
     private static final long UNKNOWN = 0xFFFF_FFFFL;
     /** The octets that make a format tag a GUID (RFC 2361, 4). */
     private static final byte[] GUID_END = {
@@ -34,7 +34,7 @@ record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
 
     /**
      * The header in the first octets of a file, {@code head}'s remaining ones; the position of {@code head} does not
-     * change. Empty for other files, if the samples begin after those octets, and for an unknown sample format.
+     * change. Empty for other files, for samples that begin after those octets, and for an unknown sample format.
      */
     static Optional<WavHeader> in(ByteBuffer head) {
         ByteBuffer octets = head.slice().order(ByteOrder.LITTLE_ENDIAN);
@@ -82,7 +82,7 @@ record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
         return known || empty ? length : Long.MAX_VALUE;
     }
 
-    /** True if an empty data chunk is followed by another chunk, not by samples of a length that was not filled in. */
+    /** True if an empty data chunk is followed by another chunk, not by samples of unknown length. */
     private static boolean beginsAChunk(ByteBuffer after) {
         if (after.remaining() < CHUNK_HEAD_OCTETS) {
             return false;
@@ -117,7 +117,7 @@ record WavHeader(AudioFormat format, int dataAt, long dataOctets) {
         if (encoding.isEmpty() || channels == 0 || rate <= 0 || bits == 0 || bits > 64) {
             return Optional.empty();
         }
-        // The frame size is computed, because the field for it is wrong in some files.
+        // The frame size is computed, because its field is wrong in some files.
         int frameOctets = channels * ((bits + 7) / 8);
         return Optional.of(new AudioFormat(encoding.get(), rate, bits, channels, frameOctets, rate, false));
     }

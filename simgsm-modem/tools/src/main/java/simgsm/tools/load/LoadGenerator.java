@@ -13,11 +13,11 @@ import simgsm.air.RpCause;
 import simgsm.station.StationThread;
 
 /**
- * Performs a load plan, one kind of load after the other, so that each is measured alone: the stations attach; each sends
- * short messages to the next; pairs of them hold calls. All stations run on one thread.
+ * Performs a load plan; each kind of load is measured alone: the stations attach; each sends short messages to the
+ * next; pairs of them hold calls. All stations run on one thread.
  */
 public final class LoadGenerator implements LoadStation.Observer {
-    /** Open at the same time; the backlog of a centre's port takes about 1000 connections. */
+    /** Connections being opened at a time; the backlog of a centre's port holds about 1000. */
     private static final int ATTACHING = 200;
 
     private static final int SENDING = 100;
@@ -29,7 +29,7 @@ public final class LoadGenerator implements LoadStation.Observer {
     private static final int LAST_SPEECH_MILLIS = 5_000;
 
     private static final int POLL_MILLIS = 20;
-    /** From the last call's connection to the counting of speech, so that the set-up of the calls does not add delays. */
+    /** From the last call's connection to the counting of speech, which the set-up of the calls would delay. */
     private static final int SETTLING_MILLIS = 2_000;
 
     private final LoadPlan plan;
@@ -44,7 +44,7 @@ public final class LoadGenerator implements LoadStation.Observer {
     private final TaskWindow calling;
     private final TaskWindow clearing;
     private final DelayHistogram speechDelays = new DelayHistogram();
-    /** The calls that are connected; of the stations' thread. */
+    /** The connected calls; owned by the stations' thread. */
     private final BitSet held = new BitSet();
 
     private boolean isClearing;

@@ -23,7 +23,7 @@ public record LoadPlan(
     /** 24 h. */
     public static final int MOST_SECONDS = 86_400;
 
-    /** A caller rings no longer than that. */
+    /** Ringing timeout of a caller. */
     public static final int MOST_RINGING_MILLIS = 20_000;
 
     /** The highest number with an IMSI in an open network. */

@@ -29,7 +29,7 @@ public record LoadResult(
                 && sent.done() == sent.count();
     }
 
-    /** All figures in one line; {@code -} for a figure that the plan did not request. */
+    /** All figures in one line; {@code -} for a figure not requested by the plan. */
     public Event line() {
         return Event.of("load")
                 .with("phones", attached.done())

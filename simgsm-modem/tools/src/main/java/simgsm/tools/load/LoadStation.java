@@ -109,7 +109,7 @@ final class LoadStation implements SpeechSource {
         observer.spoke();
     }
 
-    /** The substitute of a lost frame repeats the last one, so the same number again is none. */
+    /** The substitute of a lost frame repeats the last one, so an equal number is not counted again. */
     private void hear(short[] samples) {
         int number = SpeechFrameNumber.read(samples);
         if (partner != null && number != SpeechFrameNumber.NONE && number != heardNumber) {

@@ -3,8 +3,8 @@ package simgsm.tools.load;
 import java.util.List;
 
 /**
- * Short messages from each station to the next, a limited number at a time. Each text contains its number and a prefix of
- * this run, because messages of an earlier run may still wait for the same numbers.
+ * Short messages from each station to the next, a limited number at a time. Each text contains its number and a
+ * prefix of this run, because messages of an earlier run may still be pending.
  */
 final class MessageLoad {
     private final List<LoadStation> phones;

@@ -1,15 +1,18 @@
 package simgsm.tools.load;
 
 /**
- * A number coded into a speech frame as two tones, each by its frequency and sign, which survives A-law and GSM 06.10, also
- * one after the other. Silence has no number.
+ * A number coded into a speech frame as two tones, each by its frequency and sign. The number survives A-law and GSM
+ * 06.10, also in succession. Silence has no number.
  */
 final class SpeechFrameNumber {
     /** No number: silence, or other speech. */
     static final int NONE = -1;
 
     private static final int TONES = 2;
-    /** 200 to 500 Hz and 550 to 850 Hz in steps of 50 Hz, orthogonal over 20 ms; GSM 06.10 keeps the signs of no higher ones. */
+    /**
+     * 200 to 500 Hz and 550 to 850 Hz in steps of 50 Hz, orthogonal over 20 ms; GSM 06.10 keeps no signs of higher
+     * ones.
+     */
     private static final int FREQUENCIES = 7;
 
     private static final int FIRST_HERTZ = 200;
@@ -22,11 +25,11 @@ final class SpeechFrameNumber {
 
     private static final int SAMPLES = 160;
     private static final int SAMPLES_PER_SECOND = 8_000;
-    /** Of the table, so that sums of 160 products with samples fit into 32 bits. */
+    /** Table amplitude; sums of 160 products with samples fit into 32 bits. */
     private static final int AMPLITUDE = 64;
 
     private static final int LOUDNESS = 62;
-    /** A tone below a quarter of its loudness is none. */
+    /** A tone below a quarter of its loudness is ignored. */
     private static final int LEAST = AMPLITUDE * AMPLITUDE * LOUDNESS * (SAMPLES / 2) / 4;
 
     private static final int[][] TABLE = new int[TONES * FREQUENCIES][SAMPLES];
@@ -54,7 +57,7 @@ final class SpeechFrameNumber {
         }
     }
 
-    /** Each tone is odd about the middle of the frame, so 80 products with the folded frame give what 160 would. */
+    /** Each tone is odd about the middle of the frame, so 80 products with the folded frame equal 160. */
     static int read(short[] frame) {
         int[] folded = new int[SAMPLES / 2];
         for (int i = 0; i < folded.length; i++) {

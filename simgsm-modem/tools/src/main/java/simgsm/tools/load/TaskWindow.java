@@ -5,8 +5,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.IntConsumer;
 
 /**
- * Tasks of one kind, of which a limited number is open at a time. The stations' thread begins and ends them; another
- * thread waits until all have ended.
+ * Tasks of one kind, a limited number at a time. The stations' thread begins and ends them; another thread waits
+ * until all have ended.
  */
 final class TaskWindow {
     private final int count;
@@ -40,7 +40,7 @@ final class TaskWindow {
         fill();
     }
 
-    /** Begins tasks while there is room. The outermost call begins those that tasks ended within it make room for. */
+    /** Begins tasks while there is room. Tasks ended within it make room that the outermost call fills. */
     private void fill() {
         if (isFilling) {
             return;
