@@ -10,8 +10,6 @@ open module simrobot {
     requires vericommand;
     requires java.compiler;
     requires java.management;
-    // absent from a Java without a compiler: only sources of students need it
-    requires static jdk.compiler;
 
     exports simrobot.behaviour;
 

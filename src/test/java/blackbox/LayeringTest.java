@@ -121,7 +121,8 @@ class LayeringTest {
             simrobot.bitmap          : simgsm.file simgsm.octets simrobot.world
             simrobot.editor          : simrobot.world
             simrobot.process         : simrobot.behaviour simrobot.world
-            simrobot.source          : simgsm.file simrobot.behaviour simrobot.process
+            simrobot.source.child    : simrobot.behaviour
+            simrobot.source          : simgsm.file simrobot.behaviour simrobot.process simrobot.source.child
             simrobot.route           : simrobot.behaviour simrobot.process simrobot.world
             simrobot.robot           : vericommand simrobot.behaviour simrobot.world simrobot.process
             simrobot.simulation      : vericommand simrobot.behaviour simrobot.process simrobot.route simrobot.world simrobot.robot

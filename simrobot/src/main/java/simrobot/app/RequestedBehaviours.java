@@ -8,13 +8,15 @@ import java.util.function.Consumer;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
+import simrobot.behaviour.Answer;
+import simrobot.behaviour.Request;
 import simrobot.control.ConsoleRow;
 import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.source.BehaviourFolder;
-import simrobot.source.ProcessOutput;
+import simrobot.source.child.ProcessOutput;
 
 /** The processes of a command line: {@code --behaviours DIR} and {@code --behaviour NAME}. */
 public final class RequestedBehaviours implements AutoCloseable {
@@ -36,16 +38,24 @@ public final class RequestedBehaviours implements AutoCloseable {
         if (place.isEmpty()) {
             return new RequestedBehaviours(list, Optional.empty());
         }
-        // output of a process must not appear between the console's events
-        ProcessOutput.install(System.err);
+        BehaviourFolder.takePrints();
         try {
-            BehaviourFolder folder = new BehaviourFolder(place.get(), list, new BehaviourFolder.Listener() {});
+            BehaviourFolder folder = new BehaviourFolder(
+                    place.get(), list, new BehaviourFolder.Listener() {}, SimRobotOptions.children(arguments));
             if (!arguments.has("run")) {
                 folder.keepNumbers();
             }
             return new RequestedBehaviours(list, Optional.of(folder));
         } catch (NotDirectoryException e) {
             throw new UsageException("--behaviours: expected a folder, found " + place.get());
+        }
+    }
+
+    private static void print(String lines) {
+        if (Answer.isOpen()) {
+            Answer.ask(new Request.Printed(lines));
+        } else {
+            System.err.print(lines);
         }
     }
 
@@ -98,6 +108,7 @@ public final class RequestedBehaviours implements AutoCloseable {
             reports.failed(fault.name(), fault.line(), fault.text());
         }
         folder.get().start(reports);
+        Runtime.getRuntime().addShutdownHook(new Thread(folder.get()::close, "end of behaviours"));
     }
 
     @Override

@@ -17,6 +17,7 @@ import simgsm.speech.SpeechCodec;
 import simrobot.control.Fleet;
 import simrobot.control.RobotConsole;
 import simrobot.process.BehaviourKind;
+import simrobot.source.ChildSettings;
 import vericommand.VeriCommandSettings;
 
 /** SimRobot's options and their values. */
@@ -56,6 +57,17 @@ public final class SimRobotOptions {
                         ModemOptions.MAX_ANSWER_AFTER_MILLIS),
                 recordings,
                 number -> Arguments.checked(() -> slot.card(Optional.of(number))));
+    }
+
+    /** How processes of {@code --behaviours} run. */
+    public static ChildSettings children(Arguments arguments) throws UsageException {
+        return ChildSettings.of(
+                (int) arguments.integer(
+                        "behaviour-memory",
+                        ChildSettings.DEFAULT_MEBIBYTES,
+                        ChildSettings.MIN_MEBIBYTES,
+                        ChildSettings.MAX_MEBIBYTES),
+                arguments.language());
     }
 
     /** Opens the output: a window shows at once if there is no device; a console opens it with the first sound. */

@@ -14,7 +14,12 @@ public sealed interface Decision {
     }
 
     /** A decision that ends the process: the robot brakes. */
-    sealed interface End extends Decision {}
+    sealed interface End extends Decision {
+        /** What the process has asked for in its last decision. */
+        default List<Request> asked() {
+            return List.of();
+        }
+    }
 
     /** The process has reached what it was for. */
     record Done(List<Request> asked) implements End {}
@@ -37,7 +42,11 @@ public sealed interface Decision {
      *
      * @param line of its source; 0 if unknown
      */
-    record Failed(int line, String text) implements End {
+    record Failed(int line, String text, List<Request> asked) implements End {
+        public Failed(int line, String text) {
+            this(line, text, List.of());
+        }
+
         /** {@code line 12: }, or empty. */
         public String where() {
             return line == 0 ? "" : "line " + line + ": ";

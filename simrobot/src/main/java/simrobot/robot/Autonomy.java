@@ -304,10 +304,8 @@ public final class Autonomy {
             note(go.asked());
             robot.steer(go.steering());
         } else {
-            if (decision instanceof Decision.Done done) {
-                note(done.asked());
-            }
             ending = (Decision.End) decision;
+            note(ending.asked());
             robot.stopSteering();
             concludeIfStanding();
         }

@@ -50,7 +50,6 @@ final class BehaviourCompiler {
         try (StandardJavaFileManager files = compiler.getStandardFileManager(found, Locale.ENGLISH, null)) {
             String source = Utf8Text.read(file);
             Memory memory = new Memory(files, classes);
-            Source checked = new Source(file, LoopChecks.in(compiler, new Source(file, source)));
             List<String> options = List.of(
                     "-proc:none",
                     "-g",
@@ -59,7 +58,7 @@ final class BehaviourCompiler {
                     ownClasses(),
                     "-sourcepath",
                     file.toAbsolutePath().getParent().toString());
-            boolean done = compiler.getTask(null, memory, found, options, null, List.of(checked))
+            boolean done = compiler.getTask(null, memory, found, options, null, List.of(new Source(file, source)))
                     .call();
             if (!done) {
                 throw fault(found, file);
@@ -103,7 +102,7 @@ final class BehaviourCompiler {
     }
 
     /** The location of the compiled interface {@link Behaviour}. */
-    private static String ownClasses() {
+    static String ownClasses() {
         try {
             return Path.of(Behaviour.class
                             .getProtectionDomain()
@@ -116,8 +115,8 @@ final class BehaviourCompiler {
         }
     }
 
-    /** A source file held in memory. */
-    static final class Source extends SimpleJavaFileObject {
+    /** A source file whose text is here. */
+    private static final class Source extends SimpleJavaFileObject {
         private final String text;
 
         Source(Path file, String text) {

@@ -23,13 +23,16 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
+import simgsm.file.Utf8Text;
 import simrobot.behaviour.Behaviour;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
+import simrobot.source.child.FaultPlace;
+import simrobot.source.child.LoadedClasses;
 
 /**
  * Updates a list of processes from a folder: each {@code .java} file is one process, named after its class, and each
@@ -54,6 +57,9 @@ public final class BehaviourFolder implements AutoCloseable {
 
     private static final Logger LOG = System.getLogger(BehaviourFolder.class.getName());
     private static final long PERIOD_MILLIS = 500;
+    /** Each child takes memory: those of further files start when a robot begins one. */
+    private static final int MOST_STARTED_AHEAD = 8;
+
     private static final String SOURCE = ".java";
     private static final String JAR = ".jar";
 
@@ -63,28 +69,34 @@ public final class BehaviourFolder implements AutoCloseable {
     private final Path folder;
     private final BehaviourList list;
     private final BehaviourCompiler compiler;
-    private final AtomicInteger threads = new AtomicInteger();
+    private final ChildSettings settings;
     private final Thread thread = new Thread(this::look, "behaviour folder");
     private Map<Path, Stamp> seen = Map.of();
     /** The classes of the last valid version, by file. */
     private final Map<Path, SortedMap<String, byte[]>> compiled = new HashMap<>();
 
     private final Map<Path, Set<String>> names = new HashMap<>();
+    private final Map<Path, BehaviourChild> children = new ConcurrentHashMap<>();
     private volatile Listener listener;
     private volatile boolean patient;
     /** Null while numbers are not kept. */
     private NumbersFile numbers;
+    private boolean isLive;
 
     /**
      * Scans the folder once.
      *
      * @throws NotDirectoryException if the path is no folder
      */
-    public BehaviourFolder(Path folder, BehaviourList list, Listener listener) throws IOException {
-        this(folder, list, listener, ToolProvider.getSystemJavaCompiler());
+    public BehaviourFolder(Path folder, BehaviourList list, Listener listener, ChildSettings settings)
+            throws IOException {
+        this(folder, list, listener, settings, ToolProvider.getSystemJavaCompiler());
     }
 
-    BehaviourFolder(Path folder, BehaviourList list, Listener listener, JavaCompiler compiler) throws IOException {
+    BehaviourFolder(
+            Path folder, BehaviourList list, Listener listener, ChildSettings settings, JavaCompiler compiler)
+            throws IOException {
+        this.settings = settings;
         this.folder = folder;
         this.list = list;
         this.listener = listener;
@@ -97,12 +109,14 @@ public final class BehaviourFolder implements AutoCloseable {
     }
 
     /**
-     * Scans every 500 ms from now on.
+     * Scans every 500 ms from now on, and starts children ahead.
      *
      * @param told receives the changes
      */
     public void start(Listener told) {
         listener = told;
+        isLive = true;
+        children.keySet().stream().sorted().toList().forEach(this::startAhead);
         thread.start();
     }
 
@@ -213,6 +227,10 @@ public final class BehaviourFolder implements AutoCloseable {
 
     private void forget(Path file) {
         compiled.remove(file);
+        BehaviourChild child = children.remove(file);
+        if (child != null) {
+            child.close();
+        }
         Set<String> old = names.remove(file);
         list.clearFault(base(file));
         if (old != null) {
@@ -227,12 +245,17 @@ public final class BehaviourFolder implements AutoCloseable {
 
     private void load(Path file) {
         try {
+            BehaviourChild before = children.get(file);
             List<BehaviourKind> kinds = isSource(file) ? ofSource(file) : ofJar(file);
             list.clearFault(base(file));
             Set<String> now = new HashSet<>();
             kinds.forEach(kind -> now.add(kind.text()));
             number(now);
             kinds.forEach(this::put);
+            if (before != null && children.get(file) != before) {
+                before.replace();
+            }
+            startAhead(file);
             if (!kinds.isEmpty()) {
                 Set<String> old = names.put(file, now);
                 if (old != null) {
@@ -244,6 +267,17 @@ public final class BehaviourFolder implements AutoCloseable {
         } catch (RuntimeException | LinkageError e) {
             // a file that fails leaves the others in place
             fail(base(file), 0, "cannot be loaded: " + FaultPlace.text(e));
+        }
+    }
+
+    private void startAhead(Path file) {
+        boolean isPlace = children.values().stream().filter(BehaviourChild::isRunning).count() < MOST_STARTED_AHEAD;
+        if (isLive && isPlace) {
+            try {
+                children.get(file).start();
+            } catch (IOException e) {
+                fail(base(file), 0, "cannot be started: " + e.getMessage());
+            }
         }
     }
 
@@ -263,10 +297,26 @@ public final class BehaviourFolder implements AutoCloseable {
         if (isSame(classes, compiled.get(file))) {
             return List.of();
         }
-        Class<? extends Behaviour> type = new LoadedClasses(classes).behaviour(base(file));
-        BehaviourKind kind = kind(type, new FaultPlace(file.getFileName().toString()));
+        Class<? extends Behaviour> type = new LoadedClasses(classes)
+                .behaviour(base(file))
+                .orElseThrow(() -> new SourceException(
+                        0,
+                        "no class that is a process, expected: public class " + base(file)
+                                + " implements simrobot.behaviour.Behaviour, with a constructor without parameters"));
+        BehaviourChild child =
+                new BehaviourChild(ChildFile.ofSource(base(file), classes, source(file), settings));
+        BehaviourKind kind = kind(type, child);
         compiled.put(file, classes);
+        children.put(file, child);
         return List.of(kind);
+    }
+
+    private static List<String> source(Path file) throws SourceException {
+        try {
+            return Utf8Text.read(file).lines().toList();
+        } catch (IOException e) {
+            throw new SourceException(0, "cannot be read: " + e.getMessage());
+        }
     }
 
     private static boolean isSame(SortedMap<String, byte[]> classes, SortedMap<String, byte[]> before) {
@@ -287,9 +337,11 @@ public final class BehaviourFolder implements AutoCloseable {
                     .map(ServiceLoader.Provider::type)
                     .filter(type -> type.getClassLoader() == loader)
                     .toList();
+            BehaviourChild child = new BehaviourChild(ChildFile.ofJar(base(jar), copy, settings));
             for (Class<? extends Behaviour> type : types) {
-                kinds.add(kind(type, new FaultPlace(null)));
+                kinds.add(kind(type, child));
             }
+            children.put(jar, child);
         } catch (IOException e) {
             throw new SourceException(0, "cannot be read: " + e.getMessage());
         } catch (ServiceConfigurationError | LinkageError e) {
@@ -302,24 +354,18 @@ public final class BehaviourFolder implements AutoCloseable {
         return kinds;
     }
 
-    private BehaviourKind kind(Class<? extends Behaviour> type, FaultPlace place) throws SourceException {
+    private BehaviourKind kind(Class<? extends Behaviour> type, BehaviourChild child) throws SourceException {
         String name = type.getSimpleName();
         if (BehaviourKind.BUILT_IN.stream().anyMatch(kind -> kind.text().equals(name))) {
             throw new SourceException(0, "the name " + name + " is taken, expected a class of another name");
         }
-        return new BehaviourKind(
-                name,
-                around -> new BehaviourThread(
-                        name + "-" + threads.incrementAndGet(),
-                        () -> LoadedClasses.create(type),
-                        place,
-                        around.waitBudget(),
-                        patient));
+        return new BehaviourKind(name, around -> child.ofRobot(type.getName(), around.waitBudget(), patient));
     }
 
-    /** Stops scanning; running processes continue. */
+    /** Stops scanning, and ends all children. */
     @Override
     public void close() {
         thread.interrupt();
+        children.values().forEach(BehaviourChild::close);
     }
 }

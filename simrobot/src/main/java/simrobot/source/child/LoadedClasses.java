@@ -1,4 +1,4 @@
-package simrobot.source;
+package simrobot.source.child;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
@@ -8,12 +8,15 @@ import java.util.Map;
 import java.util.Optional;
 import simrobot.behaviour.Behaviour;
 
-/** Loads compiled classes; each version of a source gets a loader of its own. */
-final class LoadedClasses extends ClassLoader {
+/** Loads compiled classes, anew for every version of their source. */
+public final class LoadedClasses extends ClassLoader {
+    /** The name of every class loader of students' classes. */
+    static final String NAME = "behaviours";
+
     private final Map<String, byte[]> classes;
 
-    LoadedClasses(Map<String, byte[]> classes) {
-        super("behaviours", Behaviour.class.getClassLoader());
+    public LoadedClasses(Map<String, byte[]> classes) {
+        super(NAME, Behaviour.class.getClassLoader());
         this.classes = classes;
     }
 
@@ -26,30 +29,17 @@ final class LoadedClasses extends ClassLoader {
         return defineClass(name, octets, 0, octets.length);
     }
 
-    /**
-     * Returns the process's class: the one with the file's name, else the only one that implements the interface.
-     *
-     * @throws SourceException if there is none
-     */
-    Class<? extends Behaviour> behaviour(String fileName) throws SourceException {
-        List<Class<? extends Behaviour>> found;
-        try {
-            found = classes.keySet().stream()
-                    .<Class<?>>map(this::loaded)
-                    .filter(LoadedClasses::isBehaviour)
-                    .<Class<? extends Behaviour>>map(type -> type.asSubclass(Behaviour.class))
-                    .toList();
-        } catch (LinkageError e) {
-            throw new SourceException(0, FaultPlace.text(e));
-        }
+    /** Returns the class that is the process: the one with the file's name, else the only one that implements the interface. */
+    public Optional<Class<? extends Behaviour>> behaviour(String fileName) {
+        List<Class<? extends Behaviour>> found = classes.keySet().stream()
+                .<Class<?>>map(this::loaded)
+                .filter(LoadedClasses::isBehaviour)
+                .<Class<? extends Behaviour>>map(type -> type.asSubclass(Behaviour.class))
+                .toList();
         return found.stream()
                 .filter(type -> type.getSimpleName().equals(fileName))
                 .findFirst()
-                .or(() -> found.size() == 1 ? found.stream().findFirst() : Optional.empty())
-                .orElseThrow(() -> new SourceException(
-                        0,
-                        "no class that is a process, expected: public class " + fileName
-                                + " implements simrobot.behaviour.Behaviour, with a constructor without parameters"));
+                .or(() -> found.size() == 1 ? found.stream().findFirst() : Optional.empty());
     }
 
     private Class<?> loaded(String name) {
@@ -73,9 +63,10 @@ final class LoadedClasses extends ClassLoader {
         }
     }
 
-    /** Creates an object; exceptions of its constructor are passed on. */
-    static Behaviour create(Class<? extends Behaviour> type) throws Exception {
-        Constructor<? extends Behaviour> constructor = type.getDeclaredConstructor();
+    /** Creates an object; what its constructor throws is thrown. */
+    public static Behaviour create(Class<?> type) throws Exception {
+        Constructor<? extends Behaviour> constructor =
+                type.asSubclass(Behaviour.class).getDeclaredConstructor();
         constructor.setAccessible(true);
         try {
             return constructor.newInstance();

@@ -1,0 +1,68 @@
+package simrobot.source;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import simrobot.behaviour.Request;
+import simrobot.process.Decision;
+import simrobot.source.child.ChildMain;
+import simrobot.source.child.PipeLine;
+
+/**
+ * What a child needs to execute one version of a file.
+ *
+ * @param command the program and its arguments
+ * @param lines what it reads first
+ * @param source the lines of the file; none of a jar
+ */
+record ChildFile(String name, List<String> command, List<String> lines, List<String> source, Hints hints) {
+    /** What a student has written where the child cannot tell the line. */
+    private static final Map<String, Pattern> LIKELY =
+            Map.of("halt", Pattern.compile("\\b(halt|exit)\\s*\\("), "null", Pattern.compile("\\breturn\\s+null\\b"));
+
+    static ChildFile ofSource(
+            String name, Map<String, byte[]> classes, List<String> source, ChildSettings settings) {
+        List<String> lines = new ArrayList<>();
+        classes.forEach((className, octets) -> lines.add(PipeLine.of(
+                "class", "name", className, "octets", Base64.getUrlEncoder().encodeToString(octets))));
+        return new ChildFile(name, java(settings, name + ".java"), lines, source, settings.hints());
+    }
+
+    static ChildFile ofJar(String name, Path jar, ChildSettings settings) {
+        List<String> lines = List.of(PipeLine.of("jar", "path", jar.toString()));
+        return new ChildFile(name, java(settings), lines, List.of(), settings.hints());
+    }
+
+    /** A small Java: it compiles fast rather than well, and collects its garbage on one thread. */
+    private static List<String> java(ChildSettings settings, String... arguments) {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx" + settings.memoryMebibytes() + "m",
+                "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
+                "-XX:-UsePerfData",
+                "-Xshare:auto",
+                "-cp",
+                BehaviourCompiler.ownClasses(),
+                ChildMain.class.getName()));
+        command.addAll(List.of(arguments));
+        return command;
+    }
+
+    /** Returns a fault with a hint, and with the likely line if the child knows none. @param cause names the hint */
+    Decision.Failed failed(int line, String cause, String text, List<Request> asked) {
+        return new Decision.Failed(line > 0 ? line : likelyLine(cause), hints.with(text, cause), List.copyOf(asked));
+    }
+
+    private int likelyLine(String cause) {
+        return IntStream.range(0, LIKELY.containsKey(cause) ? source.size() : 0)
+                .filter(i -> LIKELY.get(cause).matcher(source.get(i)).find())
+                .map(i -> i + 1)
+                .findFirst()
+                .orElse(0);
+    }
+}

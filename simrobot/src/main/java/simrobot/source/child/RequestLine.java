@@ -1,0 +1,57 @@
+package simrobot.source.child;
+
+import java.lang.reflect.RecordComponent;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+import simrobot.behaviour.Request;
+
+/** A request of a process as a line: its word is the name of the record, its values are the components. */
+public final class RequestLine {
+    private RequestLine() {}
+
+    static String of(String robot, Request request) {
+        Stream<Object> values = Arrays.stream(request.getClass().getRecordComponents())
+                .flatMap(component -> Stream.of(component.getName(), value(component, request)));
+        return PipeLine.of(
+                word(request.getClass()),
+                Stream.concat(Stream.of("robot", robot), values).toArray());
+    }
+
+    private static Object value(RecordComponent component, Request request) {
+        try {
+            return component.getAccessor().invoke(request);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException("no public record: " + request, e);
+        }
+    }
+
+    private static String word(Class<?> type) {
+        return type.getSimpleName().toLowerCase(Locale.ROOT);
+    }
+
+    /** Returns the request; empty if the line is none, or a value is refused. */
+    public static Optional<Request> parse(PipeLine line) {
+        return Arrays.stream(Request.class.getPermittedSubclasses())
+                .filter(type -> word(type).equals(line.word()))
+                .findFirst()
+                .flatMap(type -> create(type, line));
+    }
+
+    private static Optional<Request> create(Class<?> type, PipeLine line) {
+        RecordComponent[] components = type.getRecordComponents();
+        try {
+            Object[] values = Arrays.stream(components)
+                    .map(component -> component.getType() == double.class
+                            ? (Object) line.number(component.getName())
+                            : line.text(component.getName()))
+                    .toArray();
+            Class<?>[] types =
+                    Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
+            return Optional.of((Request) type.getConstructor(types).newInstance(values));
+        } catch (ReflectiveOperationException | IllegalArgumentException refused) {
+            return Optional.empty();
+        }
+    }
+}

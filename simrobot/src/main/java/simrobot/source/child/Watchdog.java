@@ -1,0 +1,83 @@
+package simrobot.source.child;
+
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Ends the child when a decision takes more than 1 s, when a thread that the file started still executes its code after 1 s,
+ * and when the file ends the Java virtual machine. Time counts in periods of this thread, so that a busy machine, which delays
+ * both, makes no decision late.
+ */
+final class Watchdog {
+    private static final long PERIOD_MILLIS = 50;
+    private static final int PERIODS_PER_SECOND = 20;
+
+    private final ChildMain child;
+    private final Thread main;
+    private final Thread thread = new Thread(this::run, "watchdog");
+    private long seen;
+    private int late;
+    private Set<Thread> foreign = Set.of();
+
+    Watchdog(ChildMain child, Thread main) {
+        this.child = child;
+        this.main = main;
+        thread.setDaemon(true);
+        thread.setPriority(Thread.MAX_PRIORITY);
+    }
+
+    void start() {
+        thread.start();
+        Runtime.getRuntime().addShutdownHook(new Thread(this::explainExit, "exit"));
+    }
+
+    private void run() {
+        try {
+            for (int period = 1; ; period++) {
+                Thread.sleep(PERIOD_MILLIS);
+                lookAtDecision();
+                if (period % PERIODS_PER_SECOND == 0) {
+                    lookAtThreads();
+                }
+            }
+        } catch (InterruptedException | OutOfMemoryError e) {
+            child.end(main.getStackTrace(), "OutOfMemoryError", "OutOfMemoryError");
+        }
+    }
+
+    private void lookAtDecision() {
+        long now = child.decision();
+        late = now % 2 == 1 && now == seen ? late + 1 : 0;
+        seen = now;
+        if (late >= PERIODS_PER_SECOND) {
+            boolean waits = main.getState() != Thread.State.RUNNABLE;
+            String text = waits ? "it waits for something" : "it computes without end";
+            child.end(main.getStackTrace(), waits ? "waits" : "loops", "no decision within 1 s: " + text);
+        }
+    }
+
+    private void lookAtThreads() {
+        Set<Thread> now = new HashSet<>();
+        for (Map.Entry<Thread, StackTraceElement[]> each : Thread.getAllStackTraces().entrySet()) {
+            Thread found = each.getKey();
+            if (found != main && child.line(each.getValue()) > 0) {
+                now.add(found);
+                if (foreign.contains(found)) {
+                    child.end(each.getValue(), "thread", "a thread of its own still runs after the decision");
+                }
+            }
+        }
+        foreign = now;
+    }
+
+    /** Runs while the virtual machine exits; a signal needs no words. */
+    private void explainExit() {
+        Thread.getAllStackTraces().values().stream()
+                .filter(trace -> Arrays.stream(trace)
+                        .anyMatch(frame -> frame.getClassName().equals("java.lang.Runtime")))
+                .findFirst()
+                .ifPresent(trace -> child.end(trace, "exit", "System.exit is called"));
+    }
+}
