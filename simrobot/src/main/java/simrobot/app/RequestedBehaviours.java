@@ -8,15 +8,12 @@ import java.util.function.Consumer;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
-import simrobot.behaviour.Answer;
-import simrobot.behaviour.Request;
 import simrobot.control.ConsoleRow;
 import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.source.BehaviourFolder;
-import simrobot.source.child.ProcessOutput;
 
 /** The processes of a command line: {@code --behaviours DIR} and {@code --behaviour NAME}. */
 public final class RequestedBehaviours implements AutoCloseable {
@@ -38,6 +35,7 @@ public final class RequestedBehaviours implements AutoCloseable {
         if (place.isEmpty()) {
             return new RequestedBehaviours(list, Optional.empty());
         }
+        // output of a process must not appear between the console's events
         BehaviourFolder.takePrints();
         try {
             BehaviourFolder folder = new BehaviourFolder(
@@ -48,14 +46,6 @@ public final class RequestedBehaviours implements AutoCloseable {
             return new RequestedBehaviours(list, Optional.of(folder));
         } catch (NotDirectoryException e) {
             throw new UsageException("--behaviours: expected a folder, found " + place.get());
-        }
-    }
-
-    private static void print(String lines) {
-        if (Answer.isOpen()) {
-            Answer.ask(new Request.Printed(lines));
-        } else {
-            System.err.print(lines);
         }
     }
 

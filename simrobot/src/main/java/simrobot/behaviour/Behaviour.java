@@ -3,9 +3,9 @@ package simrobot.behaviour;
 /**
  * A process of one robot, written by you: SimRobot asks it every 50 ms of simulated time for the robot's speeds.
  *
- * <p>The class needs a constructor without parameters; every robot that runs the process has its own object, and one
- * thread that calls all its methods. A decision that computes for more than 50 ms, or takes more than 1 s, ends the
- * process, as does every exception; the robot then brakes.
+ * <p>The class needs a constructor without parameters; every robot that runs the process has its own object. All objects of a
+ * file live in one process of the operating system and decide on its one thread. While a decision takes more than 50 ms
+ * the robot brakes; one that takes 1 s ends the process, as does every exception.
  */
 public interface Behaviour {
     /**

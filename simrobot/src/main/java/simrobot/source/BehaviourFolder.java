@@ -28,11 +28,14 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 import simgsm.file.Utf8Text;
+import simrobot.behaviour.Answer;
 import simrobot.behaviour.Behaviour;
+import simrobot.behaviour.Request;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.source.child.FaultPlace;
 import simrobot.source.child.LoadedClasses;
+import simrobot.source.child.ProcessOutput;
 
 /**
  * Updates a list of processes from a folder: each {@code .java} file is one process, named after its class, and each
@@ -106,6 +109,17 @@ public final class BehaviourFolder implements AutoCloseable {
         }
         scan();
         thread.setDaemon(true);
+    }
+
+    /** Replaces {@code System.out}: prints of a decision belong to the process, all others to the standard error. */
+    public static void takePrints() {
+        System.setOut(ProcessOutput.of(lines -> {
+            if (Answer.isOpen()) {
+                Answer.ask(new Request.Printed(lines));
+            } else {
+                System.err.print(lines);
+            }
+        }));
     }
 
     /**

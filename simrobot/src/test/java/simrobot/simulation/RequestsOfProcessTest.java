@@ -90,7 +90,7 @@ class RequestsOfProcessTest {
         });
         simulation.run(10);
         assertEquals(
-                List.of("Failed[line=0, text=goTo: expected a goal or home of the world, found Kitchen]"), ends);
+                List.of("Failed[line=0, text=goTo: expected a goal or home of the world, found Kitchen, asked=[]]"), ends);
     }
 
     @Test
