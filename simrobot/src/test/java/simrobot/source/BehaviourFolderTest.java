@@ -36,7 +36,7 @@ import vericommand.RobotStatus;
 
 /** Processes from source files and jars, on a simulated robot. */
 class BehaviourFolderTest {
-    private static final ChildSettings SETTINGS = ChildSettings.of(ChildSettings.DEFAULT_MEBIBYTES, Locale.ENGLISH);
+    static final ChildSettings SETTINGS = ChildSettings.of(ChildSettings.DEFAULT_MEBIBYTES, Locale.ENGLISH);
 
     @TempDir
     Path folder;

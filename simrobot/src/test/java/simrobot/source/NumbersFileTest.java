@@ -45,7 +45,7 @@ class NumbersFileTest {
     }
 
     private BehaviourFolder open(BehaviourList list) throws IOException {
-        BehaviourFolder opened = new BehaviourFolder(folder, list, listener);
+        BehaviourFolder opened = new BehaviourFolder(folder, list, listener, BehaviourFolderTest.SETTINGS);
         opened.keepNumbers();
         return opened;
     }
