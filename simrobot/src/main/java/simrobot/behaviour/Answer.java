@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a process answered to its senses, with all that it asked for meanwhile; immutable.
+ * A process's answer to its senses, with all its requests; immutable.
  *
  * @param steering null if it returned none
  */
@@ -24,7 +24,7 @@ public record Answer(Steering steering, boolean isDone, List<Request> asked) {
         }
     }
 
-    /** Whether a process decides on this thread now. */
+    /** True while a process decides on this thread. */
     public static boolean isOpen() {
         return NOW.get() != null;
     }

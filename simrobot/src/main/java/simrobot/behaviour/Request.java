@@ -1,6 +1,6 @@
 package simrobot.behaviour;
 
-/** What a process asks for beside the speeds of its wheels. */
+/** A request of a process in addition to the speeds of its wheels. */
 public sealed interface Request {
     /** The keys of the call: from now on they are the process's. */
     record Keys() implements Request {}

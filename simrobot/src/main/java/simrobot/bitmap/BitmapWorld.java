@@ -25,7 +25,7 @@ import simrobot.world.WorldReader;
  * Occupied areas become walls along their outlines; unknown ones are free. Single cells become points.
  */
 public final class BitmapWorld {
-    /** In place of the key, as map_server's usual files have it. */
+    /** Default of the key, as in map_server's usual files. */
     private static final double OCCUPIED = 0.65;
 
     private static final Pattern KEY = Pattern.compile("^([a-z_]+)\\s*:\\s*(.*?)\\s*(#.*)?$");
@@ -54,7 +54,7 @@ public final class BitmapWorld {
     }
 
     /**
-     * Reads a world file of any format, by its ending.
+     * Reads a world file of any format, selected by its extension.
      *
      * @param resolutionMeters the width of a pixel of a picture without a map.yaml
      */
@@ -105,7 +105,7 @@ public final class BitmapWorld {
         return new BitmapWorld(name(file), picture(image), cell, occupied, negate, origin).world();
     }
 
-    /** The keys of one level; a list that goes on in lines of its own, as {@code - 1.0}, is joined. */
+    /** The keys of one level; a list that continues on separate lines, as {@code - 1.0}, is joined. */
     private static Map<String, String> keys(Path file) throws IOException {
         Map<String, String> keys = new HashMap<>();
         String last = "";
@@ -208,7 +208,7 @@ public final class BitmapWorld {
         return outline.length == 8 && Math.abs(outline[0] - outline[4]) == 1 && Math.abs(outline[1] - outline[5]) == 1;
     }
 
-    /** A place in cells from the lower left corner, rounded to 0.1 mm. */
+    /** A position in cells from the lower left corner, rounded to 0.1 mm. */
     private Position place(double column, double row) {
         double dx = column * cellMeters;
         double dy = row * cellMeters;

@@ -9,7 +9,7 @@ import java.util.List;
  * farther than one cell from the traced line. Coordinates are cells, from the lower left corner of the grid.
  */
 final class OutlineTracer {
-    /** Right, up, left, down: the occupied cell lies at the left of an edge. */
+    /** Right, up, left, down: the occupied cell is at the left of an edge. */
     private static final int[] DX = {1, 0, -1, 0};
 
     private static final int[] DY = {0, 1, 0, -1};
@@ -18,7 +18,7 @@ final class OutlineTracer {
     private final int width;
     private final int height;
     private final BitSet occupied;
-    /** The edges that leave each corner of a cell, a bit for each direction. */
+    /** The outgoing edges of each corner of a cell, a bit for each direction. */
     private final byte[] edges;
 
     /** @param occupied cell (column, row) at row times width plus column, rows from the bottom */
@@ -44,7 +44,7 @@ final class OutlineTracer {
         }
     }
 
-    /** All outlines; each is a closed line of at least two corners, x and y in turn. */
+    /** All outlines; each is a closed line of at least two corners, x and y alternating. */
     List<int[]> outlines() {
         List<int[]> outlines = new ArrayList<>();
         for (int corner = 0; corner < edges.length; corner++) {
@@ -55,7 +55,7 @@ final class OutlineTracer {
         return outlines;
     }
 
-    /** The corners where an outline turns. Where two cells meet at a corner only, it joins them. */
+    /** The corners at which an outline turns. It joins two cells that share only a corner. */
     private int[] trace(int start) {
         List<Integer> corners = new ArrayList<>();
         int corner = start;
@@ -77,7 +77,7 @@ final class OutlineTracer {
         return xy;
     }
 
-    /** Right, straight on, left; -1 at the end of the outline. */
+    /** Right, straight ahead, left; -1 at the end of the outline. */
     private int next(int corner, int direction) {
         for (int turn = 3; turn <= 5; turn++) {
             int next = (direction + turn) % 4;

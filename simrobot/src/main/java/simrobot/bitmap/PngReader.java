@@ -37,7 +37,7 @@ final class PngReader {
         } catch (PictureFormatException e) {
             throw e;
         } catch (IOException | RuntimeException e) {
-            // the reader of the JDK throws either for octets that are no PNG
+            // the JDK's reader throws either for octets that are no PNG
             throw new PictureFormatException(source, "a PNG that cannot be read, expected a whole one");
         } finally {
             reader.dispose();
@@ -64,7 +64,7 @@ final class PngReader {
         return colours.hasAlpha() ? onWhite(shade, raster.getSample(x, y, 1) >> more) : shade;
     }
 
-    /** The mean of the three colours, as map_server takes it. */
+    /** The mean of the three colours, as in map_server. */
     private static int shade(int argb) {
         return onWhite(((argb >> 16 & 0xff) + (argb >> 8 & 0xff) + (argb & 0xff)) / 3, argb >>> 24);
     }

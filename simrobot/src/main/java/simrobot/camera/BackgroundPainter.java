@@ -53,7 +53,7 @@ final class BackgroundPainter {
         for (int i = 0; i < world.items(Goal.class).size(); i++) {
             mark(world.items(Goal.class).get(i).position(), SignPainter.goalColour(i));
         }
-        // marks lie on the floor, so every upright object hides them
+        // marks are flat, so every upright object hides them
         canvas.clearDepth();
     }
 
@@ -82,7 +82,7 @@ final class BackgroundPainter {
         return meters - Math.floor(meters / TILE_METERS) * TILE_METERS;
     }
 
-    /** One that moves has stripes across its direction. */
+    /** Draws a surface; a moving one has stripes across its direction. */
     private void surface(Surface surface) {
         double speed = Math.hypot(surface.velocityX(), surface.velocityY());
         double ux = speed == 0 ? 0 : surface.velocityX() / speed;

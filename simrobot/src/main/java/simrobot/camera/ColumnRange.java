@@ -25,7 +25,7 @@ record ColumnRange(int first, int last) {
         return eye.column(PinholeView.NEAR_METERS, left + share * (otherLeft - left));
     }
 
-    /** Returns where the ray of this slope meets the face: 0 at the first point, 1 at the second. */
+    /** Returns the intersection of the ray of this slope with the face: 0 at the first point, 1 at the second. */
     static double share(double slope, double a1, double l1, double a2, double l2) {
         double across = (l2 - l1) - slope * (a2 - a1);
         double share = across == 0 ? 0 : (slope * a1 - l1) / across;

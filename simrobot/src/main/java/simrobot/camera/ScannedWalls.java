@@ -5,17 +5,17 @@ import java.util.List;
 import simrobot.world.Point;
 
 /**
- * Joins points that lie close together, as a laser has scanned them along a wall, to pieces of that wall. The light on a
- * piece comes from the direction of all points around it, so that the scanner's noise does not look like corrugated iron.
+ * Joins close points, as scanned by a laser along a wall, to pieces of that wall. The light on a piece depends on the
+ * direction of all points around it, so that the scanner's noise does not look like corrugated iron.
  */
 final class ScannedWalls {
     /** The numbers of a piece: its ends x1, y1, x2, y2, and the wall's direction there as a unit vector. */
     static final int NUMBERS = 6;
 
-    /** Neighbouring points of one wall; scans have one every 2 to 5 cm. */
+    /** Maximum distance of neighbours in a wall; scans have a point every 2 to 5 cm. */
     private static final double JOINED_METERS = 0.12;
 
-    /** The points around that give a wall its direction. */
+    /** Radius around a point that determines the wall's direction. */
     private static final double AROUND_METERS = 0.25;
 
     private static final int MOST_CELLS = 1_000_000;
@@ -40,7 +40,7 @@ final class ScannedWalls {
     private double[] single = new double[64];
     private int singleNumbers;
 
-    // of the point that is looked at
+    // direction at the current point
     private double ux;
     private double uy;
 
@@ -72,12 +72,12 @@ final class ScannedWalls {
         return Arrays.copyOf(pieces, pieceNumbers);
     }
 
-    /** The points that are joined to none, x and y of each. */
+    /** The isolated points, x and y of each. */
     double[] single() {
         return Arrays.copyOf(single, singleNumbers);
     }
 
-    /** There is a cell more on each side. */
+    /** The grid has an extra cell on each side. */
     private int cell(int i) {
         int column = 1 + (int) ((xs[i] - left) / cellMeters);
         int row = 1 + (int) ((ys[i] - bottom) / cellMeters);
@@ -141,7 +141,11 @@ final class ScannedWalls {
         uy = Math.sin(direction);
     }
 
-    /** The nearest point on one side. @param side 1 along the direction, -1 against it */
+    /**
+     * The nearest point on one side.
+     *
+     * @param side 1 along the direction, -1 against it
+     */
     private int nearest(int i, int side) {
         int nearest = NONE;
         double least = JOINED_METERS * JOINED_METERS;

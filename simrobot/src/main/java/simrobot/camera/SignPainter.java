@@ -7,9 +7,9 @@ import simrobot.world.Segment;
 import simrobot.world.World;
 
 /**
- * Draws landmarks: posters on long walls, each with a pattern of its own; numbers beside doors, which are
- * gaps between two walls in line; a flag on each goal, in one of eight colours. They follow from the world alone, so a place
- * looks the same in every run, and neither wheels nor sonars notice them.
+ * Draws landmarks: posters on long walls, each with a unique pattern; numbers next to doors, which are gaps between two
+ * walls in line; a flag on each goal, in one of eight colours. They depend on the world alone, so a place looks the
+ * same in every run, and neither wheels nor sonars detect them.
  */
 final class SignPainter {
     private static final double RANGE_METERS = 15;
@@ -29,7 +29,7 @@ final class SignPainter {
     private static final double SIGN_LOW_METERS = 0.5;
     private static final double SIGN_HIGH_METERS = 0.62;
     private static final double BESIDE_DOOR_METERS = 0.1;
-    /** Doors are looked for among at most as many walls; scans have thousands, and no doors in line. */
+    /** Maximum number of walls searched for doors; scans have thousands, and no doors in line. */
     private static final int MOST_WALLS_WITH_DOORS = 1_000;
 
     private static final double FLAG_LOW_METERS = 0.38;
@@ -37,7 +37,7 @@ final class SignPainter {
     private static final double FLAG_LENGTH_METERS = 0.24;
     private static final double POLE_HALF_METERS = 0.012;
 
-    /** Colours that none of the robots, walls and floors has. */
+    /** Colours not used by robots, walls and floors. */
     private static final int[] COLOURS = {0x2E8B57, 0xE0A91B, 0x2B6CB8, 0xD9772B, 0x6A4FB0, 0x1F9A9A, 0x8A9A1B, 0x4A4A4A
     };
 
@@ -46,7 +46,7 @@ final class SignPainter {
     private static final int SIGN = 0x2F4B6E;
     private static final int POLE = 0x8A8F96;
 
-    /** Digits of 3 by 5 dots, row by row from above; the highest of 15 bits is the first. */
+    /** Digits of 3 by 5 dots, row by row from the top; the highest of 15 bits is the first. */
     private static final int[] DIGITS = {
         0b111101101101111, 0b010110010010111, 0b111001111100111, 0b111001111001111, 0b101101111001001,
         0b111100111001111, 0b111100111101111, 0b111001010010010, 0b111101111101111, 0b111101111001111
@@ -77,14 +77,18 @@ final class SignPainter {
         }
     }
 
-    /** One on each side of the wall. @param from along the wall, metres */
+    /**
+     * Draws a plate on each side of the wall.
+     *
+     * @param from along the wall, metres
+     */
     private void onBothSides(Segment wall, double from, double width, double low, double high, Texture... surfaces) {
         double length = length(wall);
         double ux = (wall.x2Meters() - wall.x1Meters()) / length;
         double uy = (wall.y2Meters() - wall.y1Meters()) / length;
         for (int side = 0; side < 2; side++) {
             double off = side == 0 ? OFF_WALL_METERS : -OFF_WALL_METERS;
-            // seen from its own side, a plate begins at the left
+            // seen from its side, a plate begins at the left
             double begin = side == 0 ? from + width : from;
             double end = side == 0 ? from : from + width;
             plates.add(new Plate(
@@ -120,7 +124,7 @@ final class SignPainter {
         }
     }
 
-    /** Similar numbers become unlike ones (the finalizer of MurmurHash3). */
+    /** Maps similar numbers to unlike ones (the finalizer of MurmurHash3). */
     private static int scattered(int number) {
         int h = number ^ number >>> 16;
         h *= 0x85EBCA6B;
@@ -129,7 +133,7 @@ final class SignPainter {
         return h ^ h >>> 16;
     }
 
-    /** 4 by 4 fields, coloured or white as the low 16 bits say. */
+    /** A poster of 4 by 4 fields, coloured or white by the low 16 bits. */
     private static Texture poster(int bits) {
         int colour = COLOURS[bits >>> 16 & COLOURS.length - 1];
         double field = (POSTER_METERS - 2 * POSTER_RIM_METERS) / POSTER_CELLS;
@@ -156,7 +160,7 @@ final class SignPainter {
         }
     }
 
-    /** True if the other wall goes on in the same line behind a gap at this one's second end. */
+    /** True if the other wall continues this one's line after a gap at its second end. */
     private static boolean isDoor(Segment wall, Segment other) {
         double length = length(wall);
         double ux = (wall.x2Meters() - wall.x1Meters()) / length;

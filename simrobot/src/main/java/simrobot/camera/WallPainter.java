@@ -72,7 +72,7 @@ final class WallPainter {
     /** The nearest wall or post of each column. */
     private static final class Nearest {
         final PinholeView eye;
-        /** Left per ahead at the picture's edges. */
+        /** The slope, left / ahead, at the picture's edges. */
         final double edgeSlope;
 
         final double[] depth;
@@ -112,7 +112,7 @@ final class WallPainter {
             }
         }
 
-        /** A piece of a wall, without edges. */
+        /** Draws a piece of a wall, without edges. */
         void piece(double[] s, int i) {
             double a1 = eye.ahead(s[i], s[i + 1]);
             double a2 = eye.ahead(s[i + 2], s[i + 3]);

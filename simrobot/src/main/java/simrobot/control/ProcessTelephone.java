@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import simrobot.behaviour.Request;
 
-/** The telephone of one robot as its process uses it, and what the process prints. For the simulation's thread. */
+/** Connects one robot's process to its telephone, and reports its output. For the simulation's thread. */
 final class ProcessTelephone {
     /** The least time between two SMS of a robot's process, so that a loop does not flood the network. */
     private static final long MESSAGE_NANOS = 10_000_000_000L;

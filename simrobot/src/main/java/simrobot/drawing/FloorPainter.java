@@ -21,30 +21,30 @@ import simrobot.world.Segment;
 import simrobot.world.Surface;
 import simrobot.world.World;
 
-/** Paints the floor and its objects. Strokes and texts keep their size in pixels at every scale of the world. */
+/** Paints the floor and its objects. Strokes and texts keep their size in pixels at every scale. */
 public final class FloorPainter {
-    /** A wall's thickness in the picture; for wheels and sonars it has none. */
+    /** A wall's thickness in the picture; wheels and sonars see none. */
     private static final double WALL_METERS = 0.02;
 
     private static final double CHEVRON_SPACING_METERS = 0.5;
     private static final double CHEVRON_METERS = 0.16;
     private static final double HOME_RADIUS_METERS = 0.3;
-    /** Within this distance of its home a robot's name would overlap the home's. */
+    /** Distance from home within which a robot's name would overlap the home's. */
     private static final double NEAR_HOME_METERS = 1;
-    /** Below this scale names are left out, in pixels per metre at zoom 1. */
+    /** Scale below which names are omitted, in pixels per metre at zoom 1. */
     private static final double LEAST_NAMED_SCALE = 22;
     /** The height of a row of a name. */
     private static final double NAME_ROW_UNITS = 14;
-    /** How much wider than its box a name's plate may be. */
+    /** Maximum width of a name's plate relative to its box. */
     private static final double WIDEST_PLATE = 1.8;
-    /** How much higher than a plate a box has to be, so that it is seen behind it. */
+    /** Minimum height of a box relative to a plate, so that it is seen behind it. */
     private static final double LEAST_BOX_OF_PLATE = 1.6;
 
     private final Canvas g;
     private final Viewport view;
     private final PlaceNames names;
 
-    /** A painter with names as in the world's file. */
+    /** Creates a painter with names as in the world's file. */
     public FloorPainter(Canvas g, Viewport view) {
         this(g, view, PlaceNames.OF_FILE);
     }
@@ -62,7 +62,7 @@ public final class FloorPainter {
         g.fill(Outline.box(0, 0, view.width(), view.height()));
     }
 
-    /** Lines every metre, stronger every five; every 5 m, 25 m ... when they would be closer than 9 units. */
+    /** Draws lines every metre, stronger every five; every 5 m, 25 m ... if they would be closer than 9 units. */
     void grid() {
         double step = 1;
         while (step * view.pixelsPerMeter() < g.px(9)) {
@@ -116,7 +116,7 @@ public final class FloorPainter {
         }
     }
 
-    /** A square for each point; of points in the same pixel one. */
+    /** Draws a square for each point; only one per pixel. */
     private void points(World world) {
         double side = Math.max(g.px(1.5), world.pointDiameterMeters() * view.pixelsPerMeter());
         Outline squares = new Outline();
@@ -142,8 +142,8 @@ public final class FloorPainter {
     }
 
     /**
-     * Turned by 90 degrees when it does not fit across and the box is higher than wide; in two rows, or on a plate that is
-     * wider than the box, when it does not fit either way.
+     * Draws the name; turned by 90 degrees if it does not fit across and the box is higher than wide; in two rows, or
+     * on a plate wider than the box, if it does not fit either way.
      */
     private void boxName(Box box) {
         double wide = (box.area().maxXMeters() - box.area().minXMeters()) * view.pixelsPerMeter();
@@ -206,7 +206,7 @@ public final class FloorPainter {
         g.draw(outline);
     }
 
-    /** Diagonals every 9 units over the upright rectangle around an area. */
+    /** Diagonals every 9 units over the rectangle around an area. */
     private Outline hatching(Area area) {
         double left = Double.POSITIVE_INFINITY;
         double right = Double.NEGATIVE_INFINITY;
@@ -225,7 +225,7 @@ public final class FloorPainter {
         return lines;
     }
 
-    /** Surfaces; on one that moves chevrons run with it, at its speed in simulated time. */
+    /** Draws surfaces; on a moving one chevrons move with it, at its speed in simulated time. */
     public void surfaces(World world, long timeNanos) {
         world.surfaces().forEach(surface -> surface(surface, timeNanos));
     }
@@ -292,7 +292,7 @@ public final class FloorPainter {
         g.line(x + ux * r, y + uy * r, x + ux * (r + g.px(6)), y + uy * (r + g.px(6)));
     }
 
-    /** Names of homes, except where a named robot of the same name is at home. */
+    /** Draws names of homes, except those with a named robot of the same name at home. */
     public void homeNames(World world, List<RobotSnapshot> named) {
         for (Home home : world.items(Home.class)) {
             Position at = home.position();
@@ -320,7 +320,7 @@ public final class FloorPainter {
         name(names.of(goal.name()), x, y + g.px(13), Double.MAX_VALUE, Ink.QUIET);
     }
 
-    /** A small name, left out when it is wider than its room or the world is drawn too small. */
+    /** Draws a small name; omitted if it is wider than its space or the scale is too small. */
     private void name(String name, double x, double y, double room, Ink ink) {
         if (isNamed(name) && g.width(name, Face.SMALL) <= room - g.px(4)) {
             g.ink(ink);

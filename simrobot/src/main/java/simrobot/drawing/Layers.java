@@ -1,7 +1,7 @@
 package simrobot.drawing;
 
 /**
- * The parts of a picture that can be left out, and the language of its names.
+ * The optional parts of a picture, and the language of its names.
  *
  * @param names of furniture, homes and goals
  */

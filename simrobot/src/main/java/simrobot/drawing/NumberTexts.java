@@ -2,7 +2,7 @@ package simrobot.drawing;
 
 import java.util.Locale;
 
-/** Numbers for people: a dot for the decimal in every language, never minus zero. */
+/** Numbers for people: a decimal point in every language, never minus zero. */
 public final class NumberTexts {
     private NumberTexts() {}
 

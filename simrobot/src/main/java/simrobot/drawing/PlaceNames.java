@@ -5,7 +5,7 @@ import java.util.ResourceBundle;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Names of furniture, homes and goals in the user's language, where they are usual words; else as the world's file has them. */
+/** Names of furniture, homes and goals in the user's language if they are usual words; else as in the world's file. */
 public final class PlaceNames {
     /** All names as in the file. */
     public static final PlaceNames OF_FILE = new PlaceNames(null);

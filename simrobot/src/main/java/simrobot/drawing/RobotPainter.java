@@ -18,7 +18,7 @@ import vericommand.RobotStatus;
 
 /** Paints a robot: its trail, its sonar echoes, its body. */
 public final class RobotPainter {
-    /** Distance of the handle that turns a selected robot from its centre of rotation. */
+    /** Distance of a selected robot's turning handle from its centre of rotation. */
     public static final double HANDLE_METERS = 0.48;
 
     private static final double OUTLINE_METERS = 0.012;
@@ -54,13 +54,13 @@ public final class RobotPainter {
         }
     }
 
-    /** In ten steps, so that a trail is at most eleven paths. */
+    /** Opacity in ten steps, so that a trail is at most eleven paths. */
     private static double opacity(long ageNanos) {
         double fade = Math.exp(-ageNanos / 40e9);
         return 0.14 + 0.66 * Math.ceil(fade * 10) / 10;
     }
 
-    /** The line from one point to the next; NaN marks where the robot was lifted. */
+    /** The line from one point to the next; NaN marks a lifted robot. */
     private void leg(Outline path, double[] xy, int i) {
         if (!Double.isNaN(xy[i]) && !Double.isNaN(xy[i + 2])) {
             path.move(view.screenX(xy[i]), view.screenY(xy[i + 1]));
@@ -70,7 +70,7 @@ public final class RobotPainter {
 
     // ---- path ------------------------------------------------------------------------------------------------------
 
-    /** The way that its process is about to take, with a ring at its end. */
+    /** Draws the planned path of its process, with a ring at its end. */
     void path(RobotSnapshot robot) {
         List<Position> path = robot.path();
         if (path.isEmpty()) {
@@ -92,7 +92,7 @@ public final class RobotPainter {
                 radius));
     }
 
-    /** The lines and texts that its process has drawn. */
+    /** Draws the lines and texts of its process. */
     void marks(RobotSnapshot robot) {
         g.ink(Ink.GOOD);
         g.pen(2);
@@ -109,7 +109,7 @@ public final class RobotPainter {
 
     // ---- sonar -----------------------------------------------------------------------------------------------------
 
-    /** A thin cone as far as the echo with an arc at its end; without an echo a faint ray. */
+    /** Draws a thin cone to the echo with an arc at its end; without an echo a faint ray. */
     void sonar(RobotSnapshot robot) {
         double[] ranges = robot.sonarRangesMeters();
         double cos = Math.cos(robot.headingRadians());
@@ -131,7 +131,7 @@ public final class RobotPainter {
         }
     }
 
-    /** The area that the laser sees, its border drawn where there is an echo. */
+    /** Draws the area seen by the laser, with a border at the echoes. */
     void laser(RobotSnapshot robot) {
         double[] ranges = robot.laserRangesMeters();
         if (ranges.length == 0) {
@@ -187,7 +187,7 @@ public final class RobotPainter {
         g.moved(view.screenX(xMeters), view.screenY(yMeters), -headingRadians, inside);
     }
 
-    /** A robot and its name, moved in one coordinate system and turned in another inside it. */
+    /** Draws a robot and its name, moved in one coordinate system and turned in another inside it. */
     void movable(RobotSnapshot robot) {
         at(robot.xMeters(), robot.yMeters(), 0, () -> {
             g.moved(0, 0, -robot.headingRadians(), () -> body(Ink.ROBOT));
@@ -200,7 +200,7 @@ public final class RobotPainter {
         g.text(robot.name(), Face.SMALL, x, y - reach() - g.px(6));
     }
 
-    /** How far from its centre a robot's name and status mark stand, pixels. */
+    /** Distance of a robot's name and status mark from its centre, pixels. */
     private double reach() {
         return Math.max(g.px(12), 0.36 * scale);
     }
@@ -220,7 +220,7 @@ public final class RobotPainter {
         deck();
     }
 
-    /** A pen of a width in units, or in metres where that is wider. */
+    /** Sets a pen to a width in units, or in metres if that is wider. */
     private void pen(double units, double meters) {
         g.pen(Math.max(units, meters * scale / g.px(1)));
     }
@@ -241,7 +241,7 @@ public final class RobotPainter {
         g.draw(Outline.circle(at, 0, knob));
     }
 
-    /** The circle that collides. */
+    /** Draws the collision circle. */
     private void contact() {
         Outline circle = Outline.circle(0, 0, Pioneer2Dx.RADIUS_METERS * scale);
         g.ink(Ink.DANGER, 0.16);
@@ -275,7 +275,7 @@ public final class RobotPainter {
         g.fill(Outline.parse("M.15 0L.02 .075L.055 0L.02 -.075Z").placed(0, 0, scale));
     }
 
-    /** A dashed circle with a heading; crossed out where the robot may not stand. */
+    /** Draws a dashed circle with a heading; crossed out if the place is refused. */
     public void preview(RobotPreview preview) {
         double r = Pioneer2Dx.RADIUS_METERS * scale;
         at(preview.xMeters(), preview.yMeters(), preview.headingRadians(), () -> {
@@ -307,7 +307,7 @@ public final class RobotPainter {
         }
     }
 
-    /** The status as a mark above the robot, and its name where there are several; both upright. */
+    /** Draws the status as a mark above the robot, and its name if there are several; both upright. */
     void badge(RobotSnapshot robot, boolean named) {
         double x = view.screenX(robot.xMeters());
         double y = view.screenY(robot.yMeters());

@@ -3,9 +3,9 @@ package simrobot.drawing;
 import simgsm.draw.Ink;
 
 /**
- * A place for a robot: where one is to be put, or where it was refused.
+ * A place where a robot is to be put, or was refused.
  *
- * @param text below it, empty for none
+ * @param text below it; may be empty
  * @param refused drawn crossed out and in the colour of danger
  */
 public record RobotPreview(double xMeters, double yMeters, double headingRadians, String text, boolean refused) {

@@ -26,7 +26,11 @@ public record Ruler(Position from, Position to) {
                 + NumberTexts.meters(to.yMeters() - from.yMeters());
     }
 
-    /** With one end moved. @param begin whether it is {@code from} */
+    /**
+     * The ruler with one end moved.
+     *
+     * @param begin true to move {@code from}
+     */
     public Ruler movedBy(boolean begin, double dxMeters, double dyMeters) {
         return begin
                 ? new Ruler(new Position(from.xMeters() + dxMeters, from.yMeters() + dyMeters), to)
@@ -48,7 +52,7 @@ public record Ruler(Position from, Position to) {
         label(g, view, x2, y2);
     }
 
-    /** Across both ends, and a short one every metre while a metre is at least 12 units long. */
+    /** Draws a tick across both ends, and a short one every metre if a metre is at least 12 units long. */
     private void ticks(Canvas g, Viewport view) {
         double step = view.pixelsPerMeter() >= g.px(12) ? 1 : Math.max(1, meters());
         for (double at = 0; at < meters(); at += step) {

@@ -4,7 +4,7 @@ import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 import vericommand.RobotStatus;
 
-/** The shape and the colour of each status. */
+/** The shape and colour of each status. */
 public final class StatusLook {
     private StatusLook() {}
 

@@ -3,9 +3,9 @@ package simrobot.drawing;
 import simrobot.world.Area;
 
 /**
- * The part of the world that is shown, and its scale. It turns metres, y up, into pixels, y down.
+ * The visible part of the world and its scale. Converts metres, y up, to pixels, y down.
  *
- * @param centerX place in the centre of the view, metres
+ * @param centerX position of the view's centre, metres
  * @param pixelsPerMeter in logical pixels
  * @param width of the view in logical pixels
  */
@@ -17,7 +17,12 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
         pixelsPerMeter = Math.max(LEAST_PIXELS_PER_METER, Math.min(MOST_PIXELS_PER_METER, pixelsPerMeter));
     }
 
-    /** A view of the area's proportion, with a longer side and a least shorter side in pixels, margins included. */
+    /**
+     * A view of the area's proportions.
+     *
+     * @param longSide longer side in pixels
+     * @param leastSide minimum of the shorter side, margins included
+     */
     public static Viewport picture(Area area, double longSide, double leastSide, double margin) {
         double wide = Math.max(1, area.maxXMeters() - area.minXMeters());
         double high = Math.max(1, area.maxYMeters() - area.minYMeters());
@@ -27,7 +32,7 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
         return fitting(area, width, height, margin);
     }
 
-    /** All of an area with a margin around it. */
+    /** A view of a whole area with a margin. */
     public static Viewport fitting(Area area, double width, double height, double marginPixels) {
         double wide = Math.max(area.maxXMeters() - area.minXMeters(), 1);
         double high = Math.max(area.maxYMeters() - area.minYMeters(), 1);
@@ -54,7 +59,7 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
         return centerY - (screenY - height / 2) / pixelsPerMeter;
     }
 
-    /** Enlarged by a factor about a pixel. */
+    /** The view enlarged by a factor about a pixel. */
     public Viewport zoomedAt(double screenX, double screenY, double factor) {
         Viewport scaled = new Viewport(centerX, centerY, pixelsPerMeter * factor, width, height);
         return new Viewport(
@@ -65,7 +70,7 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
                 height);
     }
 
-    /** Moved so that the world shifts by that many pixels. */
+    /** The view with the world shifted by that many pixels. */
     public Viewport draggedBy(double dx, double dy) {
         return centeredOn(centerX - dx / pixelsPerMeter, centerY + dy / pixelsPerMeter);
     }
@@ -74,18 +79,18 @@ public record Viewport(double centerX, double centerY, double pixelsPerMeter, do
         return new Viewport(xMeters, yMeters, pixelsPerMeter, width, height);
     }
 
-    /** The same centre and scale in a view of another size. */
+    /** A view of another size with the same centre and scale. */
     public Viewport sized(double newWidth, double newHeight) {
         return new Viewport(centerX, centerY, pixelsPerMeter, newWidth, newHeight);
     }
 
-    /** The same scale in an upright part of this view. */
+    /** A rectangular part of this view with the same scale. */
     public Viewport part(double left, double top, double partWidth, double partHeight) {
         return new Viewport(
                 worldX(left + partWidth / 2), worldY(top + partHeight / 2), pixelsPerMeter, partWidth, partHeight);
     }
 
-    /** True when a disc about that place is at least partly in view. */
+    /** True if a disc at that position is at least partly visible. */
     public boolean shows(double xMeters, double yMeters, double radiusMeters) {
         double reach = radiusMeters * pixelsPerMeter;
         double x = screenX(xMeters);

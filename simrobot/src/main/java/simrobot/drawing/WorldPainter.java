@@ -23,13 +23,13 @@ public final class WorldPainter {
         robots(g, scene, view, layers, selected);
     }
 
-    /** The part that does not change while robots move. */
+    /** Paints the part that does not change while robots move. */
     public static void floor(Canvas g, World world, Viewport view, Layers layers) {
         ground(g, world, view, layers);
         legend(g, view);
     }
 
-    /** The floor without its legend: a part of a view shows the same as the whole view there. */
+    /** Paints the floor without its legend: a part of a view shows the same as the whole view there. */
     public static void ground(Canvas g, World world, Viewport view, Layers layers) {
         FloorPainter floor = new FloorPainter(g, view, layers.names());
         floor.paper();
@@ -40,13 +40,13 @@ public final class WorldPainter {
         floor.obstacles(world);
     }
 
-    /** Scale bar and axes, which stay where they are while the view is dragged. */
+    /** Paints scale bar and axes, which do not move when the view is dragged. */
     public static void legend(Canvas g, Viewport view) {
         scaleBar(g, view);
         axes(g, view);
     }
 
-    /** The part that changes with the robots: surfaces, names of homes, trails, sonar echoes, robots. */
+    /** Paints the part that changes with the robots: surfaces, names of homes, trails, sonar echoes, robots. */
     public static void robots(Canvas g, SimulationSnapshot scene, Viewport view, Layers layers, String selected) {
         FloorPainter floor = new FloorPainter(g, view, layers.names());
         floor.surfaces(scene.world(), scene.timeNanos());
@@ -74,7 +74,10 @@ public final class WorldPainter {
         }
     }
 
-    /** Treadmills at rest, other surfaces, names of homes, and each robot in a group {@code robot}, which a script moves and turns. */
+    /**
+     * Paints treadmills at rest, other surfaces, names of homes, and each robot in a group {@code robot}, which a
+     * script moves and turns.
+     */
     public static void movableRobots(Canvas g, SimulationSnapshot scene, Viewport view, PlaceNames names) {
         FloorPainter floor = new FloorPainter(g, view, names);
         floor.surfaces(scene.world(), 0);
@@ -83,7 +86,7 @@ public final class WorldPainter {
         scene.robots().forEach(robot -> g.group("robot", () -> painter.movable(robot)));
     }
 
-    /** The directions of x and y; headings count anticlockwise from x. */
+    /** Paints the directions of x and y; headings count anticlockwise from x. */
     private static void axes(Canvas g, Viewport view) {
         double x = g.px(18);
         double y = view.height() - g.px(46);
@@ -105,7 +108,7 @@ public final class WorldPainter {
         g.line(tipX, tipY, tipX - barb * (ux - uy), tipY - barb * (uy - ux));
     }
 
-    /** A bar of 1, 2 or 5 times a power of ten metres, at most 110 units long. */
+    /** Paints a bar of 1, 2 or 5 times a power of ten metres, at most 110 units long. */
     private static void scaleBar(Canvas g, Viewport view) {
         double meters = scaleBarMeters(view.pixelsPerMeter() / g.px(1));
         double length = meters * view.pixelsPerMeter();
@@ -133,7 +136,7 @@ public final class WorldPainter {
         return meters >= 1 ? Math.round(meters) + " m" : Math.round(meters * 100) + " cm";
     }
 
-    /** Fills a rounded rectangle on which a text can be read over walls, and gives its outline. */
+    /** Fills a rounded rectangle so that a text is legible over walls, and returns its outline. */
     public static Outline textGround(
             Canvas g, Ink ink, double opacity, double x, double y, double width, double height) {
         Outline ground = Outline.round(x, y, width, height, g.px(6));

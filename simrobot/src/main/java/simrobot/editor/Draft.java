@@ -8,11 +8,11 @@ import simrobot.world.ItemKinds;
 import simrobot.world.World;
 
 /**
- * A world that is being edited: its current state, the steps that can be undone and redone, and the selected item. During a
- * drag the draft has a preview; only its last state becomes a step.
+ * A world under edit: its current state, the undo and redo steps, and the selected item. During a drag the draft has a
+ * preview; only its last state becomes a step.
  */
 public final class Draft {
-    /** Worlds share their unchanged parts, so a step costs little memory. */
+    /** Maximum of undo steps; worlds share their unchanged parts, so a step needs little memory. */
     private static final int MOST_UNDONE = 500;
 
     private final Deque<World> before = new ArrayDeque<>();
@@ -30,7 +30,7 @@ public final class Draft {
         saved = world;
     }
 
-    /** The preview, or the world when there is none. */
+    /** The preview, or the world if there is none. */
     public World world() {
         return preview == null ? world : preview;
     }
@@ -40,7 +40,7 @@ public final class Draft {
         return world;
     }
 
-    /** The item that the preview makes or changes; none without a preview. */
+    /** The item changed by the preview; empty without a preview. */
     public Optional<Item> moving() {
         if (preview == null || preview == world) {
             return Optional.empty();
@@ -53,7 +53,9 @@ public final class Draft {
         return selected();
     }
 
-    /** The world without {@link #moving}; the same object while the same item moves, so that its picture can be kept. */
+    /**
+     * The world without {@link #moving}; the same object while the same item moves, so that its picture can be cached.
+     */
     public World background() {
         Item item = moving().filter(it -> Edits.has(world, it)).orElse(null);
         if (item == null) {
@@ -85,7 +87,7 @@ public final class Draft {
         preview = null;
     }
 
-    /** Makes a step that can be undone; drops the preview. */
+    /** Adds an undo step; drops the preview. */
     public void change(World next) {
         preview = null;
         if (!next.equals(world)) {
@@ -124,12 +126,12 @@ public final class Draft {
         }
     }
 
-    /** Whether it differs from the world that was saved or loaded last. */
+    /** True if it differs from the world that was last saved or loaded. */
     public boolean isChanged() {
         return world != saved && !world.equals(saved);
     }
 
-    /** This world is on the disk now; the draft may have been changed since it was written. */
+    /** Marks this world as saved; the draft may have changed since the write. */
     public void markSaved(World written) {
         saved = written;
     }
@@ -140,7 +142,7 @@ public final class Draft {
         return Optional.ofNullable(selected);
     }
 
-    /** Selects an item; one that the world does not have, or null, ends the selection. */
+    /** Selects an item; null or an unknown item clears the selection. */
     public void select(Item item) {
         selected = item == null || Edits.has(world(), item) ? item : null;
     }

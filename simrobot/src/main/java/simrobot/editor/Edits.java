@@ -14,7 +14,7 @@ import simrobot.world.WorldItem;
 public final class Edits {
     private Edits() {}
 
-    /** The last item of a kind, which is the one added last. */
+    /** The last added item of a kind. */
     public static Item last(World world, ItemKind<?> kind) {
         return new Item(kind, count(world, kind) - 1);
     }
@@ -23,7 +23,7 @@ public final class Edits {
         return world.items(kind.type()).size();
     }
 
-    /** Whether the world has an item at the reference. */
+    /** True if the world has an item at the reference. */
     public static boolean has(World world, Item item) {
         return item.index() < count(world, item.kind());
     }
@@ -49,7 +49,7 @@ public final class Edits {
         return replaced(world, item, get(world, item).movedBy(dx, dy));
     }
 
-    /** The homes at which a robot of this radius would overlap a wall, or stand in a box. */
+    /** The homes at which a robot of this radius would overlap a wall or a box. */
     public static List<Home> blockedHomes(World world, double radiusMeters) {
         ObstacleGrid obstacles = new ObstacleGrid(world);
         return world.items(Home.class).stream()
@@ -62,7 +62,7 @@ public final class Edits {
                 && world.items(Box.class).stream().noneMatch(box -> box.area().contains(at.xMeters(), at.yMeters()));
     }
 
-    /** The handles at which the item's shape can be changed. */
+    /** The handles that change the item's shape. */
     public static List<Handle> handles(World world, Item item) {
         List<Handle> handles = new ArrayList<>();
         for (Position at : get(world, item).handles()) {
@@ -71,7 +71,7 @@ public final class Edits {
         return handles;
     }
 
-    /** The item with one of its handles at another place. */
+    /** The world with one handle of an item moved. */
     public static World pulled(World world, Handle handle, double x, double y) {
         Item item = handle.item();
         return replaced(world, item, get(world, item).pulled(handle.number(), new Position(x, y)));

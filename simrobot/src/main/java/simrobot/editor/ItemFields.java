@@ -10,7 +10,7 @@ import simrobot.world.WorldItem;
 public final class ItemFields {
     private ItemFields() {}
 
-    /** A field whose text cannot be read; the message is the text. */
+    /** An unreadable text of a field; the message is the text. */
     public static final class FieldRefusal extends Exception {
         private final String field;
 
@@ -30,7 +30,7 @@ public final class ItemFields {
         return reference.kind().form(Edits.get(world, reference));
     }
 
-    /** The world with the item as the fields say; the same world when no field differs. */
+    /** The world with the item's new field values; the same world if no field differs. */
     public static World changed(World world, Item reference, Map<String, String> typed) throws FieldRefusal {
         if (typed.equals(of(world, reference))) {
             return world;
@@ -45,7 +45,7 @@ public final class ItemFields {
         return Edits.replaced(world, reference, reference.kind().changed(item, values));
     }
 
-    /** A number is a decimal with a dot or a comma. */
+    /** Parses a field; numbers are decimals with a dot or a comma. */
     private static Object value(ItemField<?> field, String typed) throws FieldRefusal {
         if (field.unit() == ItemField.Unit.TEXT) {
             return typed;

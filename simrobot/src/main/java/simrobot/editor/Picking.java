@@ -12,7 +12,7 @@ import simrobot.world.ItemKinds;
 import simrobot.world.Position;
 import simrobot.world.World;
 
-/** Finds the items and handles at a place. */
+/** Finds the items and handles at a position. */
 public final class Picking {
     private static final double PLACE_METERS = 0.3;
 
@@ -29,7 +29,10 @@ public final class Picking {
         return Math.hypot(place.xMeters() - x, place.yMeters() - y);
     }
 
-    /** A home before a wall, a wall before an area; of homes and areas the last, of walls the nearest. */
+    /**
+     * The item at a position: homes before walls, walls before areas; the last of homes and areas, the nearest of
+     * walls.
+     */
     public static Optional<Item> itemAt(World world, double x, double y, double reach) {
         double placeReach = Math.max(reach, PLACE_METERS);
         return lastFirst(world, ItemKind.Shape.PLACE)
@@ -44,7 +47,7 @@ public final class Picking {
                         .findFirst());
     }
 
-    /** The items that have this shape, by their kinds, of each kind the last first. */
+    /** The items of this shape, by their kinds, the last of each kind first. */
     private static Stream<Item> lastFirst(World world, ItemKind.Shape shape) {
         return ItemKinds.edited().filter(kind -> kind.shape() == shape).flatMap(kind -> {
             int count = Edits.count(world, kind);

@@ -5,9 +5,9 @@ import simrobot.world.Segment;
 import simrobot.world.World;
 
 /**
- * Snaps places of the mouse to the ends of walls and to a raster.
+ * Snaps mouse positions to the ends of walls and to a raster.
  *
- * @param stepMeters of the raster; 0 for none, then places are rounded to 1 mm
+ * @param stepMeters of the raster; 0 for none, then positions are rounded to 1 mm
  */
 public record Snap(double stepMeters) {
     private static final double FINEST_METERS = 0.001;
@@ -24,7 +24,7 @@ public record Snap(double stepMeters) {
         return rounded(Math.rint(meters / step) * step);
     }
 
-    /** The nearest end of a wall within the reach, in metres, else the place on the raster. */
+    /** The nearest end of a wall within the reach, in metres, else the position on the raster. */
     public Position of(World world, double x, double y, double reach) {
         Position nearest = null;
         double best = reach;
@@ -40,7 +40,7 @@ public record Snap(double stepMeters) {
         return nearest == null ? new Position(of(x), of(y)) : nearest;
     }
 
-    /** The place on the line from another place along x, y or a diagonal, whichever is nearest. */
+    /** The position moved to the nearest of the lines through another position along x, y and the diagonals. */
     public Position straight(Position from, double x, double y) {
         double dx = x - from.xMeters();
         double dy = y - from.yMeters();

@@ -1,5 +1,5 @@
 /**
- * The world editor without its window. Read first {@link simrobot.editor.Draft}, the world with its history and its selected
- * item; {@link simrobot.editor.Edits} has the changes. Metres and radians.
+ * The world editor without its window. Read first {@link simrobot.editor.Draft}, the world with its history and its
+ * selected item; {@link simrobot.editor.Edits} changes worlds. Metres and radians.
  */
 package simrobot.editor;

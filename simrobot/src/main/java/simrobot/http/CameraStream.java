@@ -48,7 +48,11 @@ final class CameraStream implements Runnable {
         thread.setDaemon(true);
     }
 
-    /** Begins to send. @param ended called at the end */
+    /**
+     * Starts sending.
+     *
+     * @param ended called at the end
+     */
     void start(Runnable ended) {
         whenEnded = ended;
         thread.start();
@@ -80,7 +84,7 @@ final class CameraStream implements Runnable {
         }
     }
 
-    /** @return false when the robot has been removed */
+    /** @return false if the robot has been removed */
     private boolean sendPicture(OutputStream body) throws IOException, InterruptedException {
         SimulationSnapshot scene = scenes.now();
         Optional<RobotSnapshot> here = scene.robot(robot);
@@ -91,7 +95,7 @@ final class CameraStream implements Runnable {
         long now = System.nanoTime();
         if (!Arrays.equals(jpeg, sent) || now - sentNanos >= SAME_AGAIN_NANOS) {
             byte[] head = ascii("Content-Type: image/jpeg\r\nContent-Length: " + jpeg.length + "\r\n\r\n");
-            // with the next boundary: browsers display a part only when they have read its end
+            // includes the next boundary, because browsers display a part only after its end
             byte[] tail = ascii("\r\n--" + BOUNDARY + "\r\n");
             byte[] part = Arrays.copyOf(head, head.length + jpeg.length + tail.length);
             System.arraycopy(jpeg, 0, part, head.length, jpeg.length);

@@ -17,7 +17,7 @@ import simrobot.camera.CameraPictureCache;
 final class CameraStreams implements AutoCloseable {
     static final int MOST = 16;
 
-    /** Pictures per second without {@code ?fps=N}. */
+    /** Default of {@code ?fps=N}. */
     private static final double USUAL_RATE = 10;
 
     private static final int MOST_RATE = 20;

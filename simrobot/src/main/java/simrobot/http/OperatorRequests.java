@@ -10,26 +10,26 @@ import simgsm.web.RequestException;
 import simgsm.web.WebResponse;
 
 /**
- * One operator's requests: at most 10 a second, and those with an Idempotency-Key are performed once in 24 h. Requests that
- * arrive at once are performed one after the other. Any thread may call it.
+ * Limits one operator to 10 requests a second, and performs requests with the same Idempotency-Key once in 24 h, one
+ * after the other. Callable on any thread.
  */
 final class OperatorRequests {
     static final int PER_SECOND = 10;
-    /** More than one a second for a day. */
+    /** Allows one per second for a day. */
     static final int MOST_KEYS = 100_000;
 
     static final long KEPT_NANOS = TimeUnit.HOURS.toNanos(24);
 
-    /** Performs a request. A refusal that it throws is not remembered. */
+    /** Performs a request. A refusal that it throws is not stored. */
     interface Request {
         PlacedOrder perform() throws InterruptedException, RequestException;
     }
 
-    /** @param request a hash of what was asked */
+    /** @param request hash of the request's content */
     private record Performed(UUID request, PlacedOrder answer, long atNanos) {}
 
     private final RateLimit rate = new RateLimit(PER_SECOND, PER_SECOND);
-    /** By their Idempotency-Keys, the oldest first. */
+    /** Performed requests by their Idempotency-Keys, oldest first. */
     private final Map<String, Performed> performed = new LinkedHashMap<>();
 
     /** @throws RequestException with status 429 for more than 10 requests a second */
@@ -46,7 +46,7 @@ final class OperatorRequests {
     /**
      * The answer to a request, the same each time.
      *
-     * @throws RequestException with status 422 if the key came with another request within 24 h
+     * @throws RequestException with status 422 if the key was used with another request within 24 h
      */
     synchronized PlacedOrder once(String key, UUID request, Request act, long nowNanos)
             throws InterruptedException, RequestException {

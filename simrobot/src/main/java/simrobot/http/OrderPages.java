@@ -17,9 +17,12 @@ import simrobot.simulation.RobotSnapshot;
 import vericommand.OrderReport;
 import vericommand.Reply;
 
-/** Orders of programs: {@code POST /robots/NAME/orders} places one, {@code GET /robots/NAME/orders/ID} tells its course. */
+/**
+ * Orders of programs: {@code POST /robots/NAME/orders} places one, {@code GET /robots/NAME/orders/ID} reports its
+ * progress.
+ */
 final class OrderPages {
-    /** The newest orders that are kept. */
+    /** Number of stored orders, the newest. */
     static final int MOST_ORDERS = 10_000;
 
     private static final int ACCEPTED = 202;
@@ -120,7 +123,7 @@ final class OrderPages {
         }
     }
 
-    /** An order's newest state. */
+    /** An order's current state. */
     WebResponse newest(RobotSnapshot robot, String id) throws RequestException {
         HttpOrder order;
         synchronized (this) {

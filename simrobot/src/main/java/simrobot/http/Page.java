@@ -26,7 +26,7 @@ import simrobot.world.World;
  * place; without scripts a browser reloads it every 3 s.
  */
 final class Page {
-    /** The Content-Security-Policy: nothing is loaded from other servers, whatever a robot's name contains. */
+    /** The Content-Security-Policy: forbids loading from other servers, whatever a robot's name contains. */
     static final String POLICY =
             "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src 'self';"
                     + " connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -42,7 +42,7 @@ final class Page {
     private final String before;
 
     private final String after;
-    /** The world whose floor is kept. */
+    /** The world of the cached floor. */
     private World known;
 
     private PageBody.Part floor;
@@ -60,7 +60,7 @@ final class Page {
         }
     }
 
-    /** The page about a scene. */
+    /** Returns the page for a scene. */
     PageBody of(SimulationSnapshot scene, WebSource source) {
         String title = texts.of("page.map", scene.world().name());
         return new PageBody(
@@ -69,7 +69,7 @@ final class Page {
                 WorldMap.robots(scene, names) + filled(after, scene, source));
     }
 
-    /** The map of a scene as SVG. */
+    /** Returns the map of a scene as SVG. */
     String map(SimulationSnapshot scene) {
         return WorldMap.file(scene, texts.of("page.map", scene.world().name()), names);
     }

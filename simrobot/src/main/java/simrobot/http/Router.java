@@ -76,7 +76,7 @@ final class Router extends WebPages {
         return Optional.empty();
     }
 
-    /** The key is checked first: a request without one takes nothing from the simulation. */
+    /** Answers an order; checks the key before it uses the simulation. */
     private WebResponse answerOrder(HttpExchange exchange, OrderPages pages, List<String> parts)
             throws IOException, InterruptedException, RequestException {
         if (parts.size() == 4) {

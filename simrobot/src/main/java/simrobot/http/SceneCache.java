@@ -14,7 +14,7 @@ final class SceneCache {
         this.source = source;
     }
 
-    /** At most 50 ms old. */
+    /** The scene, at most 50 ms old. */
     synchronized SimulationSnapshot now() throws InterruptedException {
         long now = System.nanoTime();
         if (newest == null || now - takenNanos > FRESH_NANOS) {

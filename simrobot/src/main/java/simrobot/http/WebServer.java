@@ -18,10 +18,10 @@ public final class WebServer implements AutoCloseable {
     private final CameraStreams streams;
 
     /**
-     * Opens the port; requests are answered after {@link #start}.
+     * Opens the port; {@link #start} begins answering.
      *
      * @param port 0 for any free port
-     * @param keys with which programs may order; none if empty
+     * @param keys of programs that may order; may be empty
      * @throws IOException with the port's number if it cannot be opened
      */
     public WebServer(InetAddress address, int port, Locale language, WebSource source, Optional<AccessKeys> keys)

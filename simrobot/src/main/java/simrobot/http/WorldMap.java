@@ -13,8 +13,8 @@ import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.World;
 
 /**
- * The page's map: the window's picture of the floor as SVG, with a group for each robot that the page's script moves. Its
- * colours are variables of the page's style sheet.
+ * The page's map: the window's picture of the floor as SVG, with a group for each robot that the page's script moves.
+ * Its colours are variables of the page's style sheet.
  */
 final class WorldMap {
     private static final double LONG_SIDE = 960;
@@ -45,7 +45,7 @@ final class WorldMap {
         return new SvgCanvas(ink -> "var(" + variable(ink) + ")");
     }
 
-    /** The floor: the part that is the same for all pictures of a world, and that takes time in a large one. */
+    /** The floor, which is the same for all pictures of a world and slow to draw in a large one. */
     static String floor(World world, PlaceNames names) {
         SvgCanvas g = canvas();
         WorldPainter.floor(g, world, view(world), SHOWN.withNames(names));
@@ -59,7 +59,7 @@ final class WorldMap {
         return g.elements() + "</svg>\n";
     }
 
-    /** The whole map as a file of its own, with its colours. */
+    /** The whole map as a separate file with its colours. */
     static String file(SimulationSnapshot scene, String title, PlaceNames names) {
         String opening =
                 opening(scene.world(), title).replaceFirst("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
@@ -67,7 +67,7 @@ final class WorldMap {
                 + variables(Appearance.DARK) + "}}</style>" + floor(scene.world(), names) + robots(scene, names);
     }
 
-    /** What stands before the floor. */
+    /** The part before the floor. */
     static String opening(World world, String title) {
         Viewport view = view(world);
         String size = SvgCanvas.number(view.width()) + " " + SvgCanvas.number(view.height());

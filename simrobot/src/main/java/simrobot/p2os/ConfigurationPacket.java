@@ -7,7 +7,7 @@ import simrobot.robot.Drive;
 final class ConfigurationPacket {
     private static final int ID = 0x20;
 
-    /** ARIA looks for no serial devices on a robot with this number. */
+    /** Serial number that makes ARIA look for no serial devices. */
     private static final String SIMULATED = "SIM";
 
     private static final String FIRMWARE = "2.9";

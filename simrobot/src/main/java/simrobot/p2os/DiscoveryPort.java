@@ -10,8 +10,8 @@ import java.nio.channels.ClosedChannelException;
 import java.nio.channels.DatagramChannel;
 
 /**
- * Answers the search for simulators in a network, as MobileSim does: a datagram {@code 00 00 00 F6} is answered by 30 octets,
- * zero but for F7 at 3, FA at 8 and FB at 9 (Lantronix discovery). A thread of its own reads the port.
+ * Answers the search for simulators in a network, as MobileSim does: a datagram {@code 00 00 00 F6} is answered by 30
+ * octets, zero but for F7 at 3, FA at 8 and FB at 9 (Lantronix discovery). A separate thread reads the port.
  */
 public final class DiscoveryPort implements AutoCloseable {
     /** MobileSim's port. */
@@ -71,7 +71,7 @@ public final class DiscoveryPort implements AutoCloseable {
         }
     }
 
-    /** An answer that cannot be sent, such as to a host without a route, is lost; others are answered still. */
+    /** Answers a host; a failure, such as a missing route, loses this answer only. */
     private void answer(SocketAddress asking) throws ClosedChannelException {
         try {
             channel.send(answer(), asking);

@@ -51,7 +51,11 @@ public record InformationPacket(
     private static final int HEAD_LENGTH = 20;
     private static final int ECHO_LENGTH = 3;
 
-    /** True if the packet is an information packet, by its id. @param data data of a packet, without its frame */
+    /**
+     * True if the packet's id is that of an information packet.
+     *
+     * @param data data of a packet, without its frame
+     */
     public static boolean isOne(byte[] data) {
         int id = data[0] & 0xFF;
         return id == STOPPED_ID || id == MOVING_ID;

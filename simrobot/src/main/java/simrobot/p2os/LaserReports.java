@@ -32,13 +32,13 @@ final class LaserReports {
         this.robot = robot;
     }
 
-    /** Sets what is sent: 0 nothing, 1 plain packets, 2 extended ones. */
+    /** Sets the packets to send: 0 none, 1 plain, 2 extended. */
     void setMode(int newMode) {
         mode = newMode;
         robot.laser().setOn(mode != 0);
     }
 
-    /** Sets the direction of the first reading. Nothing is sent while the field is one that no laser has. */
+    /** Sets the direction of the first reading. Nothing is sent while the field is invalid. */
     void setStart(int degrees) {
         startDegrees = degrees;
     }
@@ -53,7 +53,7 @@ final class LaserReports {
         stepDegrees = hundredthsOfDegree / 100.0;
     }
 
-    /** The client has left. */
+    /** Handles the client's end. */
     void end() {
         setMode(0);
     }

@@ -11,7 +11,7 @@ import simgsm.net.QueuedConnection;
 final class P2osClientConnection extends QueuedConnection {
     private static final int READ_LIMIT = 2048;
 
-    /** A client that has sent no valid packet for this long, while another waits, loses its place. */
+    /** Time without a valid packet after which a client is disconnected for a waiting one. */
     private static final long HANDSHAKE_NANOS = 500_000_000;
 
     private static final int MOST_QUEUED_PACKETS = 100;
@@ -19,7 +19,7 @@ final class P2osClientConnection extends QueuedConnection {
     private final P2osServer server;
     private final P2osPort port;
     private final long acceptedNanos = System.nanoTime();
-    /** Null while the client waits for its turn. */
+    /** Null while the client waits. */
     private P2osSession session;
 
     /** Output of the session, called on the simulation's thread. */
@@ -44,12 +44,12 @@ final class P2osClientConnection extends QueuedConnection {
         this.port = port;
     }
 
-    /** Returns the time of the connection's acceptance; real time. */
+    /** Returns the real time of the connection's acceptance. */
     long acceptedNanos() {
         return acceptedNanos;
     }
 
-    /** Begins the session; until then nothing is read. */
+    /** Begins the session; nothing is read before. */
     void begin() {
         session =
                 new P2osSession(port.robot(), port.start(), new SessionOutput(), server.requests(), System.nanoTime());

@@ -67,7 +67,7 @@ public final class P2osCommand {
         return data[0] & 0xFF;
     }
 
-    /** Whether the argument is an integer. */
+    /** True if the argument is an integer. */
     boolean hasInteger() {
         return data.length >= 4 && (data[1] == POSITIVE || data[1] == NEGATIVE);
     }
@@ -78,7 +78,7 @@ public final class P2osCommand {
         return data[1] == NEGATIVE ? -size : size;
     }
 
-    /** The sonars that {@code POLLING} orders, sonar 0 for 1 on the wire; numbers that no sonar has are left out. */
+    /** The sonars selected by {@code POLLING}, sonar 0 for 1 on the wire; invalid numbers are ignored. */
     Optional<List<Integer>> sonars() {
         if (!hasText() || (data[2] & 0xFF) > data.length - TEXT_HEAD) {
             return Optional.empty();
@@ -92,7 +92,7 @@ public final class P2osCommand {
         return Optional.of(sonars);
     }
 
-    /** The file that {@code SIM_CTRL} asks to load: operation 1 or 2, a length, and the name. */
+    /** The file that {@code SIM_CTRL} loads: operation 1 or 2, a length, and the name. */
     Optional<String> worldFile() {
         boolean loads = hasInteger() && (integer() == 1 || integer() == 2) && data.length >= SIM_CTRL_HEAD;
         return loads ? Optional.of(text(SIM_CTRL_HEAD, unsigned(SIM_CTRL_HEAD - 2))) : Optional.empty();

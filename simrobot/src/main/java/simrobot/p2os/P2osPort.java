@@ -13,13 +13,13 @@ import simrobot.robot.SimulatedRobot;
 import vericommand.Pose;
 
 /**
- * A robot's port, which serves one client at a time. Further clients wait up to 2.5 s; the first of them begins when
- * the client leaves or has become silent, and those whose time is over are disconnected.
+ * A robot's port, which serves one client at a time. Further clients wait up to 2.5 s and are then disconnected; the
+ * first of them begins when the current one leaves or becomes silent.
  */
 final class P2osPort {
     private static final Logger LOG = System.getLogger(P2osPort.class.getName());
 
-    /** Maximum wait of a client: 0.5 s longer than the watchdog of the present client. */
+    /** Maximum wait of a client: 0.5 s longer than the watchdog of the current client. */
     private static final long WAIT_NANOS = 2_500_000_000L;
 
     private static final int MOST_WAITING = 16;
@@ -43,7 +43,7 @@ final class P2osPort {
         return robot;
     }
 
-    /** Returns the robot's pose when the port was opened. */
+    /** Returns the robot's pose at the opening of the port. */
     Pose start() {
         return start;
     }

@@ -18,7 +18,7 @@ final class P2osReports {
     /** Player reads at most 19 octets. */
     private static final int NAME_LENGTH = 19;
 
-    /** Digital inputs that are not connected. */
+    /** Value of unconnected digital inputs. */
     private static final int OPEN_INPUTS = 0xFF;
 
     private static final int NO_THERMOMETER = -127;

@@ -41,7 +41,7 @@ public final class P2osServer implements AutoCloseable {
     /**
      * Creates a server without open ports.
      *
-     * @param requests receives what clients ask of the simulator
+     * @param requests receives the clients' requests to the simulator
      */
     public P2osServer(SimulationThread simulation, InetAddress address, SimulatorRequests requests) {
         this.simulation = simulation;

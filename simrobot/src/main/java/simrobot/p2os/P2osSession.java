@@ -32,7 +32,7 @@ public final class P2osSession {
     /** Watchdog: the robot stops after this time without a packet from the client. */
     public static final long WATCHDOG_NANOS = 2_000_000_000;
 
-    /** When a further packet is sent after an information packet. */
+    /** Rule for sending a further packet after an information packet. */
     private enum Repetition {
         NEVER,
         ONCE,
@@ -55,13 +55,13 @@ public final class P2osSession {
     private final StallDetector stall;
     private final StateMachine<State, P2osEvent, Action> machine;
 
-    /** Read by other threads. */
+    /** read by other threads */
     private volatile boolean open;
 
     private Repetition encoders = Repetition.NEVER;
     private Repetition simulator = Repetition.NEVER;
     private boolean silent;
-    /** True if the packet before, in the same read, was a pulse. */
+    /** True if the previous packet of the same read was a pulse. */
     private boolean pulsed;
 
     private long simulatedNanos;
@@ -71,7 +71,7 @@ public final class P2osSession {
     private long sipNanos;
 
     /**
-     * Creates the session of a client that has just connected.
+     * Creates the session of a newly connected client.
      *
      * @param start the robot's pose after the client resets the simulator
      * @param nanos real time now
@@ -90,8 +90,8 @@ public final class P2osSession {
     }
 
     /**
-     * Processes octets from the client; any content is valid input. A SYNC0 that is repeated in one read, because the answer
-     * is late, is answered once.
+     * Processes octets from the client; any content is valid input. A SYNC0 repeated in one read, because the answer is
+     * late, is answered once.
      */
     public void received(byte[] octets, long nowSimulatedNanos, long nowNanos) {
         setTime(nowSimulatedNanos, nowNanos);

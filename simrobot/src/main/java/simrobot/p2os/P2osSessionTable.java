@@ -22,7 +22,7 @@ public final class P2osSessionTable {
         SYNCHRONISING,
         /** SYNC1 is answered. */
         SYNCHRONISED,
-        /** SYNC0 came after SYNC1 and is answered by 255; the next one is not answered. */
+        /** SYNC0 followed SYNC1 and is answered by 255; the next one is not answered. */
         OUT_OF_ORDER,
         /** SYNC2 is answered; the client may open. */
         INTRODUCED,

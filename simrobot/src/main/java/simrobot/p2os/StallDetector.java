@@ -6,7 +6,7 @@ import vericommand.RobotStatus;
 
 /** Detects stalled wheels after a collision. */
 final class StallDetector {
-    /** Without a bumper that stalls the wheels, the controller detects the stall by motor current after 0.5 s. */
+    /** Time until the controller detects a stall by motor current, without a bumper that stalls the wheels. */
     private static final long STALL_NANOS = 500_000_000;
 
     private final SimulatedRobot robot;

@@ -5,14 +5,14 @@ import simrobot.robot.PoseRounding;
 import vericommand.Pose;
 
 /**
- * The pose of a robot by its own odometry, relative to the pose that was set last. Odometry counters wrap at 15 bits
- * (position) and a full turn (heading); of two possible differences the smaller is used. A step that no robot drives in the
- * time, as after a reset, does not count.
+ * The pose of a robot by its odometry, relative to the last set pose. Odometry counters wrap at 15 bits (position) and
+ * a full turn (heading); of two possible differences the smaller is used. Impossibly long steps, as after a reset, are
+ * ignored.
  */
 final class DeadReckoning {
     private static final int PLACE_BITS = 15;
 
-    /** More than any robot's wheels: packets of up to 0.15 s may come together after a delay. */
+    /** Above the speed of any robot's wheels: packets of up to 0.15 s may arrive together after a delay. */
     private static final double MOST_METERS_PER_SECOND = 2;
 
     private static final double MOST_RADIANS_PER_SECOND = Math.toRadians(500);
@@ -33,7 +33,7 @@ final class DeadReckoning {
         heading = headingRadians;
     }
 
-    /** Begins a new session: the next packet is taken as the last pose. */
+    /** Begins a session: the next packet corresponds to the last pose. */
     void restart() {
         last = null;
     }
@@ -46,7 +46,7 @@ final class DeadReckoning {
         heading = headingRadians;
     }
 
-    /** @param passedNanos since the packet before */
+    /** @param passedNanos since the last packet */
     void take(InformationPacket information, RobotKind kind, long passedNanos) {
         if (last == null || !follow(information, kind, Math.max(LEAST_SECONDS, passedNanos / 1e9))) {
             skew = heading - radians(information.heading(), kind);
@@ -54,7 +54,7 @@ final class DeadReckoning {
         last = information;
     }
 
-    /** @return false, with nothing changed, if no robot comes so far within the seconds */
+    /** @return false, with nothing changed, if no robot moves so far within the seconds */
     private boolean follow(InformationPacket information, RobotKind kind, double seconds) {
         int headingBits = Integer.numberOfTrailingZeros(kind.unitsPerTurn());
         double dx = step(information.x() - last.x(), PLACE_BITS) * kind.millimetersPerUnit() / 1000;

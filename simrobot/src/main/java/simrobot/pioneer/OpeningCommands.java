@@ -4,7 +4,7 @@ import java.util.function.BiConsumer;
 import simrobot.p2os.P2osCommandNumber;
 import simrobot.robot.Pioneer2Dx;
 
-/** The settings with which a session begins: limits above those of the commanded speeds, so that the wheels follow them. */
+/** The initial settings of a session: limits above those of the commanded speeds, so that the wheels follow them. */
 final class OpeningCommands {
     private static final int BOTH_BUMPERS_STALL = 3;
 
@@ -13,7 +13,7 @@ final class OpeningCommands {
 
     private OpeningCommands() {}
 
-    /** @param robot takes each command with its argument */
+    /** @param robot receives each command with its argument */
     static void tell(BiConsumer<Integer, Integer> robot) {
         int acceleration = (int) Math.round(Pioneer2Dx.ACCELERATION_METERS_PER_SECOND2 * 1000 * RESERVE);
         int turnAcceleration =

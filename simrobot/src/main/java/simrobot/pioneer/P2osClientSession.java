@@ -25,7 +25,7 @@ final class P2osClientSession {
     private static final int MOST_SILENT_TRIES = 10;
     private static final int MOST_TRIES = 50;
     private static final int LAST_STEP = 2;
-    /** Maximum of a name in the introduction. */
+    /** Maximum length of a name in the introduction. */
     private static final int MOST_CHARACTERS = 19;
 
     private enum Stage {
@@ -66,12 +66,12 @@ final class P2osClientSession {
         this.said = said;
     }
 
-    /** The robot's units, from its introduction; empty if its type is not known. */
+    /** The robot's units, by its introduction; empty if its type is unknown. */
     Optional<RobotKind> kind() {
         return kind;
     }
 
-    /** The type that the robot has named, if it is not known: at most 19 printable ASCII characters. */
+    /** The robot's unknown type: at most 19 printable ASCII characters. */
     Optional<String> unknownType() {
         return stage == Stage.OPEN && kind.isEmpty() ? Optional.of(subclass) : Optional.empty();
     }

@@ -17,8 +17,8 @@ import simgsm.net.RetryPause;
 
 /**
  * Connection and clock of a {@link RealPioneer}. Serial lines block, so one thread connects and reads, one writes, and
- * one posts a tick every 100 ms; all three end with {@link #close}. The robot's core runs on the simulation's thread. A
- * connection that is lost, or cannot be made, is retried after pauses that grow from 0.5 s to 15 s.
+ * one posts a tick every 100 ms; {@link #close} ends all three. The robot's core runs on the simulation's thread. A
+ * failed connection is retried after pauses that grow from 0.5 s to 15 s.
  */
 public final class PioneerCall implements PioneerLine, AutoCloseable {
     private static final Logger LOG = System.getLogger(PioneerCall.class.getName());
@@ -28,7 +28,7 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
     private static final long GOODBYE_MILLIS = 1000;
     private static final int MOST_QUEUED = 256;
     private static final int CHUNK = 1024;
-    /** Queue marker: closes the connection after the packets before it. */
+    /** Queue marker: closes the connection after the preceding packets. */
     private static final byte[] END = {};
 
     private final String robot;
@@ -55,7 +55,7 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
         this.simulation = simulation;
     }
 
-    /** Starts the threads; the connection is made after {@link #call}. */
+    /** Starts the threads; {@link #call} connects. */
     public void start(RealPioneer served) {
         pioneer = served;
         reader = thread("reader", this::keepConnected);
@@ -100,7 +100,7 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
         }
     }
 
-    /** Packets that are still queued may be lost. */
+    /** Drops the connection; queued packets may be lost. */
     @Override
     public void drop() {
         ByteChannel open = channel;
@@ -128,7 +128,7 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
         thread("end", this::close);
     }
 
-    /** Stops the robot, ends the connection and the threads, and waits for that for at most a second. */
+    /** Stops the robot, ends the connection and the threads, and waits at most 1 s for that. */
     @Override
     public void close() {
         simulation.execute(() -> pioneer.setPower(false));

@@ -12,7 +12,7 @@ import simrobot.robot.Trail;
 import simrobot.simulation.RobotSnapshot;
 import vericommand.Pose;
 
-/** The newest information packet of a real robot, and its pose, its path and its sonars' ranges by all packets so far. */
+/** The newest information packet of a real robot, and its pose, path and sonar ranges by all packets so far. */
 final class PioneerReadings {
     private final DeadReckoning place;
     private final Trail trail;
@@ -21,14 +21,14 @@ final class PioneerReadings {
     private double wheelSpeedFactor;
     private long measuredNanos;
 
-    /** @param trail the robot's path, which each packet continues */
+    /** @param trail the robot's path, extended by each packet */
     PioneerReadings(Pose start, Trail trail) {
         this.trail = trail;
         place = new DeadReckoning(start.xMeters(), start.yMeters(), Math.toRadians(start.headingDegrees()));
         restart();
     }
 
-    /** A session begins: the sonars have measured nothing, and odometry goes on from the newest pose. */
+    /** Begins a session: the sonars have no ranges yet, and odometry continues from the newest pose. */
     void restart() {
         place.restart();
         Arrays.fill(sonarsMeters, Pioneer2Dx.SONAR_RANGE_METERS);
@@ -42,8 +42,8 @@ final class PioneerReadings {
     /**
      * Takes a packet.
      *
-     * @param kind its units; without them only its flags count
-     * @return the time since the packet before, 0 after the first
+     * @param kind its units; without them only its flags are used
+     * @return the time since the last packet, 0 after the first
      */
     long take(InformationPacket information, Optional<RobotKind> kind, long nanos) {
         long passedNanos = newest.isEmpty() ? 0 : nanos - measuredNanos;
@@ -66,7 +66,7 @@ final class PioneerReadings {
         }
     }
 
-    /** The robot has been moved there by hand. */
+    /** Sets the pose after the robot was moved by hand. */
     void setPose(double xMeters, double yMeters, double headingRadians) {
         place.setPose(xMeters, yMeters, headingRadians);
         trail.clear();
@@ -81,7 +81,7 @@ final class PioneerReadings {
         return newest;
     }
 
-    /** When the newest packet was received. */
+    /** The time of the newest packet. */
     long measuredNanos() {
         return measuredNanos;
     }

@@ -27,7 +27,7 @@ import vericommand.StatusEvent;
 public final class RealPioneer extends Pioneer {
     private static final Logger LOG = System.getLogger(RealPioneer.class.getName());
 
-    /** An information packet that has not come by then is not waited for. */
+    /** Maximum wait for an information packet. */
     private static final long LATE_NANOS = 150_000_000;
 
     /** Without an information packet for this time a driven robot gets STOP. */
@@ -42,28 +42,28 @@ public final class RealPioneer extends Pioneer {
     private final P2osClientSession conversation;
     private final PioneerReadings readings;
     private VelocityLoop travel;
-    /** What a process wants, commanded with every information packet; null while none steers. */
+    /** The process's speeds, commanded with every information packet; null while none steers. */
     private Steering steering;
-    /** Whether the newest command makes the robot turn. */
+    /** True if the newest command turns the robot. */
     private boolean turns;
 
     private boolean motorsWanted;
     private long switchedNanos;
 
-    /** Whether the connection was lost while the robot was driven: it may go on when it is spoken to again. */
+    /** True if the connection was lost while the robot was driven: it may resume when commands arrive. */
     private boolean lostUnderWay;
 
-    /** Whether the robot has stood still since its last instruction; coasting before that is no external motion. */
+    /** True if the robot has stopped since its last instruction; coasting before that is no external motion. */
     private boolean settled;
 
     private long nanos;
 
     /**
-     * A robot that is not connected yet.
+     * Creates an unconnected robot.
      *
-     * @param motors whether its motors are switched on when it connects
+     * @param motors true to switch its motors on at the connection
      * @param parameters of the robot, for a type that is not built in
-     * @param surroundings what its processes may know
+     * @param surroundings known to its processes
      */
     public RealPioneer(
             String name,
@@ -116,7 +116,7 @@ public final class RealPioneer extends Pioneer {
         if (travel != null && nanos - readings.measuredNanos() > LATE_NANOS) {
             steer(travel);
         } else if (steering != null && nanos - readings.measuredNanos() > BLIND_NANOS) {
-            // the next information packet makes the process go on
+            // the process resumes with the next information packet
             steering = null;
             stop();
         }
@@ -178,7 +178,7 @@ public final class RealPioneer extends Pioneer {
         }
     }
 
-    /** Follows the motors' state: the robot's own button, e-stop or a blown fuse may change it too. */
+    /** Follows the motors' state, which the robot's button, e-stop or a blown fuse may change. */
     private void followMotors(InformationPacket information) {
         boolean settling = nanos - switchedNanos < SWITCH_NANOS && information.motors() != motorsWanted;
         if (!settling && information.motors() != hasMotors()) {
@@ -212,7 +212,7 @@ public final class RealPioneer extends Pioneer {
         }
     }
 
-    /** Commands the speeds for this moment; stops a robot that has sent no information packet for half a second. */
+    /** Commands the speeds for this moment; stops a robot that has sent no information packet for 0.5 s. */
     private void steer(VelocityLoop under) {
         if (under.isBraking()) {
             return;
@@ -267,7 +267,7 @@ public final class RealPioneer extends Pioneer {
         stop();
     }
 
-    /** Follows motion that no instruction caused: by a process, by hand or joystick. */
+    /** Follows motion without an instruction: by a process, by hand or joystick. */
     private void followOthers(InformationPacket information, boolean touches) {
         boolean moves = information.isMoving();
         if (status() == RobotStatus.MOVING) {
@@ -312,7 +312,7 @@ public final class RealPioneer extends Pioneer {
 
     // ---- switches ------------------------------------------------------------------------------------------------
 
-    /** On connects, off disconnects; after on, the status changes when the robot answers. */
+    /** On connects, off disconnects; after on, the status changes with the robot's answer. */
     @Override
     public void setPower(boolean on) {
         if (on) {
@@ -393,7 +393,7 @@ public final class RealPioneer extends Pioneer {
         return readings.sonarMeters(sonar);
     }
 
-    /** Returns the state that windows and the web show beside the simulated robots. */
+    /** Returns the state for windows and the web. */
     public RobotSnapshot snapshot() {
         return readings.snapshot(this);
     }

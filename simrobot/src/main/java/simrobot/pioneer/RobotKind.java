@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The units and the top speeds of a type of robot, the "subclass" of its handshake, as ARIA's params files have them.
+ * The units and the top speeds of a type of robot, the "subclass" of its handshake, by ARIA's params files.
  *
  * @param millimetersPerUnit unit of position, DistConvFactor
  * @param millimetersPerRangeUnit unit of a sonar's range, RangeConvFactor
@@ -60,7 +60,7 @@ public record RobotKind(
         know(new RobotKind(0.07, 0.1734, PSOS_UNITS_PER_TURN, 2.5332, 500, 100), "pionat");
     }
 
-    /** Kinds with P2OS's usual units of angle and speed, whose top speeds are above the ones that are used. */
+    /** Adds kinds with P2OS's usual units of angle and speed; their top speeds exceed the used ones. */
     private static void know(double millimetersPerUnit, double millimetersPerRangeUnit, String... names) {
         know(new RobotKind(millimetersPerUnit, millimetersPerRangeUnit, P2OS_UNITS_PER_TURN, 1, 1000, 180), names);
     }
@@ -69,7 +69,7 @@ public record RobotKind(
         List.of(names).forEach(name -> KNOWN.put(name, kind));
     }
 
-    /** Returns the kind of this name, whatever its case; empty if it is not known, and then nothing may move. */
+    /** Returns the kind of this name, ignoring case; empty if it is unknown, and then nothing may move. */
     static Optional<RobotKind> named(String name) {
         return Optional.ofNullable(KNOWN.get(name.toLowerCase(Locale.ROOT)));
     }

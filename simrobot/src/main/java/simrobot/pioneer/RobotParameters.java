@@ -10,11 +10,10 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The robot that a params file of ARIA describes: text, a {@code Key value} a line, {@code ;} begins a comment. The keys
- * that are read are those of {@link RobotKind}; those that the file leaves out have ARIA's default, DistConvFactor must
- * be there.
+ * A robot described by a params file of ARIA: text with a {@code Key value} per line; {@code ;} begins a comment. The
+ * reader uses the keys of {@link RobotKind}; missing ones have ARIA's default, except the mandatory DistConvFactor.
  *
- * @param subclass the type whose robots the file is for, from its Subclass or else from its name; in lower case
+ * @param subclass the type of the file's robots, by its Subclass or else its name; in lower case
  */
 public record RobotParameters(String subclass, RobotKind kind) {
     /** AngleConvFactor 0.001534, rounded in the files: 4096 units per turn. */
@@ -77,7 +76,7 @@ public record RobotParameters(String subclass, RobotKind kind) {
         return 1 << bits;
     }
 
-    /** Returns the kind of robots that name themselves so: the file's, if it is for them; empty if they are not known. */
+    /** Returns the kind of robots with this subclass: the file's, if it matches; empty if unknown. */
     static Optional<RobotKind> kindOf(String subclass, Optional<RobotParameters> file) {
         Optional<RobotKind> given = file.filter(
                         parameters -> parameters.subclass().equals(subclass.toLowerCase(Locale.ROOT)))

@@ -8,10 +8,10 @@ import vericommand.Instruction;
 import vericommand.MotionOutcome;
 
 /**
- * Executes one instruction on a real robot by velocity commands. It approaches the goal by a trapezoid over the distance
- * that the odometry of the newest information packet leaves, lets the robot come to rest, and makes up for what is
- * missing or too much by short pulses. It depends on no position controller in the robot, only on wheels that follow a
- * speed, however late.
+ * Executes one instruction on a real robot by velocity commands. It approaches the goal by a trapezoid over the
+ * remaining distance by the odometry of the newest information packet, lets the robot come to rest, and corrects the
+ * error by short pulses. It requires no position controller in the robot, only wheels that follow a speed, however
+ * late.
  *
  * <p>Distances are metres ahead, or radians clockwise.
  */
@@ -27,7 +27,7 @@ final class VelocityLoop {
 
     private enum Phase {
         APPROACH,
-        /** Commanded to stop; waits until it stands. */
+        /** Commanded to stop; waits until the robot is at rest. */
         RESTING,
         PULSE
     }
@@ -35,7 +35,7 @@ final class VelocityLoop {
     /** The speeds to command; degrees anticlockwise, as in P2OS. */
     record Command(int millimetersPerSecond, int degreesPerSecond) {}
 
-    /** What differs between metres and radians. */
+    /** The differences between metres and radians. */
     private record Measures(double near, double tolerated, double creep, double pulse, double longestPulse) {
         /** Errors of 1 and 5 mm; speeds from 4 to 30 mm/s; pulses over at most 50 mm. */
         static final Measures METERS = new Measures(0.001, 0.005, 0.004, 0.03, 0.05);
@@ -45,23 +45,23 @@ final class VelocityLoop {
                 Math.toRadians(0.1), Math.toRadians(0.5), Math.toRadians(1), Math.toRadians(5), Math.toRadians(5));
     }
 
-    /** Time between a measurement and the wheels' answer to the command made from it: one cycle and the line's delay. */
+    /** Time between a measurement and the wheels' response to the resulting command: one cycle and the line's delay. */
     private static final double REACTION_SECONDS = 0.2;
 
     /** Time between two information packets. */
     private static final double CYCLE_SECONDS = 0.1;
 
-    /** Factor of the lowest speed after a pulse that has not moved the robot, and the maximum of all together. */
+    /** Growth of the minimum speed after a pulse that has not moved the robot, and the maximum of its total. */
     private static final double CREEP_GROWTH = 2;
 
     private static final double MOST_CREEP = 16;
     private static final double SLUGGISH_SECONDS = 0.5;
     private static final int MOST_PULSES = 8;
 
-    /** Time without a step nearer to the goal, while driven, after which the instruction counts as an infinite loop. */
+    /** Time without progress, while driven, after which the instruction counts as an infinite loop. */
     private static final double STUCK_SECONDS = 3;
 
-    /** Times that the goal may be passed. */
+    /** Maximum number of times that the goal is passed. */
     private static final int MOST_REVERSALS = 10;
 
     /** Turning speed per error of the heading while driving ahead, 1/s. */
@@ -69,10 +69,10 @@ final class VelocityLoop {
 
     private static final int MOST_HEADING_DEGREES_PER_SECOND = 10;
 
-    /** Time in which an information packet may predate a command. */
+    /** Maximum age of an information packet at a command. */
     private static final double IN_FLIGHT_SECONDS = 0.25;
 
-    /** Time after the command to stand from which a robot at rest counts as standing. */
+    /** Time after the command to stop from which a robot at rest counts as stopped. */
     private static final double RESTING_SECONDS = 0.15;
 
     private final Instruction.Motion motion;
@@ -94,7 +94,7 @@ final class VelocityLoop {
     private long commandedNanos;
     private long restingNanos;
     private double creep;
-    /** Distance that the pulse under way still has to command, and the distance to the goal at its beginning. */
+    /** Distance that the current pulse still has to command, and the distance to the goal at its beginning. */
     private double pulseLeft;
 
     private double pulseFrom;
@@ -103,7 +103,10 @@ final class VelocityLoop {
     private long nearestNanos;
     private int reversals;
     private boolean hasMoved;
-    /** Bumpers that are no touch: all in a turn out of a collision, else those pressed from the start, but not ahead. */
+    /**
+     * Bumpers that do not count as contact: all in a turn out of a collision, else those pressed from the start, but
+     * not ahead.
+     */
     private int ignoredBumpers;
 
     private boolean braking;
@@ -148,7 +151,7 @@ final class VelocityLoop {
     /**
      * Returns the speeds to command now.
      *
-     * @param measuredNanos when the newest information packet was received
+     * @param measuredNanos receipt of the newest information packet
      */
     Command command(long nanos, long measuredNanos) {
         double since = seconds(commandedNanos, nanos);
@@ -180,7 +183,7 @@ final class VelocityLoop {
         return direction * Math.max(speed, least);
     }
 
-    /** The speed from which the robot can still stop at this distance, after the reaction time. */
+    /** The maximum speed for a stop within this distance, after the reaction time. */
     private double brakingSpeed(double distance) {
         double deceleration = profile.deceleration();
         return deceleration
@@ -193,7 +196,7 @@ final class VelocityLoop {
         return 0;
     }
 
-    /** Begins to make up for the error of a standing robot: a wheel's answer may be late, but in sum it is the command's. */
+    /** Begins to correct the error of a robot at rest: a wheel's response may be late, but its sum is the command's. */
     private void correct() {
         double left = remaining();
         if (Math.abs(left) > measures.longestPulse) {
@@ -238,7 +241,10 @@ final class VelocityLoop {
         }
     }
 
-    /** No information packet came for 0.5 s and the robot got STOP; the drive goes on from rest with the next one. */
+    /**
+     * Handles 0.5 s without an information packet, when the robot got STOP; the drive resumes from rest with the next
+     * one.
+     */
     void interrupt() {
         commanded = 0;
     }
@@ -253,7 +259,7 @@ final class VelocityLoop {
         return begunInCollision;
     }
 
-    /** Whether the wheels have moved since the instruction began. */
+    /** True if the wheels have moved since the instruction began. */
     boolean hasMoved() {
         return hasMoved;
     }
@@ -296,7 +302,7 @@ final class VelocityLoop {
         return Progress.UNDER_WAY;
     }
 
-    /** Notes the time of the last step nearer to the goal; a robot that rolls out is not driven. */
+    /** Notes the time of the latest progress; a robot that rolls out is not driven. */
     private void notice(double left, boolean moves, long nanos) {
         boolean passed = nearest * left < 0;
         reversals += passed ? 1 : 0;

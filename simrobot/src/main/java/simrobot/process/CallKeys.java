@@ -5,7 +5,7 @@ import simrobot.behaviour.Senses;
 
 /** The call of a robot as its process hears it. Owned by the robot's owner thread. */
 public final class CallKeys {
-    /** For a process that decides late. */
+    /** Limit for a process that decides late. */
     private static final int MOST_KEPT = 16;
 
     private String caller = "";
@@ -33,7 +33,7 @@ public final class CallKeys {
         held = Senses.NO_KEY;
     }
 
-    /** What the process hears in this decision; the keys pressed are handed over. */
+    /** Takes the call for this decision, with the keys pressed since the last one. */
     public Call take() {
         boolean tapped = held == Senses.NO_KEY && !pressed.isEmpty();
         Call call = new Call(caller, tapped ? pressed.charAt(pressed.length() - 1) : held, pressed);

@@ -3,7 +3,7 @@ package simrobot.process;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 
-/** The drive to a place for which another process asks: the route steers in its stead. For the robot's owner thread. */
+/** Drives to a place at the request of another process and replaces its steering. For the robot's owner thread. */
 public final class Errand {
     /** Nothing is asked for. */
     public static final Errand NONE = new Errand("", null);

@@ -20,7 +20,7 @@ public record RecordedEvent(long timeNanos, String robot, String name, String li
         return new RecordedEvent(timeNanos, event.fields().getOrDefault("robot", ""), event.name(), event.toString());
     }
 
-    /** The event as a mark on the timeline; empty if the timeline does not show it. */
+    /** The event as a mark on the timeline; empty if the timeline omits it. */
     Optional<TimelineMarker> marker() {
         return kind().map(kind -> new TimelineMarker(timeNanos, kind, robot, line));
     }

@@ -18,16 +18,20 @@ import simrobot.world.World;
 import simrobot.world.WorldFormatException;
 
 /**
- * A recorded session that was opened: its contents and their places in the file. States are read on demand.
+ * An opened recording: its contents and their offsets in the file. States are read on demand.
  *
  * <p>A file without its end is read up to its last whole record ({@link #isTorn}), a damaged one up to the damage
  * ({@link #damage}).
  */
 public final class Recording implements AutoCloseable {
-    /** A KEY or CHANGES record. @param scene which world and cast it belongs to */
+    /**
+     * A KEY or CHANGES record.
+     *
+     * @param scene its world and robots
+     */
     record Part(long offset, Kind kind, long beginNanos, long endNanos, Scene scene) {}
 
-    /** A world and the robots in it. */
+    /** A world and its robots. */
     record Scene(World world, List<String> robots) {}
 
     private final Path path;
@@ -46,7 +50,7 @@ public final class Recording implements AutoCloseable {
     /**
      * Opens a recording.
      *
-     * @throws IOException naming the file and what is wrong: no recording, of a later version, or with nothing in it
+     * @throws IOException naming the file and the fault: no recording, of a later version, or empty
      */
     public static Recording open(Path path) throws IOException {
         if (Files.isDirectory(path)) {
@@ -134,12 +138,12 @@ public final class Recording implements AutoCloseable {
         return path;
     }
 
-    /** Simulated time at which it begins. */
+    /** Simulated time of its beginning. */
     public long firstNanos() {
         return parts.get(0).beginNanos;
     }
 
-    /** Simulated time at which it ends. */
+    /** Simulated time of its end. */
     public long lastNanos() {
         return parts.get(parts.size() - 1).endNanos;
     }
@@ -149,12 +153,12 @@ public final class Recording implements AutoCloseable {
         return parts.get(0).scene.robots;
     }
 
-    /** All events, in their order. */
+    /** All events in order. */
     public List<RecordedEvent> events() {
         return List.copyOf(events);
     }
 
-    /** The marks of the timeline, in their order. */
+    /** The marks of the timeline in order. */
     public List<TimelineMarker> markers() {
         return markers;
     }

@@ -41,18 +41,18 @@ import vericommand.RobotStatus;
 final class RecordingFormat {
     static final String MAGIC = "SimRobot";
 
-    /** 1 had predicted states; such files are refused. */
+    /** Version 1 had predicted states and is refused. */
     static final int VERSION = 2;
 
     static final int HEADER_OCTETS = MAGIC.length() + 2 + 8;
 
-    /** Far above what a writer makes; a longer record is damage. */
+    /** Far above a writer's maximum; a longer record is damage. */
     private static final int MAX_CONTENT_OCTETS = 256 << 20;
 
     private static final RobotStatus[] STATUSES = RobotStatus.values();
     private static final List<BehaviourKind> BEHAVIOURS = BehaviourKind.BUILT_IN;
 
-    /** In place of a built-in behaviour's number: the name follows. */
+    /** Replaces a built-in behaviour's number; the name follows. */
     private static final int NAMED_BEHAVIOUR = 0xff;
 
     enum Kind {
@@ -82,9 +82,9 @@ final class RecordingFormat {
         }
 
         /**
-         * The next record of a file; null where the file ends, between two records or within one.
+         * The next record of a file; null at the end of the file, also within a record.
          *
-         * @throws DamagedException if the octets are not those that were written
+         * @throws DamagedException if the checksum or the content is wrong
          */
         static StoredRecord read(DataInputStream in) throws IOException {
             try {
@@ -95,7 +95,7 @@ final class RecordingFormat {
                 int kind = in.readUnsignedByte();
                 long beginNanos = in.readLong();
                 long endNanos = in.readLong();
-                // reads what is there, so a wrong length takes no more memory than the file has octets
+                // reads the available octets, so a wrong length takes no more memory than the file's size
                 byte[] deflated = in.readNBytes(length);
                 int checksum = in.readInt();
                 if (checksum != checksum(kind, beginNanos, endNanos, deflated)) {
@@ -168,7 +168,7 @@ final class RecordingFormat {
                 .toArray();
     }
 
-    /** @throws IOException saying what is wrong with a file that begins so */
+    /** @throws IOException saying what is wrong with the header */
     static void checkHeader(byte[] header) throws IOException {
         byte[] ours = header();
         int magic = MAGIC.length();

@@ -12,14 +12,14 @@ import simrobot.simulation.Simulation;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * A position in a recording, and the simulation as it was then. The simulation is a real one whose robots are put where they
- * were, so sonars, trails and pictures are made as in the session. One thread at a time.
+ * A position in a recording, and the simulation at that time. The simulation is a real one with the robots restored to
+ * their states, so sonars, trails and pictures are made as in the session. One thread at a time.
  */
 public final class ReplayCursor {
-    /** After a jump, trails are drawn from this much earlier. */
+    /** Length of the trails after a jump. */
     private static final long TRAIL_NANOS = 60_000_000_000L;
 
-    /** With more robots, a jump leaves out the trails. */
+    /** Number of robots above which a jump omits the trails. */
     private static final int MAX_TRAILS = 50;
 
     private final Recording recording;
@@ -31,17 +31,17 @@ public final class ReplayCursor {
     private long timeNanos;
     private long entryNanos;
 
-    /** Time of the entry that is read next; {@link Long#MAX_VALUE} at the end of the part. */
+    /** Time of the next entry; {@link Long#MAX_VALUE} at the end of the part. */
     private long nextEntryNanos;
 
-    /** A cursor at the recording's beginning. */
+    /** Creates a cursor at the recording's beginning. */
     public ReplayCursor(Recording recording) throws IOException {
         this.recording = recording;
         rewindTo(0);
         timeNanos = recording.firstNanos();
     }
 
-    /** Simulated time of the state that it shows. */
+    /** Simulated time of the current state. */
     public long timeNanos() {
         return timeNanos;
     }
@@ -50,7 +50,7 @@ public final class ReplayCursor {
         return timeNanos >= recording.lastNanos();
     }
 
-    /** The robots as they were. */
+    /** The robots at that time. */
     public List<SimulatedRobot> robots() {
         return simulation.robots();
     }
@@ -59,13 +59,17 @@ public final class ReplayCursor {
         return simulation.snapshot();
     }
 
-    /** This robot's sonars are in every snapshot. @param robot its name, empty for none */
+    /**
+     * Puts this robot's sonars into every snapshot.
+     *
+     * @param robot its name, empty for none
+     */
     public void watch(String robot) {
         watched = robot;
         simulation.watch(simulation.robot(robot).orElse(null));
     }
 
-    /** Goes to the last step that is not after this time; forward or back, within the recording. */
+    /** Moves to the last step that is not after this time; forward or back, within the recording. */
     public void seek(long nanos) throws IOException {
         long target = Math.max(recording.firstNanos(), Math.min(recording.lastNanos(), nanos));
         if (target < timeNanos || target > timeNanos + TRAIL_NANOS) {
@@ -74,12 +78,12 @@ public final class ReplayCursor {
         advanceTo(target);
     }
 
-    /** Goes on by one step. */
+    /** Advances by one step. */
     public void step() throws IOException {
         advanceTo(Math.min(recording.lastNanos(), timeNanos + Simulation.STEP_NANOS));
     }
 
-    /** The last KEY before the target, or an earlier one of its scene so that trails are drawn. */
+    /** The last KEY before the target, or an earlier one of its scene for the trails. */
     private int partFor(long target) {
         List<Recording.Part> parts = recording.parts();
         int found = 0;
@@ -157,7 +161,7 @@ public final class ReplayCursor {
         simulation.restoredAt(timeNanos);
     }
 
-    /** True if the part is read to its end, and the next one begins by then. */
+    /** True if the part has been read to its end, and the next one begins by then. */
     private boolean hasFurtherPartUntil(long target) {
         List<Recording.Part> parts = recording.parts();
         return nextEntryNanos == Long.MAX_VALUE

@@ -7,14 +7,14 @@ import simrobot.simulation.PacedThread;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * Plays a recording at a pace: the one thread that owns its cursor. It jumps besides. It begins paused at the recording's
+ * Plays a recording at a pace, and jumps; the only thread that owns its cursor. It begins paused at the recording's
  * beginning, and pauses at its end.
  */
 public final class ReplayThread extends PacedThread {
     private static final System.Logger LOG = System.getLogger(ReplayThread.class.getName());
     private static final long FRAME_NANOS = 10_000_000;
 
-    /** As fast as it can: so much simulated time between two pictures. */
+    /** Simulated time between two pictures at unlimited speed. */
     private static final long LEAP_NANOS = 1_000_000_000L;
 
     private final Recording recording;
@@ -37,7 +37,7 @@ public final class ReplayThread extends PacedThread {
         pause();
     }
 
-    /** Its length, its events and its markers. */
+    /** The recording with its length, events and markers. */
     public Recording recording() {
         return recording;
     }
@@ -48,7 +48,7 @@ public final class ReplayThread extends PacedThread {
         return newest;
     }
 
-    /** Jumps there, forward or back; within the recording. */
+    /** Jumps there, forward or back, within the recording. */
     public void seek(long nanos) {
         postReading(() -> {
             cursor.seek(nanos);
@@ -56,7 +56,7 @@ public final class ReplayThread extends PacedThread {
         });
     }
 
-    /** Plays or pauses; played at the end it starts again from the beginning. */
+    /** Plays or pauses; playing at the end restarts from the beginning. */
     @Override
     public void setPaused(boolean pause) {
         if (!pause && isPaused() && newest.timeNanos() >= recording.lastNanos()) {
@@ -73,7 +73,11 @@ public final class ReplayThread extends PacedThread {
         });
     }
 
-    /** This robot's sonars are in every snapshot. @param robot its name, empty for none */
+    /**
+     * Puts this robot's sonars into every snapshot.
+     *
+     * @param robot its name, empty for none
+     */
     public void watch(String robot) {
         postReading(() -> cursor.watch(robot));
     }
@@ -82,7 +86,7 @@ public final class ReplayThread extends PacedThread {
         post(() -> read(act));
     }
 
-    /** Pauses where the recording cannot be read. */
+    /** Reads; pauses if the recording cannot be read. */
     private void read(Act act) {
         try {
             act.run();

@@ -11,20 +11,22 @@ import simrobot.simulation.Simulation;
 import simrobot.world.MapWriter;
 import simrobot.world.World;
 
-/** Turns a simulation's steps and events into records; the core of {@link SessionRecorder}, without file and thread. */
+/**
+ * Converts a simulation's steps and events to records; the core of {@link SessionRecorder}, without file and thread.
+ */
 final class SessionEncoder {
-    /** Takes the content of each record. */
+    /** Receives the content of each record. */
     interface Sink {
         void accept(Kind kind, long beginNanos, long endNanos, byte[] content);
     }
 
-    /** A record is passed on when its content has this length. */
+    /** Length of a record's content after which it is passed on. */
     private static final int RECORD_OCTETS = 64 << 10;
 
-    /** A KEY record follows after this many changed states ... */
+    /** Number of changed states after which a KEY record follows. */
     private static final int CHANGES_BETWEEN_KEYS = 20_000;
 
-    /** ... or this many entries. */
+    /** Number of entries after which a KEY record follows. */
     private static final int ENTRIES_BETWEEN_KEYS = 300;
 
     private final Simulation simulation;
@@ -34,7 +36,7 @@ final class SessionEncoder {
     private World world;
     private List<SimulatedRobot> robots = List.of();
 
-    /** The states as written last. */
+    /** The last written states. */
     private RobotState[] written = {};
 
     private Kind openKind = Kind.KEY;
@@ -56,7 +58,7 @@ final class SessionEncoder {
         beginScene();
     }
 
-    /** Takes the states after a step; the time is the one after it. */
+    /** Records the states after a step, and the time at its end. */
     void step(long nanos) {
         if (isSameScene() && nanos == timeNanos + Simulation.STEP_NANOS) {
             timeNanos = nanos;
@@ -83,7 +85,7 @@ final class SessionEncoder {
         closeRecord();
     }
 
-    /** Passes on the rest, trailing time without changes included. */
+    /** Passes on the rest, with trailing time without changes. */
     void end() {
         if (isSameScene()) {
             writeChanges();
@@ -142,7 +144,7 @@ final class SessionEncoder {
         }
     }
 
-    /** @param next the robot after the one that was written last */
+    /** @param next the robot after the last written one */
     private void writeRobot(int robot, int next) {
         entries.compact(robot - next + 1L);
         RecordingFormat.writeState(written[robot], entries);

@@ -18,15 +18,15 @@ import simrobot.replay.RecordingFormat.StoredRecord;
 import simrobot.simulation.Simulation;
 
 /**
- * Records a session in a file while it happens. The simulation's thread collects states and events; a thread of its own
- * deflates and writes them, at least every 400 ms, so that a kill loses at most the last half second. The simulation never
- * waits for the disk: when 512 records wait, the recording ends.
+ * Records a session to a file in real time. The simulation's thread collects states and events; a separate thread
+ * deflates and writes them, at least every 400 ms, so that a kill loses at most the last half second. The simulation
+ * never waits for the disk: the recording ends if 512 records wait.
  */
 public final class SessionRecorder implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(SessionRecorder.class.getName());
     private static final long FLUSH_MILLIS = 400;
 
-    /** Records that wait for the disk, of about 64 KB each. */
+    /** Maximum of records waiting for the disk, of about 64 KB each. */
     private static final int QUEUE_RECORDS = 512;
 
     private static final long CLOSE_SECONDS = 10;
@@ -57,10 +57,10 @@ public final class SessionRecorder implements AutoCloseable {
     }
 
     /**
-     * Begins a recording of this simulation in its present state; an existing file is overwritten. To be called by the
+     * Begins a recording of this simulation in its current state; an existing file is overwritten. Called by the
      * simulation's owner, or before it has one.
      *
-     * @param simulationThread performs acts between two steps; it may drop them, then records are written when they are full
+     * @param simulationThread performs acts between two steps; it may drop them, then records are written when full
      * @throws IOException if the file cannot be written
      */
     public static SessionRecorder open(Path path, Simulation simulation, Executor simulationThread) throws IOException {
@@ -69,13 +69,13 @@ public final class SessionRecorder implements AutoCloseable {
             file.write(RecordingFormat.header());
             return new SessionRecorder(path.toString(), file, simulation, simulationThread);
         } catch (FileSystemException e) {
-            throw e; // names the file already
+            throw e; // already names the file
         } catch (IOException e) {
             throw new IOException(path + ": " + e.getMessage(), e);
         }
     }
 
-    /** Records an event of the console at the present simulated time; any thread may call. */
+    /** Records an event of the console at the current simulated time; callable on any thread. */
     public synchronized void event(Event event) {
         if (!closed) {
             encoder.event(event);
@@ -127,7 +127,7 @@ public final class SessionRecorder implements AutoCloseable {
         LOG.log(Level.WARNING, "{0}: recording ends: {1}", name, why.getMessage());
     }
 
-    /** Why the recording ended before its time, such as a full disk; any thread may ask. */
+    /** The failure that ended the recording, such as a full disk; callable on any thread. */
     public Optional<IOException> failure() {
         return Optional.ofNullable(failure);
     }
@@ -135,7 +135,7 @@ public final class SessionRecorder implements AutoCloseable {
     /**
      * Writes the rest, as {@link #close} does.
      *
-     * @throws IOException naming the file, if a part of the session is not in it
+     * @throws IOException naming the file, if a part of the session could not be written
      */
     public void finish() throws IOException {
         close();
@@ -144,7 +144,10 @@ public final class SessionRecorder implements AutoCloseable {
         }
     }
 
-    /** Writes the rest, unless the recording has failed; on the simulation's thread, or when that has ended. Safe to call twice. */
+    /**
+     * Writes the rest, unless the recording has failed; on the simulation's thread, or after its end. Safe to call
+     * twice.
+     */
     @Override
     public void close() {
         synchronized (this) {

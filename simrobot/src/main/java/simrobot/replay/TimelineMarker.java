@@ -1,7 +1,7 @@
 package simrobot.replay;
 
 /**
- * A moment of a session that the timeline marks.
+ * A marked moment of a session.
  *
  * @param timeNanos simulated time
  * @param robot the robot's name; empty if the event belongs to none
@@ -12,11 +12,11 @@ public record TimelineMarker(long timeNanos, Kind kind, String robot, String lin
     public enum Kind {
         /** An order was read and verified. */
         ORDER,
-        /** A robot came into Collision. */
+        /** A robot entered Collision. */
         COLLISION,
         /** An order was answered. */
         REPLY,
-        /** A call came or was released. */
+        /** A call was received or released. */
         CALL
     }
 }

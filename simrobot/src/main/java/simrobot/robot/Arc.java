@@ -1,6 +1,6 @@
 package simrobot.robot;
 
-/** Geometry of the circular arc on which a robot moves while it drives and turns at once. */
+/** Geometry of the circular arc of a robot that drives and turns at once. */
 final class Arc {
     /** At the robot's top speed in a step, a chord over this angle deviates from its arc by at most 0.05 mm. */
     private static final double CHORD_RADIANS = 0.015;
@@ -8,7 +8,7 @@ final class Arc {
     private double radians;
     private double share = 1;
 
-    /** The chord's length divided by the arc's; 1 for a straight line. Computed again only when the angle changes. */
+    /** The chord's length divided by the arc's; 1 for a straight line. Cached for the last angle. */
     double chordShare(double turnRadians) {
         if (turnRadians != radians) {
             radians = turnRadians;

@@ -19,17 +19,17 @@ import vericommand.RobotStatus;
 import vericommand.StatusEvent;
 
 /**
- * The autonomous process in a robot: it sets the drive's speeds at the process's period until it ends by itself or is ended
- * by an order, a P2OS client's motion command, a brake or a switch. Ending it brakes the robot with its deceleration. While
- * a process runs, a robot that stands without touching anything is Moving.
+ * The autonomous process in a robot: sets the drive's speeds at the process's period until it ends by itself or is
+ * ended by an order, a P2OS client's motion command, a brake or a switch. Its end brakes the robot with its
+ * deceleration. While a process runs, a robot at rest without contact is Moving.
  */
 public final class Autonomy {
-    /** A process that leaves its robot in Collision for this time does not handle it. */
+    /** Time in Collision after which a process is ended. */
     static final long COLLISION_NANOS = 3_000_000_000L;
 
-    /** Learns how a process ended. */
+    /** Is told the end of processes. */
     public interface EndListener {
-        /** Called on the owner thread: of a process that ended by itself when the robot stands. */
+        /** Called on the owner thread; after a process has ended by itself, once the robot has stopped. */
         void ended(BehaviourKind kind, Decision.End how);
     }
 
@@ -46,7 +46,7 @@ public final class Autonomy {
     private boolean takesKeys;
     private Errand errand = Errand.NONE;
     private List<Request.Mark> marks = List.of();
-    /** Of a process that has ended by itself, until the robot stands; else null. */
+    /** The decision that ended the process, until the robot has stopped; else null. */
     private Decision.End ending;
 
     private BehaviourList choice = new BehaviourList();
@@ -55,10 +55,10 @@ public final class Autonomy {
 
     private long sinceDecisionNanos;
     private long inCollisionNanos;
-    /** Called once the robot stands; null if no order waits for that. */
+    /** Called once the robot has stopped; null if no order waits for that. */
     private Runnable standListener;
 
-    /** The process of a robot, none at first. */
+    /** Creates a robot's autonomy without a process. */
     Autonomy(Pioneer robot) {
         this.robot = robot;
     }
@@ -71,12 +71,12 @@ public final class Autonomy {
         return process != null;
     }
 
-    /** Whether the robot counts as Moving although it may stand. */
+    /** True if the robot counts as Moving although it may have stopped. */
     public boolean isUnfinished() {
         return process != null && ending == null;
     }
 
-    /** The processes that orders can start are those of this list. */
+    /** Sets the list of processes that orders can start. */
     public void setChoice(BehaviourList behaviours) {
         choice = behaviours;
     }
@@ -90,10 +90,10 @@ public final class Autonomy {
     }
 
     /**
-     * Begins the process that had this number when {@link #processes} was last called, in status Stopped: the list may have
-     * changed since, on another thread.
+     * Begins the process with this number at the last call of {@link #processes}, in status Stopped: another thread may
+     * have changed the list since.
      *
-     * @param from the number of who has ordered it
+     * @param from number of the operator
      */
     public void begin(int number, String from) {
         if (!begin(announced.get(number))) {
@@ -103,13 +103,13 @@ public final class Autonomy {
         call.begin(from);
     }
 
-    /** The way that the process is about to take; empty if it plans none. */
+    /** The planned path of the process; may be empty. */
     public List<Position> path() {
         RobotProcess driver = errand == Errand.NONE ? process : errand.route();
         return isUnfinished() ? driver.path() : List.of();
     }
 
-    /** What its process has drawn on the floor; a new list at every change. */
+    /** The process's drawing on the floor; a new list at every change. */
     public List<Request.Mark> marks() {
         return marks;
     }
@@ -119,12 +119,12 @@ public final class Autonomy {
         return call;
     }
 
-    /** Whether the running process has asked for the keys of the call. */
+    /** True if the running process reads the keys of the call. */
     public boolean takesKeys() {
         return isUnfinished() && takesKeys;
     }
 
-    /** Adds a listener for all that processes ask for, after each decision, on the owner thread. */
+    /** Adds a listener for the requests of processes, called after each decision on the owner thread. */
     public void addRequestListener(BiConsumer<BehaviourKind, Request> listener) {
         requestListeners.add(listener);
     }
@@ -158,8 +158,8 @@ public final class Autonomy {
     }
 
     /**
-     * Goes on with the new version of the running process; the process has not ended by that. Nothing happens if another one
-     * runs, or this one has ended by itself already.
+     * Replaces the running process by its new version, which is no end of the process. Does nothing if another one
+     * runs, or this one has already ended by itself.
      */
     public void renew(BehaviourKind version) {
         if (!isUnfinished() || !kind.equals(version)) {
@@ -185,12 +185,12 @@ public final class Autonomy {
         }
     }
 
-    /** Sets the kind that is shown, for a replay; no process runs. */
+    /** Sets the displayed kind, for a replay; no process runs. */
     void show(BehaviourKind shown) {
         kind = shown;
     }
 
-    /** Ends the process, if one runs; the robot slows down until it stands. */
+    /** Ends the process, if one runs; the robot decelerates to rest. */
     public void end() {
         if (isActive()) {
             robot.stopSteering();
@@ -198,14 +198,18 @@ public final class Autonomy {
         }
     }
 
-    /** Ends the process for an order. @param listener called once the robot stands */
+    /**
+     * Ends the process for an order.
+     *
+     * @param listener called once the robot has stopped
+     */
     public void endFor(Runnable listener) {
         end();
         standListener = listener;
         notifyIfStanding();
     }
 
-    /** Whether an order waits until the robot stands. */
+    /** True if an order waits for the robot to stop. */
     public boolean isAwaited() {
         return standListener != null;
     }
@@ -236,14 +240,14 @@ public final class Autonomy {
         }
     }
 
-    /** A process begins to steer a robot that is Stopped: it is Moving until the process ends, also while it stands. */
+    /** Changes Stopped to Moving: a steered robot is Moving until its process ends, even at rest. */
     private void countAsMoving() {
         if (robot.status() == RobotStatus.STOPPED) {
             robot.change(StatusEvent.MOTION_STARTED);
         }
     }
 
-    /** A step of time, before the robot moves through it. */
+    /** Advances by a step of time, before the robot moves. */
     public void step(long nanos) {
         notifyIfStanding();
         if (ending != null) {
@@ -259,13 +263,13 @@ public final class Autonomy {
         if (inCollisionNanos > COLLISION_NANOS) {
             perform(new Decision.Collided());
         } else if (sinceDecisionNanos >= process.periodNanos()) {
-            // a real robot is heard of less often than some processes decide
+            // a real robot reports less often than some processes decide
             sinceDecisionNanos = Math.min(sinceDecisionNanos - process.periodNanos(), process.periodNanos());
             perform(driven(process.decide(senses)));
         }
     }
 
-    /** The decision, with the speeds of the way to the place for which it asks. */
+    /** Replaces the speeds of a decision by those of the route to a requested place. */
     private Decision driven(Decision decision) {
         List<Request.Drive> drives =
                 decision instanceof Decision.Go go ? requests(go.asked(), Request.Drive.class) : List.of();

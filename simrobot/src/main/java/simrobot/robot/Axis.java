@@ -1,8 +1,8 @@
 package simrobot.robot;
 
 /**
- * One of the drive's two motions, translation or rotation: towards a speed or towards a goal, within its limits. Distances
- * and speeds are signed, unlike those of {@link Trapezoid}.
+ * One of the drive's two motions, translation or rotation, towards a speed or a goal within its limits. Distances and
+ * speeds are signed, unlike those of {@link Trapezoid}.
  *
  * <p>The unit of distance is metres, or radians anticlockwise.
  */
@@ -38,7 +38,11 @@ final class Axis {
         toGoal = false;
     }
 
-    /** Sets a goal at which the motion comes to rest. @param distance from here */
+    /**
+     * Sets the goal of a motion that ends at rest.
+     *
+     * @param distance from here
+     */
     void setGoal(double distance) {
         remaining = distance;
         toGoal = true;
@@ -90,7 +94,7 @@ final class Axis {
             Trapezoid.Step step = limits.towards(remaining * sign, forth, seconds);
             return new Trapezoid.Step(step.distance() * sign, step.speed() * sign + 0.0);
         }
-        // it still moves in the opposite direction: first to rest
+        // it still moves in the opposite direction: decelerate first
         double toRest = -forth / limits.deceleration();
         if (seconds <= toRest) {
             return towardsSpeed(0, seconds);

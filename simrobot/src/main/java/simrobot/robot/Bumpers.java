@@ -1,8 +1,8 @@
 package simrobot.robot;
 
 /**
- * The pressed bumpers. Five in front and five at the rear cover 36 degrees each; they are numbered clockwise, as the sonars
- * are, the front ones from the left, the rear ones from the right.
+ * The pressed bumpers. Five in front and five at the rear cover 36 degrees each; numbered clockwise like the sonars,
+ * the front ones from the left, the rear ones from the right.
  *
  * @param front five bits, the leftmost lowest
  * @param rear five bits, the rightmost lowest
@@ -12,15 +12,15 @@ public record Bumpers(int front, int rear) {
 
     static final Bumpers NONE = new Bumpers(0, 0);
 
-    /** A bumper is released when the obstacle is farther away. */
+    /** Distance of the obstacle at which a bumper is released. */
     private static final double GRIP_METERS = 0.001;
 
     private static final double SEGMENT_RADIANS = Math.PI / COUNT_EACH;
 
-    /** Directions that are tested: two per bumper, so that both walls of a corner are found. */
+    /** Number of tested directions: two per bumper, so that both walls of a corner are found. */
     private static final int DIRECTIONS = 4 * COUNT_EACH;
 
-    /** The bumpers that touch an obstacle in any direction; in a corner more than one. */
+    /** The bumpers in contact with an obstacle; several in a corner. */
     static Bumpers pressed(SimulatedRobot robot, Floor floor, ContactDirection touch) {
         if (!touch.persists(robot, floor)) {
             return NONE;

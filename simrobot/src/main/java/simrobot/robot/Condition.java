@@ -3,15 +3,15 @@ package simrobot.robot;
 import vericommand.Pose;
 
 /**
- * What a robot's controller measures of itself, at one instant; immutable.
+ * The measurements of a robot's controller at one instant; immutable.
  *
- * @param stalled whether an obstacle blocks the wheels
+ * @param stalled true if an obstacle blocks the wheels
  * @param odometry the pose by odometry
- * @param odometryZero the true pose at which the odometry was set to 0
+ * @param odometryZero the true pose at the reset of the odometry
  */
 public record Condition(
         double batteryVolts, boolean batteryLow, boolean stalled, Bumpers bumpers, Pose odometry, Pose odometryZero) {
-    /** The pose that the odometry gives in the world's frame. */
+    /** The pose by odometry in the world's frame. */
     public Pose estimated() {
         double turn = Math.toRadians(odometryZero.headingDegrees());
         return new Pose(

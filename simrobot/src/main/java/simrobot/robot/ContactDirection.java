@@ -10,7 +10,7 @@ import simrobot.world.Contact;
 record ContactDirection(double normalX, double normalY) {
     static final ContactDirection NONE = new ContactDirection(0, 0);
 
-    /** A contact ends when the obstacle is farther away. */
+    /** Distance of the obstacle at which a contact ends. */
     private static final double GRIP_METERS = 0.001;
 
     static ContactDirection of(Contact contact) {
@@ -25,7 +25,7 @@ record ContactDirection(double normalX, double normalY) {
         return new ContactDirection(-normalX, -normalY);
     }
 
-    /** Whether the obstacle is still there. */
+    /** True if the obstacle is still in contact. */
     boolean persists(SimulatedRobot robot, Floor floor) {
         return exists()
                 && floor.sweep(robot, -normalX * GRIP_METERS, -normalY * GRIP_METERS)

@@ -1,8 +1,8 @@
 package simrobot.robot;
 
 /**
- * The right of a program to a robot's drive, as P2OS and ROS clients have it: a motion command ends the robot's process; an order
- * by telephone wins.
+ * A program's access to a robot's drive, used by P2OS and ROS clients: a motion command ends the robot's process; an
+ * order by telephone has priority.
  */
 public final class DirectControl {
     private final SimulatedRobot robot;
@@ -11,7 +11,7 @@ public final class DirectControl {
         this.robot = robot;
     }
 
-    /** Begins with the initial limits, those of the configuration packet. */
+    /** Sets the initial limits, those of the configuration packet. */
     public void begin() {
         robot.drive().setLimits(Drive.AHEAD_LIMITS, Drive.TURN_LIMITS);
         setSuspended(false);
@@ -31,7 +31,7 @@ public final class DirectControl {
         robot.drive().setSuspended(suspend && !robot.isAutonomous());
     }
 
-    /** Brakes the motion that the program commanded. */
+    /** Brakes the program's motion. */
     public void end() {
         if (!robot.isUnderOrder() && !robot.isAutonomous()) {
             robot.drive().stop();

@@ -1,11 +1,11 @@
 package simrobot.robot;
 
 /**
- * The motion controller that a Pioneer offers to its clients: target speeds or goals for translation and rotation, within
- * limits that the client may set. Goals are measured by the wheels, so they are exact as far as the wheels do not slip.
+ * The motion controller that a Pioneer offers to its clients: target speeds or goals for translation and rotation,
+ * within limits set by the client. Goals are measured by the wheels, so they are exact unless the wheels slip.
  *
- * <p>The robot steps it; targets are cleared when the motors are switched off and when an obstacle is touched. Metres,
- * radians anticlockwise, seconds.
+ * <p>The robot steps it; targets are cleared when the motors are switched off and at a contact. Metres, radians
+ * anticlockwise, seconds.
  */
 public final class Drive {
     /** Initial limits: top speeds of the 3-DX, accelerations of the configuration packet. */
@@ -59,14 +59,14 @@ public final class Drive {
         return turn.remaining();
     }
 
-    /** Slows down with the set deceleration until it stands, and clears all targets. */
+    /** Decelerates to rest with the set deceleration, and clears all targets. */
     public void stop() {
         ahead.setSpeed(0);
         turn.setSpeed(0);
         suspended = false;
     }
 
-    /** True: slows down until it stands but keeps the targets; false: goes on towards them. */
+    /** True decelerates to rest but keeps the targets; false resumes them. */
     public void setSuspended(boolean suspend) {
         suspended = suspend;
     }
@@ -80,13 +80,13 @@ public final class Drive {
         suspended = false;
     }
 
-    /** Whether it moves or has a target. */
+    /** True if it moves or has a target. */
     boolean isActive() {
         boolean moves = ahead.speed() != 0 || turn.speed() != 0;
         return moves || (!suspended && (ahead.direction() != 0 || turn.direction() != 0));
     }
 
-    /** The direction in which it is about to start from rest: -1 back, 1 ahead, 0 none. */
+    /** The direction of a start from rest: -1 back, 1 ahead, 0 none. */
     double startDirection() {
         return ahead.speed() == 0 && !suspended ? ahead.direction() : 0;
     }

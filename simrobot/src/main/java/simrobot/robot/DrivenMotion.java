@@ -4,11 +4,11 @@ import vericommand.RobotStatus;
 import vericommand.StatusEvent;
 
 /**
- * Moves a robot by its {@link Drive}, along arcs, until an obstacle stops it, and updates the status: Moving while it is
- * driven, Collision when it touches something, Stopped when it comes to rest.
+ * Moves a robot by its {@link Drive}, along arcs, until an obstacle stops it, and updates the status: Moving while
+ * driven, Collision at a contact, Stopped at rest.
  */
 final class DrivenMotion {
-    /** Distance below which an obstacle is touched; far above the gap that a contact leaves. */
+    /** Distance that counts as contact; far above the gap left by a contact. */
     private static final double TOUCH_METERS = 1e-6;
 
     private final SimulatedRobot robot;
@@ -49,7 +49,7 @@ final class DrivenMotion {
         double meters = drive.nextAhead(seconds).distance();
         double radians = drive.nextTurn(seconds).distance();
         robot.setSpeeds(drive.speed(), drive.turnSpeed());
-        // the turn's draw comes first in the sequence of the noise
+        // the turn's random number precedes the distance's
         double turnFactor = robot.noise().turnFactor();
         Floor.Encounter encounter = wheels.roll(meters, radians, robot.noise().distanceFactor(), turnFactor);
         if (encounter != null) {
@@ -59,7 +59,7 @@ final class DrivenMotion {
         }
     }
 
-    /** A process keeps its standing robot Moving, unless it began in Collision: whether it is free now has to be found. */
+    /** A process keeps its robot Moving at rest, unless it began in Collision and the path may be free now. */
     private boolean mayRest() {
         return begunInCollision || !robot.autonomy().isUnfinished();
     }
@@ -77,7 +77,7 @@ final class DrivenMotion {
         }
     }
 
-    /** The robot has come to rest; targets of a suspended drive are kept. */
+    /** Handles the robot's coming to rest; targets of a suspended drive are kept. */
     void rest() {
         boolean blocked = begunInCollision && robot.isTouching() && robot.isPathBlocked();
         begunInCollision = false;

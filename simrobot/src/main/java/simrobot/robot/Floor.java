@@ -9,12 +9,12 @@ import simrobot.world.World;
 
 /** The surroundings of a robot: walls, belts and the other robots. Implemented by the simulation. */
 public interface Floor {
-    /** The first contact on a robot's path, and the robot that is touched, null for anything else. */
+    /** The first contact on a robot's path, and the touched robot; null for other obstacles. */
     record Encounter(Contact contact, SimulatedRobot robot) {
         /** No contact. */
         public static final Encounter NONE = new Encounter(Contact.NONE, null);
 
-        /** True when it is another robot that is touched. */
+        /** True if the obstacle is another robot. */
         public boolean isRobot() {
             return robot != null;
         }
@@ -29,7 +29,7 @@ public interface Floor {
     /** True if the place lies within the world. */
     boolean isInside(double xMeters, double yMeters);
 
-    /** The way of a robot there for each metre or radian of its wheels, 0 to 1. */
+    /** The robot's motion there per metre or radian of its wheels, 0 to 1. */
     double grip(double xMeters, double yMeters);
 
     /** Velocity of the floor there along x, metres per second. */
@@ -42,35 +42,35 @@ public interface Floor {
      * The distance along a single ray from (x, y) to something other than this robot, or the range; metres.
      *
      * @param ux with uy the ray's direction, a unit vector
-     * @param moment of the sonar clock: where the other robots are, or were
+     * @param moment of the sonar clock, which selects the other robots' positions
      */
     double rayRange(SimulatedRobot robot, double x, double y, double ux, double uy, double rangeMeters, int moment);
 
-    /** The distance at which the cone first holds something other than this robot, or the range, at a moment. */
+    /** The smallest distance at which the cone contains something other than this robot, or the range, at a moment. */
     double coneRange(SimulatedRobot robot, Cone cone, double rangeMeters, int moment);
 
-    /** When sonars fire. */
+    /** The firing times of sonars. */
     SonarClock sonarClock();
 
     /** The world of this floor. */
     World world();
 
-    /** What all robots may wait in a step. */
+    /** The time that all robots may wait in a step. */
     WaitBudget waitBudget();
 
-    /** The places of the robots other than this one. */
+    /** The positions of the robots other than this one. */
     List<Position> others(SimulatedRobot robot);
 
     /**
-     * To be called at the end of a robot's step.
+     * Called at the end of a robot's step.
      *
-     * @param dx with dy how far the robot has moved in it, metres
+     * @param dx with dy the robot's motion in it, metres
      */
     void stepped(double dx, double dy);
 
-    /** To be called when a robot was put elsewhere, and not by a step; else as {@link #moved}. */
+    /** Called after a robot was placed, and not moved by a step; implies {@link #moved}. */
     void placed(SimulatedRobot robot);
 
-    /** To be called when the robot's place has changed. */
+    /** Called after a robot's position has changed. */
     void moved(SimulatedRobot robot);
 }

@@ -1,8 +1,8 @@
 package simrobot.robot;
 
 /**
- * The rule that decides reply tone 5, "the robot is in an infinite loop": an instruction has not ended after 3 times its
- * nominal duration, by its velocity trapezoid, plus 2 s.
+ * Decides reply tone 5, "the robot is in an infinite loop": an instruction has not ended after 3 times its nominal
+ * duration, by its velocity trapezoid, plus 2 s.
  */
 public final class InfiniteLoopRule {
     private static final int NOMINAL_DURATIONS = 3;

@@ -3,7 +3,7 @@ package simrobot.robot;
 import java.util.stream.IntStream;
 import simrobot.behaviour.Senses;
 
-/** The laser range finder of one robot: single rays from one place; computed when it is read. */
+/** The laser range finder of one robot: single rays from one place, computed when read. */
 public final class Laser {
     /** Maximum range, also reported without an echo: MobileSim's SICK LMS 200. */
     public static final double RANGE_METERS = 32;
@@ -20,17 +20,21 @@ public final class Laser {
         this.floor = floor;
     }
 
-    /** Whether windows show what the laser measures. */
+    /** True if windows show the readings. */
     public boolean isOn() {
         return on;
     }
 
-    /** Switches the laser; off, it can be read nevertheless. */
+    /** Switches the display of readings; they can be read when off, too. */
     public void setOn(boolean isOn) {
         on = isOn;
     }
 
-    /** What the laser measures now: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */
+    /**
+     * The range measured now, 0 to 32 m.
+     *
+     * @param reading 0 to 180, anticlockwise, 90 ahead
+     */
     double rangeMeters(int reading) {
         if (reading < 0 || reading >= Senses.LASER_READINGS) {
             throw new IndexOutOfBoundsException("laser reading " + reading + ", expected 0 to 180");
@@ -38,7 +42,7 @@ public final class Laser {
         return rangeMeters(LaserField.USUAL, reading);
     }
 
-    /** What the laser measures now in the directions of a field, metres. */
+    /** The ranges measured now in the directions of a field, metres. */
     public double[] rangesMeters(LaserField field) {
         return IntStream.range(0, field.count())
                 .mapToDouble(reading -> rangeMeters(field, reading))

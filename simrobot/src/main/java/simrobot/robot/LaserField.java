@@ -8,7 +8,7 @@ package simrobot.robot;
  * @param stepDegrees at least 0.25
  */
 public record LaserField(double startDegrees, double endDegrees, double stepDegrees) {
-    /** As MobileSim's: 181 readings, a degree apart. */
+    /** MobileSim's field: 181 readings, one per degree. */
     public static final LaserField USUAL = new LaserField(-90, 90, 1);
 
     /** The finest resolution of a SICK LMS 200. */

@@ -60,7 +60,7 @@ final class MotionProgress {
         return braking ? profile.brake(speed, seconds) : profile.towards(goal - done(), speed, seconds);
     }
 
-    /** By the robot's true pose, metres or radians clockwise. */
+    /** The motion of the robot's true pose, metres or radians clockwise. */
     private double done() {
         return forward
                 ? (robot.xMeters() - startX) * aheadX + (robot.yMeters() - startY) * aheadY
@@ -72,7 +72,7 @@ final class MotionProgress {
         return startHeading - goal;
     }
 
-    /** Whether the goal is reached, to a tenth of a micrometre or microradian. */
+    /** True if the goal is reached within 0.1 micrometres or microradians. */
     boolean isAtGoal() {
         return done() >= goal - 1e-7;
     }

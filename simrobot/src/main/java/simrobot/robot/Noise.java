@@ -3,11 +3,11 @@ package simrobot.robot;
 import java.util.SplittableRandom;
 
 /**
- * Errors of wheels, sonars and laser. The size of the tyres deviates by a share that is drawn once, their slip is drawn at
- * each step, and ranges scatter. All draws follow from a seed: those of the wheels in the order of steps, those of the
- * ranges by the step's number, so that reading a range changes nothing.
+ * Errors of wheels, sonars and laser. The size error of the tyres is drawn once, their slip at each step, and ranges
+ * scatter. All draws depend on a seed: those of the wheels in the order of steps, those of the ranges by the step's
+ * number, so that reading a range changes nothing.
  *
- * <p>Scale 1 is MobileSim's for wheels and sonars: at most 0.75 % of distance and turn. Scale 0 is exact.
+ * <p>Scale 1 equals MobileSim's for wheels and sonars: at most 0.75 % of distance and turn. Scale 0 is exact.
  */
 public final class Noise {
     public static final Noise NONE = new Noise(0, 0);
@@ -17,16 +17,16 @@ public final class Noise {
 
     private static final double WHEEL_SHARE = 0.0075;
 
-    /** Maximum error as a share of the range ... */
+    /** Maximum relative error of a sonar's range. */
     private static final double SONAR_SHARE = 0.005;
 
-    /** ... plus this. */
+    /** Maximum absolute error of a sonar's range, added to the relative one. */
     private static final double SONAR_METERS = 0.005;
 
-    /** Standard deviation of a laser's range: a SICK LMS 200's. */
+    /** Standard deviation of a laser's range, that of a SICK LMS 200. */
     private static final double LASER_METERS = 0.005;
 
-    /** Keeps the laser's draws apart from those of the sonars. */
+    /** Separates the laser's draws from those of the sonars. */
     private static final long LASER_SEED = 0x5DEECE66DL;
 
     private final double scale;
@@ -35,7 +35,7 @@ public final class Noise {
     private final double tyres;
     private final double track;
 
-    /** @param scale 0 for none, 1 for MobileSim's, at most 10 */
+    /** @param scale 0 for none, 1 as in MobileSim, at most 10 */
     public Noise(double scale, long seed) {
         if (!(scale >= 0 && scale <= MAX_SCALE)) {
             throw new IllegalArgumentException("noise " + scale + ", expected 0 to " + MAX_SCALE);
@@ -56,12 +56,16 @@ public final class Noise {
         return scale == 0 ? 1 : 1 + tyres + share();
     }
 
-    /** True turn per turn of the wheels, in this step. */
+    /** The measured range of a sonar; 5 m remains without an echo. */
     double turnFactor() {
         return scale == 0 ? 1 : 1 + track + share();
     }
 
-    /** The range that a sonar measures; without an echo it stays 5 m. */
+    /**
+     * The measured range of a laser; 32 m remains without an echo.
+     *
+     * @param milliradians the reading's direction
+     */
     double sonar(double meters, int sonar, long step) {
         if (scale == 0 || meters >= Pioneer2Dx.SONAR_RANGE_METERS) {
             return meters;

@@ -1,8 +1,8 @@
 package simrobot.robot;
 
 /**
- * The pose that follows from the wheels' rotation, relative to the pose at which it was last reset. Dragging the robot, a
- * belt under it and a change of its true pose do not change it.
+ * The pose computed from the wheels' rotation, relative to that at the last reset. Dragging the robot, a belt under it
+ * and a change of its true pose do not affect it.
  */
 public final class Odometry {
     private double x;
@@ -15,7 +15,7 @@ public final class Odometry {
 
     Odometry() {}
 
-    /** Adds an arc: a distance ahead, and the turn made meanwhile. */
+    /** Adds an arc: the distance ahead and the turn. */
     void roll(double meters, double radians) {
         double chord = meters * arc.chordShare(radians);
         direction.to(heading + radians / 2);
@@ -27,7 +27,7 @@ public final class Odometry {
         right += meters + half;
     }
 
-    /** Sets place and heading; the wheels' distances go on. */
+    /** Sets position and heading; the wheels' distances are kept. */
     void set(double xMeters, double yMeters, double headingRadians) {
         x = xMeters;
         y = yMeters;
@@ -47,12 +47,12 @@ public final class Odometry {
         return heading;
     }
 
-    /** Distance of the left wheel since the beginning, backward motion negative. */
+    /** Distance of the left wheel since the start, backward motion negative. */
     public double leftMeters() {
         return left;
     }
 
-    /** Distance of the right wheel since the beginning, backward motion negative. */
+    /** Distance of the right wheel since the start, backward motion negative. */
     public double rightMeters() {
         return right;
     }

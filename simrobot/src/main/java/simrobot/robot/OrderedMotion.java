@@ -6,7 +6,7 @@ import vericommand.MotionOutcome;
 import vericommand.RobotStatus;
 import vericommand.StatusEvent;
 
-/** Executes the instructions of an order on a robot, one at a time. Goals are judged by the true place. */
+/** Executes the instructions of an order on a robot, one at a time. The true position decides about goals. */
 final class OrderedMotion {
     private final SimulatedRobot robot;
     private final Wheels wheels;
@@ -29,14 +29,14 @@ final class OrderedMotion {
         robot.change(StatusEvent.MOTION_STARTED);
     }
 
-    /** Slows down from the next step on. */
+    /** Decelerates from the next step. */
     void brake() {
         if (motion != null) {
             motion.brake();
         }
     }
 
-    /** Ends a motion of a robot that stands already, as one that was braked. */
+    /** Ends the motion of a robot at rest as a braked one. */
     void endBraked() {
         motion.brake();
         rest();

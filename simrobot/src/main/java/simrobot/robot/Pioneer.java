@@ -17,8 +17,8 @@ import vericommand.StatusMachine;
 import vericommand.StatusRules;
 
 /**
- * A Pioneer, simulated ({@link SimulatedRobot}) or real: what can be ordered by telephone, its switches and its sensors, and
- * how its {@link Autonomy} steers it. Owned by the simulation's thread.
+ * A Pioneer, simulated ({@link SimulatedRobot}) or real: its motions by telephone, its switches, its sensors, and its
+ * {@link Autonomy}. Owned by the simulation's thread.
  */
 public abstract class Pioneer implements Robot {
     private final String name;
@@ -98,18 +98,18 @@ public abstract class Pioneer implements Robot {
         begin(motion, ended);
     }
 
-    /** Begins a motion that is possible in the current status. */
+    /** Begins a motion that the current status permits. */
     protected abstract void begin(Instruction.Motion motion, Consumer<MotionOutcome> ended);
 
-    /** Whether a motion of an order is executed. */
+    /** True during a motion of an order. */
     protected abstract boolean isInMotion();
 
-    /** True while it executes an instruction or slows down for one: its drive must not be used. */
+    /** True while it executes an instruction or brakes for one: its drive must not be used. */
     public final boolean isUnderOrder() {
         return isInMotion() || autonomy.isAwaited();
     }
 
-    /** Moves the robot there by hand; of a real robot, records that it has been moved there. */
+    /** Moves the robot there by hand; of a real robot, records that a user has moved it there. */
     public final Placement place(double xMeters, double yMeters, double headingRadians) {
         return status() == RobotStatus.MOVING ? Placement.MOVING : put(xMeters, yMeters, headingRadians);
     }
@@ -124,7 +124,7 @@ public abstract class Pioneer implements Robot {
         return autonomy;
     }
 
-    /** What its processes may know. */
+    /** The surroundings known to its processes. */
     protected abstract Surroundings surroundings();
 
     /** Sets the wheels' target speeds. */
@@ -183,7 +183,7 @@ public abstract class Pioneer implements Robot {
         return PoseRounding.pose(xMeters(), yMeters(), headingRadians());
     }
 
-    /** The pose by the turns of the wheels, in a frame of its own; of a real robot, the pose. */
+    /** The pose by odometry, in its own frame; of a real robot, the pose. */
     protected Pose odometryPose() {
         return pose();
     }
@@ -191,13 +191,17 @@ public abstract class Pioneer implements Robot {
     /** Speed of the wheels, metres per second ahead. */
     public abstract double speedMetersPerSecond();
 
-    /** The bumpers that are pressed. */
+    /** The pressed bumpers. */
     public abstract Bumpers bumpers();
 
-    /** What one sonar measured when it last fired, 0.1 to 5 m, noise included. */
+    /** One sonar's latest range, 0.1 to 5 m, with noise. */
     public abstract double sonarMeters(int sonar);
 
-    /** What the laser of a simulated robot measures now: 0 to 32 m. @param reading 0 to 180, anticlockwise, 90 ahead */
+    /**
+     * The laser's range measured now by a simulated robot: 0 to 32 m.
+     *
+     * @param reading 0 to 180, anticlockwise, 90 ahead
+     */
     public double laserMeters(int reading) {
         throw new UnsupportedOperationException("a real robot has no laser here, expected sonarMeters");
     }

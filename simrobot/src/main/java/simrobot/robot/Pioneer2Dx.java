@@ -3,7 +3,7 @@ package simrobot.robot;
 /**
  * The robot's dimensions and limits. Metres, seconds, radians.
  *
- * <p>The pose is that of the centre of rotation, between the driven wheels; x points ahead, y to the left.
+ * <p>The origin of its pose is the centre of rotation between the driven wheels; x points ahead, y to the left.
  */
 public final class Pioneer2Dx {
     /** Top speed ahead: Stage's limit for Pioneers (pioneer.inc). */
@@ -32,16 +32,16 @@ public final class Pioneer2Dx {
     public static final double WHEEL_DIAMETER_METERS = 0.165;
     public static final double WHEEL_WIDTH_METERS = 0.037;
 
-    /** Between the wheels' middles. */
+    /** Distance between the wheels' middles. */
     public static final double TRACK_METERS = 0.317;
 
-    /** Track by which wheel speeds give the turn, slip included: 2 / DiffConvFactor 0.0056 mm of ARIA's p2dx.p. */
+    /** Track that converts wheel speeds to the turn, slip included: 2 / DiffConvFactor 0.0056 mm of ARIA's p2dx.p. */
     public static final double EFFECTIVE_TRACK_METERS = 2 / 0.0056 / 1000;
 
     /** Maximum range of a sonar, also reported without an echo. */
     public static final double SONAR_RANGE_METERS = 5;
 
-    /** Minimum range of a sonar: nearer, the transducer still rings from its own ping. */
+    /** Minimum range of a sonar; below it the transducer still rings from its own ping. */
     public static final double SONAR_LEAST_METERS = 0.1;
 
     /** The 2-DX's cone (Stage's pioneer2dx sonar). */

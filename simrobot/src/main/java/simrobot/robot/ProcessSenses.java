@@ -8,7 +8,7 @@ import simrobot.behaviour.Senses;
 import vericommand.Pose;
 import vericommand.RobotStatus;
 
-/** The senses of a process, measured when they are asked for, and the time since it began. */
+/** The senses of a process, measured when read, and the time since its beginning. */
 final class ProcessSenses implements Senses {
     private final Pioneer robot;
     private final Supplier<Call> call;
@@ -18,7 +18,7 @@ final class ProcessSenses implements Senses {
     private long nanos;
     private Call heard;
 
-    /** @param arrived whether the robot has come to the place that the process asked for */
+    /** @param arrived true once the robot has reached the requested place */
     ProcessSenses(Pioneer robot, Supplier<Call> call, BooleanSupplier arrived) {
         this.robot = robot;
         this.call = call;
@@ -83,7 +83,7 @@ final class ProcessSenses implements Senses {
         return arrived.getAsBoolean();
     }
 
-    /** The keys are handed over when a decision first reads them. */
+    /** The call; its keys are consumed by the first read in a decision. */
     @Override
     public Call call() {
         heard = heard == null ? call.get() : heard;

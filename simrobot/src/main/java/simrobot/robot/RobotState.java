@@ -7,8 +7,8 @@ import vericommand.RobotStatus;
  * The observable state of a robot at one instant, to the last bit.
  *
  * @param headingRadians anticlockwise from +X, not wrapped
- * @param speedMetersPerSecond ahead, of the wheels
- * @param turnRadiansPerSecond anticlockwise, of the wheels
+ * @param speedMetersPerSecond of the wheels, ahead
+ * @param turnRadiansPerSecond of the wheels, anticlockwise
  * @param odometryXMeters with the next two the pose by odometry
  */
 public record RobotState(

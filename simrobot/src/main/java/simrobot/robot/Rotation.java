@@ -1,6 +1,6 @@
 package simrobot.robot;
 
-/** An angle with its cosine and sine, which are computed again only when the angle changes. */
+/** An angle with its cosine and sine, cached for the last angle. */
 final class Rotation {
     private double radians;
     private double cos = 1;

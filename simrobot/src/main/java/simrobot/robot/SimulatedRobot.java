@@ -16,11 +16,11 @@ import vericommand.StatusEvent;
 /**
  * A simulated Pioneer 2-DX. It moves only in {@link #step}; owned by the simulation's thread.
  *
- * <p>A step takes the wheels' distance from the motion's profile and the belt's from the floor, sweeps the robot's circle along
- * their sum, and stops it at the first contact. Goals are judged by the true place, so wheels that slip go on.
+ * <p>A step adds the wheels' distance by the motion's profile and the belt's by the floor, sweeps the robot's circle
+ * along the sum, and stops it at the first contact. The true position decides about goals, so slipping wheels continue.
  */
 public final class SimulatedRobot extends Pioneer implements Surroundings {
-    /** A turn made in Collision frees the robot if the path ahead is free over this distance. */
+    /** Free distance ahead after which a turn made in Collision frees the robot. */
     private static final double FREE_PATH_METERS = 0.01;
 
     private final int number;
@@ -30,10 +30,10 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
     private double heading;
     private final Rotation direction = new Rotation();
 
-    /** Of the wheels: metres per second ahead. */
+    /** Speed of the wheels, metres per second ahead. */
     private double speed;
 
-    /** Of the wheels: radians per second clockwise. */
+    /** Turning speed by the wheels, radians per second clockwise. */
     private double turnSpeed;
 
     private final Wheels wheels;
@@ -48,9 +48,9 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
     private final Laser laser;
 
     /**
-     * A robot that stands there with power and motors on.
+     * Creates a robot at rest with power and motors on.
      *
-     * @param number unique on the floor, from 0 in the order in which the robots were added
+     * @param number unique on the floor, from 0 in the order of addition
      */
     public SimulatedRobot(String name, int number, Floor floor, double xMeters, double yMeters, double headingRadians) {
         super(name, RobotStatus.STOPPED);
@@ -67,7 +67,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         sonars = new Sonars(this, floor);
     }
 
-    /** Switches the power; on leaves the motors off. Off ends a motion at once. */
+    /** Switches the power; the motors stay off. Off ends a motion at once. */
     @Override
     public void setPower(boolean on) {
         if (on != isPowered()) {
@@ -102,7 +102,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         driven.drive().stop();
     }
 
-    /** Stops at once, without deceleration; a motion of an order ends as one that was braked. */
+    /** Stops at once, without deceleration; a motion of an order ends as braked. */
     public void brakeAtOnce() {
         autonomy().end();
         stand();
@@ -118,7 +118,10 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         return ordered.isUnderWay();
     }
 
-    /** The drive, for direct control: targets take effect in the next step, with motors on and without an order. */
+    /**
+     * The drive, for direct control: targets take effect in the next step if the motors are on and no order is
+     * executed.
+     */
     public Drive drive() {
         return driven.drive();
     }
@@ -134,7 +137,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         drive().stop();
     }
 
-    // ---- what its processes may know -----------------------------------------------------------------------------
+    // ---- surroundings of its processes ---------------------------------------------------------------------------
 
     @Override
     protected Surroundings surroundings() {
@@ -195,7 +198,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         floor.moved(this);
     }
 
-    /** Stops a moving robot that touches something. */
+    /** Stops a moving robot at a contact. */
     private void touch(ContactDirection here) {
         touch = here;
         if (ordered.isUnderWay()) {
@@ -211,7 +214,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         setSpeeds(0, 0);
     }
 
-    /** Whether the path ahead is free over less than 1 cm, the gap that a contact leaves not counted. */
+    /** True if less than 1 cm of the path ahead is free, apart from the gap left by a contact. */
     boolean isPathBlocked() {
         return !isPathFree(FREE_PATH_METERS - 1e-6);
     }
@@ -240,7 +243,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         turnSpeed = 0 - radiansPerSecond;
     }
 
-    /** Whether the obstacle that was touched last is still there. */
+    /** True if the obstacle touched last is still there. */
     boolean isTouching() {
         return touch.persists(this, floor);
     }
@@ -256,7 +259,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
     }
 
     /**
-     * Moves the robot there by hand. In Collision it becomes Stopped if the path ahead is free there, by the rule for turns.
+     * Moves the robot there by hand. Collision becomes Stopped if the path ahead is free there, by the rule for turns.
      */
     @Override
     protected Placement put(double xMeters, double yMeters, double headingRadians) {
@@ -283,7 +286,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         return RobotState.of(this);
     }
 
-    /** Sets its state, for a replay: no listener is called, and it does not move by itself. */
+    /** Sets its state, for a replay: calls no listener, and does not move by itself. */
     public SimulatedRobot restore(RobotState state) {
         x = state.xMeters();
         y = state.yMeters();
@@ -321,7 +324,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         return 0 - turnSpeed;
     }
 
-    /** The pose by its wheels. */
+    /** The pose by odometry. */
     public Odometry odometry() {
         return odometry;
     }
@@ -351,7 +354,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         return battery;
     }
 
-    /** What its controller measures. */
+    /** The controller's measurements. */
     public Condition condition() {
         return new Condition(
                 battery.volts(),
@@ -371,7 +374,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         noise = newNoise;
     }
 
-    /** Its sonars, which remember where it was when they fired. */
+    /** Its sonars, which remember its positions at their firings. */
     public Sonars sonars() {
         return sonars;
     }

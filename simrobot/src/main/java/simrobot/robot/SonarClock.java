@@ -4,19 +4,20 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * When the sonars of all robots on a floor fire: in each array one every 40 ms, the eight of an array in turn. Robots remember
- * where they were at the moments of the last eight firings and of the last renewal, after which all ranges are new.
+ * The firing times of the sonars of all robots on a floor: one sonar of each array every 40 ms, the eight of an array
+ * in turn. Robots remember their positions at the last eight firings and at the last renewal, after which all ranges
+ * are new.
  */
 public final class SonarClock {
-    /** Between two firings of an array: P2OS manual, and byte 22 of the configuration packet. */
+    /** Period of an array's firings: P2OS manual, and byte 22 of the configuration packet. */
     private static final long FIRING_NANOS = 40_000_000;
 
     private static final int TURNS = 8;
 
-    /** The moment that is not remembered. */
+    /** The current moment, which is not remembered. */
     public static final int NOW = -1;
 
-    /** The moment of the last renewal; those of firings are below. */
+    /** The moment of the last renewal; the moments of firings are lower. */
     static final int RENEWED = TURNS;
 
     static final int MOMENTS = TURNS + 1;
@@ -28,21 +29,25 @@ public final class SonarClock {
     private long renewals = 1;
     private boolean renewedNow = true;
 
-    /** @param stepNanos of the simulation, a part of 40 ms */
+    /** @param stepNanos of the simulation, a divisor of 40 ms */
     public SonarClock(long stepNanos) {
         stepsEach = FIRING_NANOS / stepNanos;
     }
 
     // ---- for the floor ---------------------------------------------------------------------------------------------
 
-    /** Something has been put elsewhere: all ranges are of now. */
+    /** Renews all ranges after something was placed by hand. */
     public void renew() {
         renewedStep = steps;
         renewals++;
         renewedNow = true;
     }
 
-    /** A step begins. @param robots that are about to move */
+    /**
+     * Begins a step.
+     *
+     * @param robots that are about to move
+     */
     public void begin(Iterable<SimulatedRobot> robots) {
         if (renewedNow) {
             robots.forEach(robot -> robot.sonars().keep(RENEWED));
@@ -50,7 +55,11 @@ public final class SonarClock {
         }
     }
 
-    /** A step has ended. @param robots that have moved */
+    /**
+     * Ends a step.
+     *
+     * @param robots that have moved
+     */
     public void end(Iterable<SimulatedRobot> robots) {
         steps++;
         if (steps % stepsEach == 0) {
@@ -61,7 +70,7 @@ public final class SonarClock {
         resting.clear();
     }
 
-    /** The steps of which something is remembered. */
+    /** History length in steps. */
     public long rememberedSteps() {
         return (TURNS + 1) * stepsEach;
     }
@@ -69,12 +78,12 @@ public final class SonarClock {
     // ---- for the sonars
     // ----------------------------------------------------------------------------------------------
 
-    /** Sonars of a robot that has come to rest in this step. */
+    /** Registers the sonars of a robot that has come to rest in this step. */
     void addResting(Sonars sonars) {
         resting.add(sonars);
     }
 
-    /** Steps that have ended. */
+    /** Number of ended steps. */
     long steps() {
         return steps;
     }
@@ -87,12 +96,12 @@ public final class SonarClock {
         return renewals;
     }
 
-    /** Whether no robot has moved since the last renewal. */
+    /** True if no robot has moved since the last renewal. */
     boolean isRenewedNow() {
         return renewedNow;
     }
 
-    /** The step at which the sonars with this turn, 0 to 7, fired last; negative for never. */
+    /** The step at which the sonars with this turn, 0 to 7, fired last; negative if never. */
     long lastStepOf(int turn) {
         long firings = steps / stepsEach;
         return stepsEach * (firings - Math.floorMod(firings - turn, TURNS));

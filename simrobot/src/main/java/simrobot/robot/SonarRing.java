@@ -1,6 +1,6 @@
 package simrobot.robot;
 
-/** Places and directions of the sixteen sonars (ARIA's p2dx.p), sonar 0 first, clockwise round the robot. */
+/** Positions and directions of the sixteen sonars (ARIA's p2dx.p), sonar 0 first, clockwise round the robot. */
 public final class SonarRing {
     public static final int COUNT = 16;
 
@@ -14,17 +14,17 @@ public final class SonarRing {
 
     private SonarRing() {}
 
-    /** Ahead of the centre of rotation, in metres. */
+    /** Position ahead of the centre of rotation, in metres. */
     public static double mountX(int sonar) {
         return MOUNTS[sonar][0] / 1000;
     }
 
-    /** To the left of the centre of rotation, in metres. */
+    /** Position to the left of the centre of rotation, in metres. */
     public static double mountY(int sonar) {
         return MOUNTS[sonar][1] / 1000;
     }
 
-    /** Anticlockwise from ahead. */
+    /** Direction, anticlockwise from ahead. */
     public static double directionRadians(int sonar) {
         return Math.toRadians(MOUNTS[sonar][2]);
     }

@@ -4,19 +4,19 @@ import java.util.Arrays;
 import simrobot.world.Cone;
 
 /**
- * The sonars of one robot. Each array of eight fires one sonar every 40 ms, both arrays at the same time, so that a range is
- * up to 320 ms old (P2OS manual; the order is that of ARIA's numbers). All ranges are new when something on the floor was put
- * elsewhere by hand, and when this robot comes to rest.
+ * The sonars of one robot. Each array of eight fires one sonar every 40 ms, both arrays at the same time, so that a
+ * range is up to 320 ms old (P2OS manual; in the order of ARIA's numbers). All ranges are renewed when something on the
+ * floor is placed by hand, and when this robot comes to rest.
  *
- * <p>A range is computed when it is read, from where everything was when the sonar fired: sonars that are not read cost
- * nothing, and reading changes nothing.
+ * <p>A range is computed when it is read, from all positions at the firing: unread sonars cost nothing, and reading
+ * changes nothing.
  */
 public final class Sonars {
     private static final int EACH_ARRAY = SonarRing.COUNT / 2;
     private static final double HALF_CONE_RADIANS = Pioneer2Dx.SONAR_CONE_RADIANS / 2;
 
     /**
-     * A mouth within this distance of the robot's centre needs no look for a wall in front of it: walls stay out of the
+     * Distance of a mouth from the robot's centre below which no wall can be in front of it: walls stay out of the
      * collision circle, and other robots' bodies reach at most 0.04 m into it.
      */
     private static final double FREE_ARM_METERS = Pioneer2Dx.RADIUS_METERS - 0.04;
@@ -52,7 +52,7 @@ public final class Sonars {
     private final SonarClock clock;
     private final Rotation direction = new Rotation();
 
-    /** Where the robot was, by {@link SonarClock}'s moments. */
+    /** The robot's positions by {@link SonarClock}'s moments. */
     private final double[] xs = new double[SonarClock.MOMENTS];
 
     private final double[] ys = new double[SonarClock.MOMENTS];
@@ -60,11 +60,11 @@ public final class Sonars {
 
     private final double[] ranges = new double[SonarRing.COUNT];
 
-    /** Which firing each range is of: a step, or a renewal as a negative number; the least for none. */
+    /** The firing of each range: a step, or a renewal as a negative number; the least for none. */
     private final long[] firings = new long[SonarRing.COUNT];
 
     private boolean rests;
-    /** The step at which the robot has come to rest; all ranges are of that step or later. */
+    /** The step in which the robot has come to rest; all ranges are of that step or later. */
     private long restStep = -1;
 
     Sonars(SimulatedRobot robot, Floor floor) {
@@ -76,14 +76,14 @@ public final class Sonars {
 
     // ---- time ----------------------------------------------------------------------------------------------------
 
-    /** Remembers where the robot is. */
+    /** Stores the robot's position. */
     void keep(int moment) {
         xs[moment] = robot.xMeters();
         ys[moment] = robot.yMeters();
         headings[moment] = robot.headingRadians();
     }
 
-    /** The robot has come to rest. At the end of the step all sonars measure, read or not. */
+    /** Handles the robot's coming to rest: at the end of the step all sonars measure, read or not. */
     void rest() {
         if (!rests) {
             rests = true;
@@ -91,7 +91,7 @@ public final class Sonars {
         }
     }
 
-    /** All robots have moved through the step in which this one came to rest. */
+    /** Measures after all robots have moved through the step in which this one came to rest. */
     void measureAtRest() {
         rests = false;
         restStep = clock.steps();
@@ -101,7 +101,7 @@ public final class Sonars {
         }
     }
 
-    /** Where the robot is or was at a moment of the clock. */
+    /** The robot's position now or at a moment of the clock. */
     public double xMeters(int moment) {
         return moment == SonarClock.NOW ? robot.xMeters() : xs[moment];
     }
@@ -118,7 +118,7 @@ public final class Sonars {
 
     // ---- ranges --------------------------------------------------------------------------------------------------
 
-    /** What a sonar measured when it last fired, 0.1 to 5 m, noise included. */
+    /** One sonar's latest range, 0.1 to 5 m, with noise. */
     double rangeMeters(int sonar) {
         long fired = clock.lastStepOf(sonar % EACH_ARRAY);
         long renewed = clock.renewedStep();
@@ -146,8 +146,8 @@ public final class Sonars {
     }
 
     /**
-     * The exact range at a moment. The rear mouths stick out of the collision circle, so a wall may stand between the robot's
-     * centre and a mouth; such a sonar measures the least range.
+     * The exact range at a moment. The rear mouths are outside the collision circle, so a wall may be between the
+     * robot's centre and a mouth; such a sonar measures the minimum range.
      */
     private double exactRangeMeters(int sonar, int moment) {
         Mount mount = MOUNTS[sonar];

@@ -2,9 +2,9 @@ package simrobot.robot;
 
 import java.util.Arrays;
 
-/** The places where a robot has been, every 2 cm; at most 4000, the oldest are dropped. */
+/** A robot's past positions, every 2 cm; at most 4000, the oldest are dropped. */
 public final class Trail {
-    /** Maximum number of points; at their spacing, 80 m of path. */
+    /** Maximum number of points, for 80 m of path. */
     public static final int CAPACITY = 4000;
 
     private static final int INITIAL_SIZE = 16;
@@ -48,7 +48,7 @@ public final class Trail {
         return dx * dx + dy * dy < SPACING_METERS * SPACING_METERS;
     }
 
-    /** The robot is lifted: no line connects this point to the next. */
+    /** Interrupts the line because the robot is lifted. */
     void lift() {
         if (count > 0 && !Double.isNaN(xs[last()])) {
             add(Double.NaN, Double.NaN, times[last()]);
@@ -65,7 +65,7 @@ public final class Trail {
         return (next + xs.length - 1) % xs.length;
     }
 
-    /** A ring below its capacity has not wrapped around yet. */
+    /** the ring has not wrapped around below its capacity */
     private void grow() {
         int room = Math.min(CAPACITY, 4 * xs.length);
         xs = Arrays.copyOf(xs, room);
@@ -86,7 +86,7 @@ public final class Trail {
         changed = true;
     }
 
-    /** The points so far; the same object as long as there is no new one. */
+    /** The points so far; the same object until a new one. */
     public Points points() {
         if (changed) {
             double[] xy = new double[2 * count];

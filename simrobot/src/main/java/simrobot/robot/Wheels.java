@@ -3,8 +3,8 @@ package simrobot.robot;
 import simrobot.world.Contact;
 
 /**
- * Moves a robot by the turns of its wheels: along an arc in small chords, as the floor's grip and velocity carry it, up to the
- * first obstacle. The one motion under orders, processes and P2OS.
+ * Moves a robot by its wheels: along an arc in small chords, with the floor's grip and velocity, up to the first
+ * obstacle. Used under orders, processes and P2OS.
  */
 final class Wheels {
     private final SimulatedRobot robot;
@@ -12,7 +12,7 @@ final class Wheels {
     private final Rotation direction = new Rotation();
     private final Arc arc = new Arc();
 
-    /** Of the floor under the robot, metres in this step. */
+    /** Motion of the floor under the robot in this step, metres. */
     private double floorX;
 
     private double floorY;
@@ -22,13 +22,13 @@ final class Wheels {
         this.floor = floor;
     }
 
-    /** To be called at the beginning of each step. */
+    /** Called at the beginning of each step. */
     void begin(double seconds) {
         floorX = floor.velocityX(robot.xMeters(), robot.yMeters()) * seconds;
         floorY = floor.velocityY(robot.xMeters(), robot.yMeters()) * seconds;
     }
 
-    /** Moves the standing robot with the floor until an obstacle stops it; that is no collision of the robot. */
+    /** Moves the robot at rest with the floor until an obstacle stops it; this does not count as its collision. */
     void carry() {
         if (floorX != 0 || floorY != 0) {
             robot.advance(
@@ -39,10 +39,10 @@ final class Wheels {
     /**
      * Moves the robot through this step.
      *
-     * @param meters with radians what the wheels turn
+     * @param meters with radians the wheels' motion
      * @param distanceFactor true distance per distance of the wheels
      * @param turnFactor true turn per turn of the wheels
-     * @return what has stopped the robot, null for nothing
+     * @return the obstacle that has stopped the robot; null for none
      */
     Floor.Encounter roll(double meters, double radians, double distanceFactor, double turnFactor) {
         double grip = floor.grip(robot.xMeters(), robot.yMeters());

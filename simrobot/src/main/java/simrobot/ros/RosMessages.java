@@ -18,8 +18,8 @@ import simrobot.simulation.SimulationSnapshot;
 import vericommand.Pose;
 
 /**
- * The messages of one moment, as maps in the order of their fields: metres, radians anticlockwise, seconds of simulated time.
- * Odometry is in the frame in which the robot started (REP 105). The frames of a single robot have no robot's name.
+ * The messages of one moment, as maps with fields in order: metres, radians anticlockwise, seconds of simulated time.
+ * Odometry is relative to the robot's initial pose (REP 105). The frames of a single robot omit its name.
  */
 final class RosMessages {
     private static final List<Integer> NO_COVARIANCE = Collections.nCopies(36, 0);
@@ -35,7 +35,11 @@ final class RosMessages {
         this.cameras = cameras;
     }
 
-    /** An object. @param names separated by blanks */
+    /**
+     * Creates an object.
+     *
+     * @param names separated by blanks
+     */
     static Map<String, Object> fields(String names, Object... values) {
         Map<String, Object> fields = new LinkedHashMap<>();
         for (String name : names.split(" ")) {
@@ -83,7 +87,7 @@ final class RosMessages {
                 fields("twist covariance", speeds, NO_COVARIANCE));
     }
 
-    /** Without an echo the range is infinite. */
+    /** The laser's ranges; infinite without an echo. */
     Object scan(String name) {
         LaserField field = LaserField.USUAL;
         List<Float> ranges = new ArrayList<>();
@@ -104,7 +108,7 @@ final class RosMessages {
                 List.of());
     }
 
-    /** The sixteen points where an echo came from, sonar 0 first; without an echo a point 5 m from its sonar. */
+    /** The sixteen points of the echoes, sonar 0 first; without an echo a point 5 m from its sonar. */
     Object sonar(String name) {
         double[] ranges = robot(name).sonarRangesMeters();
         List<Object> points = IntStream.range(0, ranges.length)
@@ -116,7 +120,7 @@ final class RosMessages {
         return fields("header points channels", header(name, "base_link"), points, List.of());
     }
 
-    /** What the robot does not measure is not a number. */
+    /** The battery's state; unmeasured values are NaN. */
     Object battery(String name) {
         double volts = robot(name).condition().batteryVolts();
         return fields(
@@ -148,7 +152,7 @@ final class RosMessages {
                 Base64.getEncoder().encodeToString(jpeg));
     }
 
-    /** Of all robots, with the place of their lasers. */
+    /** The transforms of all robots, with the positions of their lasers. */
     Object transforms(String any) {
         List<Object> transforms = new ArrayList<>();
         for (RobotSnapshot robot : scene.robots()) {

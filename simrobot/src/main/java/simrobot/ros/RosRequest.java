@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import simgsm.web.JsonText;
 
-/** A client's message, and what answers it. Fields of a wrong type are refused by {@link IllegalArgumentException}. */
+/** A client's message, and its answers. Fields of a wrong type are refused by {@link IllegalArgumentException}. */
 record RosRequest(Map<String, Object> fields) {
     private static final String ID = "id";
 
@@ -31,23 +31,27 @@ record RosRequest(Map<String, Object> fields) {
         throw new IllegalArgumentException(name + ": expected a number of milliseconds");
     }
 
-    /** The name of a topic or service, with a slash before it. */
+    /** The name of a topic or service, with a leading slash. */
     String name(String field) {
         String name = string(field);
         return name.startsWith("/") ? name : "/" + name;
     }
 
-    /** As the client gave it; null if it gave none. */
+    /** The client's id; null if it gave none. */
     Object id() {
         return fields.get(ID);
     }
 
-    /** The status message that answers this. */
+    /** The status message for this request. */
     String status(String level, String text) {
         return answer(RosMessages.fields("op level msg", "status", level, text));
     }
 
-    /** The answer to the call of a service. @param values a text says why there is no result */
+    /**
+     * The response to a service call.
+     *
+     * @param values a text gives the reason of a missing result
+     */
     String response(Object values, boolean hasResult) {
         return answer(RosMessages.fields(
                 "op service values result", "service_response", fields.get("service"), values, hasResult));

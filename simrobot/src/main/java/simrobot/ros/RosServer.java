@@ -40,10 +40,10 @@ public final class RosServer implements AutoCloseable {
     /** Try again later (IANA's registry of close codes). */
     private static final int TRY_AGAIN_LATER = 1013;
 
-    /** A message that a client is due. */
+    /** A message that is due to a client. */
     record Wanted(String name, RosTopic.Source source, RosGeneration generation) {}
 
-    /** Every request but the handshake of the WebSocket is answered with 404. */
+    /** Answers every request but the handshake of the WebSocket with 404. */
     private static final class NoPages extends WebPages {
         NoPages() {
             super("default-src 'none'");
@@ -71,7 +71,7 @@ public final class RosServer implements AutoCloseable {
     private boolean isSampling;
 
     /**
-     * Opens the port; clients are served after {@link #start}.
+     * Opens the port; {@link #start} begins serving clients.
      *
      * @throws IOException naming address and port
      */
@@ -126,7 +126,7 @@ public final class RosServer implements AutoCloseable {
         return RosTopic.all(source.robots());
     }
 
-    /** @param refused receives the reason if the robot does not take the velocity */
+    /** @param refused receives the reason if the robot refuses the velocity */
     void drive(RosSession client, String name, Twist velocity, Consumer<String> refused) {
         long nanos = System.nanoTime();
         source.simulation()
@@ -136,7 +136,7 @@ public final class RosServer implements AutoCloseable {
                         .ifPresent(reason -> loop.post(() -> refused.accept(reason))));
     }
 
-    /** Brakes what the client drives. */
+    /** Brakes the robots driven by the client. */
     void release(RosSession client) {
         source.simulation().withSimulation(owned -> velocities.release(client));
     }
@@ -160,7 +160,7 @@ public final class RosServer implements AutoCloseable {
 
     // ---- messages ------------------------------------------------------------------------------------------------
 
-    /** A client has subscribed: messages are made from now on. */
+    /** Starts the making of messages; called when a client has subscribed. */
     void subscribed() {
         if (!isTicking) {
             isTicking = true;
@@ -212,7 +212,7 @@ public final class RosServer implements AutoCloseable {
         });
     }
 
-    /** Each message once for all clients, without those of robots that have gone. */
+    /** Encodes each message once for all clients, without those of removed robots. */
     private Map<Wanted, String> texts(Map<RosSession, List<Wanted>> due, SimulationSnapshot scene) {
         Map<Wanted, String> texts = new HashMap<>();
         for (List<Wanted> all : due.values()) {

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 
-/** The services: orders to robots, and those of rosapi that clients ask for. */
+/** The services: orders to robots, and the requests of rosapi that clients use. */
 final class RosServices {
     private static final String ROSAPI = "/rosapi/";
     private static final String ORDER = "/order";
@@ -75,7 +75,7 @@ final class RosServices {
         session.send(request.response(values, true));
     }
 
-    /** The arguments by name, of an object or of an array in the order of the fields. */
+    /** The arguments by name, from an object or an array in the order of the fields. */
     private static RosRequest arguments(RosRequest request, String... fields) {
         Map<String, Object> named = new LinkedHashMap<>();
         Object given = Objects.requireNonNullElse(request.fields().get("args"), Map.of());

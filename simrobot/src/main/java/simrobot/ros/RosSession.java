@@ -24,10 +24,12 @@ final class RosSession implements WebSocketListener {
     private static final String ERROR = "error";
     private static final RosRequest UNREADABLE = new RosRequest(Map.of());
 
-    /** What one {@code subscribe} asks for. */
+    /** The requirements of one {@code subscribe}. */
     private record Wish(RosGeneration generation, long periodMillis) {}
 
-    /** A topic's subscription; a client may subscribe more than once, by other ids, and gets each message once. */
+    /**
+     * A topic's subscription; a client may subscribe more than once, with different ids, and gets each message once.
+     */
     private static final class Subscription {
         private final RosTopic.Source source;
         private final Map<Object, Wish> wishes = new LinkedHashMap<>();
@@ -38,7 +40,7 @@ final class RosSession implements WebSocketListener {
             this.source = source;
         }
 
-        /** As the newest wish asks. */
+        /** The generation of the newest wish. */
         RosGeneration generation() {
             return List.copyOf(wishes.values()).get(wishes.size() - 1).generation;
         }
@@ -55,7 +57,7 @@ final class RosSession implements WebSocketListener {
     private final RosServer server;
     private final RosServices services;
     private final Map<String, Subscription> subscriptions = new HashMap<>();
-    /** The robots that the topics drive. */
+    /** The robots driven by the topics. */
     private final Map<String, String> advertised = new HashMap<>();
 
     private Optional<String> operator = Optional.empty();
@@ -92,7 +94,7 @@ final class RosSession implements WebSocketListener {
         socket.send(text);
     }
 
-    /** Tells the client, and once the log, since pages seldom show status messages. */
+    /** Tells the client, and once the log, because pages seldom show status messages. */
     void refuse(RosRequest request, String reason) {
         String shown = RequestException.shortened(reason);
         if (!isRefusalLogged) {
@@ -127,7 +129,7 @@ final class RosSession implements WebSocketListener {
         }
     }
 
-    // ---- what the client receives --------------------------------------------------------------------------------
+    // ---- messages to the client ----------------------------------------------------------------------------------
 
     private void subscribe(RosRequest request) {
         RosTopic.Source source = source(request);
@@ -178,7 +180,7 @@ final class RosSession implements WebSocketListener {
         return !subscriptions.isEmpty();
     }
 
-    /** The messages that are due now, which count as sent; none to a client that has not taken the last ones. */
+    /** The messages due now, which count as sent; none if the client has not read the last ones. */
     List<RosServer.Wanted> due(long nanos) {
         List<RosServer.Wanted> due = new ArrayList<>();
         if (!socket.hasOutput()) {
@@ -193,14 +195,14 @@ final class RosSession implements WebSocketListener {
         return due;
     }
 
-    /** Sends the topic's message, unless its subscription has ended meanwhile. */
+    /** Sends the topic's message, unless its subscription has ended. */
     void send(RosServer.Wanted wanted, String text) {
         if (subscriptions.containsKey(wanted.name())) {
             send(text);
         }
     }
 
-    // ---- what the client commands --------------------------------------------------------------------------------
+    // ---- commands of the client ----------------------------------------------------------------------------------
 
     private void advertise(RosRequest request) {
         RosTopic.Source source = source(request);
@@ -221,7 +223,11 @@ final class RosSession implements WebSocketListener {
         server.drive(this, source.robot(), velocity, reason -> refuse(request, reason));
     }
 
-    /** The power to move a robot: a key, or without keys a program or page of this machine. @return its operator's name */
+    /**
+     * Requires the right to move a robot: a key, or without keys a program or page of this machine.
+     *
+     * @return its operator's name
+     */
     String requirePower() {
         if (operator.isPresent()) {
             return operator.get();

@@ -6,14 +6,14 @@ import java.util.function.BiConsumer;
 import simgsm.web.AccessKeys;
 import simrobot.simulation.SimulationThread;
 
-/** What ROS programs read and drive; called by any thread. */
+/** The readings and controls for ROS programs; callable on any thread. */
 public interface RosSource {
     /** The names of the robots; all are simulated. */
     List<String> robots();
 
     SimulationThread simulation();
 
-    /** The keys of those who may drive; without keys every program of this machine may. */
+    /** The keys of drivers; without keys every program of this machine may drive. */
     Optional<AccessKeys> keys();
 
     /**

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** The topics: name, type, shortest period and content. Everything that is known of a topic is in its row. */
+/** The topics: a row has name, type, shortest period and content. */
 enum RosTopic {
     ODOMETRY("/NAME/odom", "nav_msgs/Odometry", 50, RosMessages::odometry),
     SCAN("/NAME/scan", "sensor_msgs/LaserScan", 100, RosMessages::scan),
@@ -16,20 +16,20 @@ enum RosTopic {
     CAMERA("/NAME/camera/compressed", "sensor_msgs/CompressedImage", 100, RosMessages::camera),
     TRANSFORMS("/tf", "tf2_msgs/TFMessage", 50, RosMessages::transforms),
     CLOCK("/clock", "rosgraph_msgs/Clock", 50, RosMessages::clock),
-    /** Published by clients, the only one. */
+    /** Published by clients, as the only topic. */
     VELOCITY("/NAME/cmd_vel", "geometry_msgs/Twist", 0, null);
 
-    /** The other type of {@link #VELOCITY}, which the stacks of ROS 2 Jazzy publish. */
+    /** The other type of {@link #VELOCITY}, published by the stacks of ROS 2 Jazzy. */
     private static final String STAMPED = "geometry_msgs/TwistStamped";
 
     private static final String ROBOT = "/NAME";
 
-    /** Makes the topic's message of one moment. */
+    /** Creates the topic's message of one moment. */
     interface Content {
         Object message(RosMessages moment, String robot) throws IOException;
     }
 
-    /** A topic, of one robot where its name says so; else the robot is empty. */
+    /** A topic, and its robot if the name includes one; else the robot is empty. */
     record Source(RosTopic topic, String robot) {}
 
     private final String pattern;
@@ -67,7 +67,7 @@ enum RosTopic {
         return generation.typeName(type);
     }
 
-    /** The generation that a type's name belongs to; empty if the topic has another type. */
+    /** The generation of a type's name; empty if the topic has another type. */
     Optional<RosGeneration> generation(String name) {
         return Arrays.stream(RosGeneration.values())
                 .filter(each -> type(each).equals(name)
@@ -79,12 +79,12 @@ enum RosTopic {
         return periodMillis;
     }
 
-    /** Whether clients publish it; the others are sent to them. */
+    /** True if clients publish it; the others are sent to them. */
     boolean isReceived() {
         return content == null;
     }
 
-    /** Whether its messages need the ranges of sonars and laser. */
+    /** True if its messages need the ranges of sonars and laser. */
     boolean needsRanges() {
         return this == SCAN || this == SONAR;
     }

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The velocity in a geometry_msgs/Twist or TwistStamped, by the fields that a message has; absent ones are 0.
+ * The velocity in a geometry_msgs/Twist or TwistStamped; absent fields are 0.
  *
  * @param metersPerSecond ahead
  * @param radiansPerSecond anticlockwise

@@ -8,8 +8,9 @@ import simrobot.robot.DirectControl;
 import simrobot.robot.SimulatedRobot;
 
 /**
- * The velocities that ROS clients command. A robot brakes 0.5 s after the last one, and when the client that sent it disconnects.
- * Owned by the simulation's thread; times are those of {@link System#nanoTime}, since the limit guards the connection.
+ * The velocities commanded by ROS clients. A robot brakes 0.5 s after the last one, and when its client disconnects.
+ * Owned by the simulation's thread; times are those of {@link System#nanoTime}, because the limit guards the
+ * connection.
  */
 final class VelocityCommands {
     static final long WATCHDOG_NANOS = 500_000_000;
@@ -18,7 +19,7 @@ final class VelocityCommands {
 
     private final Map<SimulatedRobot, Driving> driven = new HashMap<>();
 
-    /** @return why the velocity is refused; empty if the robot takes it */
+    /** @return the reason why the velocity is refused; empty if the robot accepts it */
     Optional<String> drive(SimulatedRobot robot, Object client, Twist velocity, long nanos) {
         Driving before = driven.get(robot);
         DirectControl control = before == null ? new DirectControl(robot) : before.control;
@@ -35,7 +36,7 @@ final class VelocityCommands {
         return Optional.empty();
     }
 
-    /** Brakes what the client drives. */
+    /** Brakes the robots driven by the client. */
     void release(Object client) {
         end(driving -> driving.client == client);
     }

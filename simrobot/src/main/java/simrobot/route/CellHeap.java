@@ -2,9 +2,9 @@ package simrobot.route;
 
 import java.util.Arrays;
 
-/** A binary heap of cells, that of the least cost first. Costs are 0 or more. */
+/** A binary heap of cells with the cheapest first. Costs are 0 or more. */
 final class CellHeap {
-    /** The cost's bits, which have the order of the costs, above the cell's number. */
+    /** The cost's bits, whose order is that of the costs, above the cell's number. */
     private long[] entries = new long[1024];
 
     private int size;
@@ -30,7 +30,7 @@ final class CellHeap {
         entries[place] = entry;
     }
 
-    /** Removes the cell of the least cost. */
+    /** Removes the cheapest cell. */
     int remove() {
         int cell = (int) entries[0];
         long last = entries[--size];

@@ -96,7 +96,7 @@ public final class ClearanceGrid {
         }
     }
 
-    /** The lower envelope of the parabolas that stand on the values of one line. */
+    /** The lower envelope of the parabolas at the values of one line. */
     private static void transform(float[] line, int count, float[] result, int[] parabolas, float[] borders) {
         int last = 0;
         parabolas[0] = 0;
@@ -142,19 +142,19 @@ public final class ClearanceGrid {
         return cellMeters;
     }
 
-    /** The cell that holds a place; -1 outside the world. */
+    /** The cell of a position; -1 outside the world. */
     int cell(double x, double y) {
         int column = (int) Math.floor((x - left) / cellMeters);
         int row = (int) Math.floor((y - bottom) / cellMeters);
         return column < 0 || row < 0 || column >= width || row >= height ? -1 : row * width + column;
     }
 
-    /** The middle of a cell. */
+    /** X of a cell's middle. */
     double xMeters(int cell) {
         return left + (cell % width + 0.5) * cellMeters;
     }
 
-    /** The middle of a cell. */
+    /** Y of a cell's middle. */
     double yMeters(int cell) {
         return bottom + (cell / width + 0.5) * cellMeters;
     }
@@ -168,7 +168,7 @@ public final class ClearanceGrid {
         return clearance[cell];
     }
 
-    /** The same at a place; 0 outside the world. */
+    /** The clearance at a position; 0 outside the world. */
     double clearanceMeters(double x, double y) {
         int cell = cell(x, y);
         return cell < 0 ? 0 : clearance[cell];

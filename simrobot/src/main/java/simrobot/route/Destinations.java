@@ -14,7 +14,7 @@ import simrobot.world.Home;
 import simrobot.world.Position;
 import simrobot.world.World;
 
-/** Makes processes that drive to a place of a world; they share one planner. Every method may be called on any thread. */
+/** Makes processes that drive to a place of a world; they share one planner. Methods may be called on any thread. */
 public final class Destinations {
     private static final String PREFIX = "goto ";
     private static final String DOCK = "Dock";
@@ -24,7 +24,7 @@ public final class Destinations {
 
     public Destinations() {}
 
-    /** Plans are made by this executor from now on; without one on the robot's own thread, so that a run repeats. */
+    /** Plans on this executor from now on; the default is the robot's own thread, so that a run repeats. */
     public void setExecutor(Executor plans) {
         executor = plans;
     }
@@ -65,7 +65,11 @@ public final class Destinations {
         return kind(home.name(), home.position(), OptionalDouble.of(home.headingRadians()));
     }
 
-    /** The process for a place. @param text the place as the operator wrote it */
+    /**
+     * The process for a place.
+     *
+     * @param text the place as typed by the operator
+     */
     public BehaviourKind to(String text, Position place) {
         return kind(text, place, OptionalDouble.empty());
     }

@@ -16,25 +16,25 @@ import simrobot.world.Position;
 import simrobot.world.World;
 
 /**
- * Drives to a place: plans a way, follows it, and plans again when the world has changed, after a collision, and when another
- * robot has stood in the way for 1 to 3 s. Gives up when there is no way, when the way has been blocked for 30 s, or when the
- * robot has come no nearer along it for 30 s, as on a treadmill.
+ * Drives to a place: plans a path, follows it, and replans after a change of the world, after a collision, and when
+ * another robot has blocked it for 1 to 3 s. Gives up if no path exists, if the path is blocked for 30 s, or without
+ * progress for 30 s, as on a treadmill.
  */
 public final class GoTo implements RobotProcess {
     private static final Logger LOG = System.getLogger(GoTo.class.getName());
     private static final double METERS_PER_SECOND = 0.4;
     private static final double RADIANS_PER_SECOND = Math.toRadians(60);
 
-    /** The place on the way to which the robot steers. */
+    /** Distance of the target point ahead on the path. */
     private static final double AHEAD_METERS = 0.3;
 
-    /** Beyond that it turns on the spot. */
+    /** Angle above which it turns on the spot. */
     private static final double SPOT_RADIANS = Math.toRadians(20);
 
     private static final double ARRIVED_METERS = 0.03;
     private static final double ARRIVED_RADIANS = Math.toRadians(1);
 
-    /** A way that comes nearer to another robot's middle is blocked: two robots, and 5 cm between them. */
+    /** Distance of another robot's middle at which the path is blocked: two radii and 5 cm. */
     private static final double BLOCKING_METERS = 2 * 0.25 + 0.05;
 
     /** Range of the search for other robots ahead. */
@@ -57,12 +57,12 @@ public final class GoTo implements RobotProcess {
     private World world;
 
     private boolean planning;
-    /** The rest of the way; the first place is the next. */
+    /** The rest of the path, next position first. */
     private List<Position> way = List.of();
 
     private Position legStart;
     private int blockedTicks;
-    /** The least that was left of the present way, and the time that the robot has come no nearer. */
+    /** Shortest remaining distance so far; time without progress. */
     private double leastLeftMeters;
 
     private int stalledTicks;
@@ -71,7 +71,7 @@ public final class GoTo implements RobotProcess {
     private boolean atGoal;
     private double nearest = Double.POSITIVE_INFINITY;
 
-    /** @param executor performs the planning; it may do so at once, on this thread */
+    /** @param executor plans, possibly at once on this thread */
     public GoTo(
             Surroundings surroundings,
             RoutePlanner planner,
@@ -133,7 +133,7 @@ public final class GoTo implements RobotProcess {
         executor.execute(() -> planned.set(planned(here, from, robots)));
     }
 
-    /** A plan that fails counts as none, also by an OutOfMemoryError in a large world; else the robot would stay in Moving. */
+    /** Counts a failed plan as none, even an OutOfMemoryError in a large world; else the robot would stay Moving. */
     private RoutePlanner.Plan planned(World here, Position from, List<Position> robots) {
         try {
             return planner.plan(here, from, goal, robots);
@@ -153,7 +153,7 @@ public final class GoTo implements RobotProcess {
         return left;
     }
 
-    /** Counts the time without coming 1 cm nearer along the way. */
+    /** Counts the time without 1 cm of progress along the path. */
     private boolean isStalled(Position here) {
         double left = leftMeters(here);
         stalledTicks = left < leastLeftMeters - NEARER_METERS ? 0 : stalledTicks + 1;
@@ -166,7 +166,7 @@ public final class GoTo implements RobotProcess {
         if (blockedTicks > PATIENCE_TICKS) {
             return new Decision.GivenUp("a robot has stood in the way for 30 s.");
         }
-        // robots that block each other do not plan at the same time
+        // staggered, so that robots that block each other do not plan at the same time
         int wait = TICKS_PER_SECOND * (1 + surroundings.robotNumber() % 3);
         if (blockedTicks % wait == 0 && !planning) {
             plan(here, surroundings.otherRobots());
@@ -194,7 +194,7 @@ public final class GoTo implements RobotProcess {
         return false;
     }
 
-    /** True if a leg, as far as it is looked at, comes nearer to the robot than now and than robots may. */
+    /** True if a leg, within the search range, is nearer to the robot than its start and than permitted. */
     private static boolean isNear(Position other, Position from, Position to, double look, Position here) {
         double length = distance(from, to);
         double end = length == 0 ? 0 : look / length;
@@ -259,7 +259,7 @@ public final class GoTo implements RobotProcess {
         return beyond >= 0 || distance(here, end) < 0.1;
     }
 
-    /** The point of the present leg a little ahead of the robot. */
+    /** The point of the current leg a little ahead of the robot. */
     private Position target(Position here) {
         Position end = way.get(0);
         double length = distance(legStart, end);

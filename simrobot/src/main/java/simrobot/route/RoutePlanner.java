@@ -16,20 +16,21 @@ import simrobot.world.Segment;
 import simrobot.world.World;
 
 /**
- * Finds the shortest way for a disc of the robot's size, by A* on the clearance grid. Ways near obstacles count as longer, so
- * a way keeps to the middle of a narrow place. The grid of the last world is kept. Every method may be called on any thread.
+ * Finds the shortest path for a disc of the robot's size, by A* on the clearance grid. Cells near obstacles cost more,
+ * so a path keeps to the middle of a narrow place. The grid of the last world is cached. Methods may be called on any
+ * thread.
  */
 public final class RoutePlanner {
-    /** No nearer to an obstacle: the radius of a robot, and a cell's diagonal. */
+    /** Minimum distance to an obstacle: a robot's radius and a cell's diagonal. */
     static final double LEAST_CLEARANCE_METERS = 0.25 + 0.07;
 
-    /** Nearer than that, a way costs up to three times its length. */
+    /** Distance to an obstacle below which a path costs up to three times its length. */
     private static final double WANTED_CLEARANCE_METERS = 0.6;
 
-    /** Two robots, and 20 cm between them. */
+    /** Minimum distance to another robot's middle: two radii and 20 cm. */
     private static final double ROBOT_DISTANCE_METERS = 2 * 0.25 + 0.2;
 
-    /** A robot too near to an obstacle may leave it within this distance. */
+    /** Distance within which a robot too near to an obstacle may leave it. */
     private static final double LEAVING_METERS = 0.6;
 
     private static final double DIAGONAL = Math.sqrt(2);
@@ -39,7 +40,11 @@ public final class RoutePlanner {
 
     public RoutePlanner() {}
 
-    /** A way, or why there is none. @param refusal in English; empty if there is a way */
+    /**
+     * A path, or the reason why there is none.
+     *
+     * @param refusal in English; empty if there is a path
+     */
     public record Plan(List<Position> way, String refusal) {
         static Plan none(String refusal) {
             return new Plan(List.of(), refusal);
@@ -51,9 +56,9 @@ public final class RoutePlanner {
     }
 
     /**
-     * Plans a way of straight legs, its last place the goal.
+     * Plans a path of straight legs that ends at the goal.
      *
-     * @param robots places of robots that stand in the way
+     * @param robots positions of robots in the way
      */
     public Plan plan(World world, Position from, Position to, List<Position> robots) {
         ClearanceGrid cells = grid(world);
@@ -130,7 +135,7 @@ public final class RoutePlanner {
 
         private void take(Position robot) {
             double reach = ROBOT_DISTANCE_METERS;
-            // half a cell, so that rounding leaves out none
+            // half a cell, so that rounding skips none
             double step = cells.cellMeters() / 2;
             for (double x = robot.xMeters() - reach; x <= robot.xMeters() + reach; x += step) {
                 for (double y = robot.yMeters() - reach; y <= robot.yMeters() + reach; y += step) {
@@ -191,7 +196,7 @@ public final class RoutePlanner {
                             && clearance >= LEAST_CLEARANCE_METERS - cells.cellMeters();
         }
 
-        /** A robot too near to another may pass or leave it, but not approach it. */
+        /** Permits a robot too near to another to pass or leave it, but not to approach it. */
         private boolean isTaken(int cell) {
             return taken.get(cell)
                     && robots.stream()
@@ -214,14 +219,14 @@ public final class RoutePlanner {
             return Math.hypot(cells.xMeters(cell) - cells.xMeters(other), cells.yMeters(cell) - cells.yMeters(other));
         }
 
-        /** Never more than the cost that is left, for a cell costs at least its length. */
+        /** A lower bound of the remaining cost, because a cell costs at least its length. */
         private double toGo(int cell) {
             double dx = Math.abs(cells.xMeters(cell) - cells.xMeters(goal));
             double dy = Math.abs(cells.yMeters(cell) - cells.yMeters(goal));
             return Math.max(dx, dy) + (DIAGONAL - 1) * Math.min(dx, dy);
         }
 
-        /** The way, with straight legs where these keep as far from obstacles as the cells do. */
+        /** The path, with straight legs if they keep as far from obstacles as the cells do. */
         List<Position> way(Position to) {
             Deque<Integer> steps = new ArrayDeque<>();
             for (int cell = goal; cell != start; cell = before[cell]) {

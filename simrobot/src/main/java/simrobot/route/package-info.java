@@ -1,6 +1,7 @@
 /**
- * The way to a goal: {@link simrobot.route.ClearanceGrid} holds each place's distance from the nearest obstacle,
- * {@link simrobot.route.RoutePlanner} finds the shortest way that keeps off them, and {@link simrobot.route.GoTo} drives it.
+ * The path to a goal: {@link simrobot.route.ClearanceGrid} holds each place's distance from the nearest obstacle,
+ * {@link simrobot.route.RoutePlanner} finds the shortest path at a distance from them, and {@link simrobot.route.GoTo}
+ * drives it.
  *
  * <p>Metres, radians anticlockwise.
  */

@@ -35,7 +35,7 @@ public final class Inspector extends JPanel {
     private static final String ROBOT = "robot";
     private static final String EVENTS = "events";
     private static final String PROCESSES = "processes";
-    /** Below this height the list of the robots and a sheet do not both have room. */
+    /** Minimum height for both the list of the robots and a sheet. */
     private static final int LOW_UNITS = 520;
 
     private final RobotsCard robots;
@@ -58,17 +58,17 @@ public final class Inspector extends JPanel {
     private final JToggleButton robotTab;
     private final JPanel top;
     private final JPanel robotSheet;
-    /** Whether robots and form stand in the first sheet, so that each sheet has the whole height. */
+    /** True if robots and form share the first sheet, so that each sheet has the whole height. */
     private boolean isLow;
 
     private List<String> names = List.of();
     private List<String> numbers = List.of();
 
     /**
-     * The inspector of a window.
+     * Creates the inspector of a window.
      *
-     * @param page visible also while the inspector is hidden; the keys are bound to it
-     * @param wanted run when a tab is chosen
+     * @param page visible even while the inspector is hidden; the keys are bound to it
+     * @param wanted run when a tab is selected
      */
     public Inspector(
             TextBundle texts,
@@ -116,7 +116,7 @@ public final class Inspector extends JPanel {
         return all;
     }
 
-    /** The lower part shows the robot, the events or the processes. */
+    /** Creates the tabs of the lower part: the robot, the events, the processes. */
     private JPanel tabs(TextBundle texts, JComponent page) {
         JToggleButton log = tab("tab.events", texts, page, KeyEvent.VK_2, EVENTS);
         JToggleButton own = tab("tab.processes", texts, page, KeyEvent.VK_3, PROCESSES);
@@ -159,7 +159,7 @@ public final class Inspector extends JPanel {
         revalidate();
     }
 
-    /** Prefers the width of its view and its scroll bar, so that the view does not become narrower when the bar appears. */
+    /** Reserves width for its view and its scroll bar, so that the view keeps its width when the bar appears. */
     private static final class ColumnScrollPane extends VerticalScrollPane {
         ColumnScrollPane(ScrolledColumn column) {
             super(column);

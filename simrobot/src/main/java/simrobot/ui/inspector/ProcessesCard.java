@@ -32,9 +32,9 @@ import simrobot.ui.OperatorActions;
 import simrobot.ui.ToolButtons;
 import simrobot.ui.WrappedText;
 
-/** All processes by their numbers, to be started in the selected robot, and what is wrong with those of students. */
+/** All processes by their numbers, to be started in the selected robot, and faults of students' processes. */
 final class ProcessesCard extends JPanel {
-    /** Of what the selected robot's processes have printed last. */
+    /** Number of lines shown of the latest output of the selected robot's processes. */
     private static final int SHOWN_LINES = 8;
 
     private final TextBundle texts;
@@ -101,7 +101,7 @@ final class ProcessesCard extends JPanel {
         printed.show(String.join("\n", lines.subList(Math.max(0, lines.size() - SHOWN_LINES), lines.size())));
     }
 
-    /** Changed rows are replaced one by one, so that the selection stays. */
+    /** Replaces changed rows one by one, so that the selection is kept. */
     private void showRows(BehaviourKind running) {
         for (int i = 0; i < kinds.size(); i++) {
             String row = row(kinds.get(i), kinds.get(i).equals(running));

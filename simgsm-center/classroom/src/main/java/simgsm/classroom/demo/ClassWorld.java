@@ -6,8 +6,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * The world of a class: a lane for each student, all alike, between walls, in columns that fill a wide window. A box closes the
- * right half of a lane 2.45 m ahead of the robot's front; the goal lies behind it. Millimetres.
+ * The world of a class: an identical lane for each student, between walls, in columns that fill a wide window. A box
+ * closes the right half of a lane 2.45 m ahead of the robot's front, before the goal. Millimetres.
  */
 public record ClassWorld(int students) {
     private static final int LENGTH = 5_600;

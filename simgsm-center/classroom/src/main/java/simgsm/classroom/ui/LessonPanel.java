@@ -352,7 +352,7 @@ public final class LessonPanel extends JPanel {
         next.scrollRectToVisible(new Rectangle(next.getSize()));
     }
 
-    /** What counts stays as it is. */
+    /** Makes an accepted answer read-only. */
     private void close(String field) {
         ComponentNames.find(this, field).ifPresent(found -> ((JTextField) found).setEditable(false));
         ComponentNames.find(this, field + ".give").ifPresent(button -> button.setEnabled(false));

@@ -19,8 +19,7 @@ public record LessonView(long seed, boolean isPredicted, List<StepView> steps, S
     }
 
     /**
-     * Of a step that waits for others above it, waits for its events, is done, can be done in a new try, or can only be done in a
-     * new run.
+     * A step waits for earlier ones, waits for its events, is done, or can be done in a new try, or only in a new run.
      */
     public enum StepState {
         LATER,
