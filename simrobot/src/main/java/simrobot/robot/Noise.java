@@ -56,16 +56,12 @@ public final class Noise {
         return scale == 0 ? 1 : 1 + tyres + share();
     }
 
-    /** The measured range of a sonar; 5 m remains without an echo. */
+    /** True turn per turn of the wheels, in this step. */
     double turnFactor() {
         return scale == 0 ? 1 : 1 + track + share();
     }
 
-    /**
-     * The measured range of a laser; 32 m remains without an echo.
-     *
-     * @param milliradians the reading's direction
-     */
+    /** The measured range of a sonar; 5 m remains without an echo. */
     double sonar(double meters, int sonar, long step) {
         if (scale == 0 || meters >= Pioneer2Dx.SONAR_RANGE_METERS) {
             return meters;
@@ -75,7 +71,11 @@ public final class Noise {
         return Math.max(Pioneer2Dx.SONAR_LEAST_METERS, Math.min(Pioneer2Dx.SONAR_RANGE_METERS, measured));
     }
 
-    /** The range that a laser measures; without an echo it stays 32 m. @param milliradians the reading's direction */
+    /**
+     * The measured range of a laser; 32 m remains without an echo.
+     *
+     * @param milliradians the reading's direction
+     */
     double laser(double meters, long milliradians, long step) {
         if (scale == 0 || meters >= Laser.RANGE_METERS) {
             return meters;
