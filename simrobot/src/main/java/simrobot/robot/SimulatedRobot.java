@@ -3,6 +3,7 @@ package simrobot.robot;
 import java.util.List;
 import java.util.function.Consumer;
 import simrobot.behaviour.Steering;
+import simrobot.process.BehaviourKind;
 import simrobot.process.Surroundings;
 import simrobot.process.WaitBudget;
 import simrobot.world.Position;
@@ -246,6 +247,15 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
     /** True if the obstacle touched last is still there. */
     boolean isTouching() {
         return touch.persists(this, floor);
+    }
+
+    /** Returns true if it stands, without an order or a process that may move it. */
+    public boolean isAtRest() {
+        return status() != RobotStatus.MOVING
+                && speed == 0
+                && turnSpeed == 0
+                && !ordered.isUnderWay()
+                && autonomy().kind() == BehaviourKind.NONE;
     }
 
     /** Stops at once and aborts the motion; for a change of the world. */

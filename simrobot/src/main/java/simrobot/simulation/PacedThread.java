@@ -124,13 +124,15 @@ public abstract class PacedThread implements Executor, AutoCloseable {
         long before = System.nanoTime();
         while (!closed) {
             Runnable act = acts.poll(waitNanos(), TimeUnit.NANOSECONDS);
-            while (act != null) {
-                perform(act);
-                act = acts.poll();
-            }
             long now = System.nanoTime();
             pass(now - before);
             before = now;
+            if (act != null) {
+                for (; act != null; act = acts.poll()) {
+                    perform(act);
+                }
+                pass(0);
+            }
         }
     }
 
@@ -147,6 +149,6 @@ public abstract class PacedThread implements Executor, AutoCloseable {
 
     protected abstract void perform(Runnable act);
 
-    /** Handles elapsed real time after the posted acts. */
+    /** Handles elapsed real time: before acts the time since the last call, after them 0. */
     protected abstract void pass(long wallNanos);
 }

@@ -24,6 +24,7 @@ import simrobot.route.Destinations;
 import simrobot.world.Home;
 import simrobot.world.ObstacleGrid;
 import simrobot.world.Position;
+import simrobot.world.Surface;
 import simrobot.world.World;
 
 /**
@@ -265,6 +266,13 @@ public final class Simulation {
         for (SimulatedRobot robot : robots) {
             robot.trail().pass(robot.xMeters(), robot.yMeters(), timeNanos);
         }
+    }
+
+    /** Returns true if steps change nothing but the time: no simulated robot drives, no belt runs, no real robot is shown. */
+    boolean isAtRest() {
+        return guests.isEmpty()
+                && robots.stream().allMatch(SimulatedRobot::isAtRest)
+                && world.surfaces().stream().noneMatch(Surface::isMoving);
     }
 
     /** The wait per step of all robots, including real ones. */

@@ -10,7 +10,7 @@ import java.util.function.Consumer;
  * run between two steps, and read immutable snapshots.
  *
  * <p>Elapsed real time is converted to whole steps; the remainder is carried over. After a stall of more than 250 ms the rest
- * of the debt is dropped.
+ * of the debt is dropped. While nothing moves, the steps of 50 ms are made at once.
  */
 public final class SimulationThread extends PacedThread {
     private static final Logger LOG = System.getLogger(SimulationThread.class.getName());
@@ -23,6 +23,7 @@ public final class SimulationThread extends PacedThread {
 
     private static final int MOST_STEPS_IN_BURST = 100;
     private static final long SNAPSHOT_NANOS = 15_000_000;
+    private static final long REST_NANOS = 50_000_000;
 
     private final Simulation simulation;
     private volatile SimulationSnapshot newest;
@@ -110,6 +111,9 @@ public final class SimulationThread extends PacedThread {
         long picture = changed ? SNAPSHOT_NANOS : 100_000_000;
         if (isPaused()) {
             return picture;
+        }
+        if (!isUnlimited() && simulation.isAtRest()) {
+            return REST_NANOS;
         }
         double toStep = isUnlimited() ? 0 : (Simulation.STEP_NANOS - bankNanos) / speed();
         return Math.max(0, Math.min(picture, (long) toStep));

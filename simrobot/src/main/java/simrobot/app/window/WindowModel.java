@@ -28,10 +28,12 @@ import simrobot.process.BehaviourKind;
 import simrobot.robot.Pioneer;
 import simrobot.robot.Placement;
 import simrobot.simulation.Simulation;
+import simrobot.simulation.SimulationSnapshot;
 import simrobot.simulation.SimulationThread;
 import simrobot.ui.OpenPort;
 import simrobot.ui.TelephoneSnapshot;
 import simrobot.ui.WindowSnapshot;
+import simrobot.ui.floor.SnapshotComparison;
 import simrobot.ui.inspector.RefusalTexts;
 import simrobot.world.MapWriter;
 import simrobot.world.World;
@@ -41,7 +43,12 @@ import vericommand.Pose;
 public final class WindowModel extends SessionModel {
     private static final Logger LOG = System.getLogger(WindowModel.class.getName());
 
+    private static final long CLOCK_NANOS = 1_000_000_000;
+
     private final SimulationThread simulation;
+    /** On the event thread. */
+    private SimulationSnapshot scene;
+
     private final CallMonitor callMonitor;
     private final Fleet fleet;
     private final ListeningPorts ports;
@@ -98,6 +105,7 @@ public final class WindowModel extends SessionModel {
         this.fleet = fleet;
         this.ports = ports;
         simulation = simRobot.simulation();
+        scene = simulation.snapshot();
         callMonitor = simRobot.callMonitor();
         recording = new SessionRecording(simulation);
         recordings.add(recording);
@@ -135,7 +143,7 @@ public final class WindowModel extends SessionModel {
     WindowSnapshot observe() {
         tellOfFailure();
         return new WindowSnapshot(
-                simulation.snapshot(),
+                scene(),
                 lines.stream().map(this::snapshot).toList(),
                 simulation.speed(),
                 simulation.isPaused(),
@@ -146,6 +154,17 @@ public final class WindowModel extends SessionModel {
                 Optional.empty(),
                 recording.file(),
                 watch.hasChanged());
+    }
+
+    /** At rest the same object for a second of simulated time. */
+    private SimulationSnapshot scene() {
+        SimulationSnapshot now = simulation.snapshot();
+        if (simulation.isPaused()
+                || now.timeNanos() / CLOCK_NANOS != scene.timeNanos() / CLOCK_NANOS
+                || !SnapshotComparison.looksTheSame(scene, now)) {
+            scene = now;
+        }
+        return scene;
     }
 
     /** Reports the failure of a recording once. */

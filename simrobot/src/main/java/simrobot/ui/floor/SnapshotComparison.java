@@ -6,14 +6,16 @@ import simrobot.simulation.SimulationSnapshot;
 import simrobot.world.Surface;
 
 /** Finds out whether two snapshots look the same but for the clock, so that a floor at rest is not painted again. */
-final class SnapshotComparison {
-    /** Trails fade; at rest they are painted again every 2 s of simulated time. */
-    private static final long FADE_NANOS = 2_000_000_000;
+public final class SnapshotComparison {
+    /** Trails fade; at rest they are painted again every 10 s of simulated time. */
+    private static final long FADE_NANOS = 10_000_000_000L;
 
     private SnapshotComparison() {}
 
-    static boolean looksTheSame(SimulationSnapshot before, SimulationSnapshot now) {
+    public static boolean looksTheSame(SimulationSnapshot before, SimulationSnapshot now) {
         return before.world() == now.world()
+                && before.behaviours().equals(now.behaviours())
+                && before.behaviourFaults().equals(now.behaviourFaults())
                 && now.world().surfaces().stream().noneMatch(Surface::isMoving)
                 && before.timeNanos() / FADE_NANOS == now.timeNanos() / FADE_NANOS
                 && now.hasRobotsAs(before, SnapshotComparison::looksTheSame);
@@ -22,9 +24,12 @@ final class SnapshotComparison {
     private static boolean looksTheSame(RobotSnapshot a, RobotSnapshot b) {
         return a.name().equals(b.name())
                 && a.status() == b.status()
+                && a.motors() == b.motors()
                 && a.isAtPoseOf(b)
+                && a.behaviour() == b.behaviour()
                 && a.trail() == b.trail()
                 && a.marks() == b.marks()
-                && Arrays.equals(a.sonarRangesMeters(), b.sonarRangesMeters());
+                && Arrays.equals(a.sonarRangesMeters(), b.sonarRangesMeters())
+                && Arrays.equals(a.laserRangesMeters(), b.laserRangesMeters());
     }
 }

@@ -7,10 +7,13 @@ import java.awt.event.KeyEvent;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javax.swing.JLabel;
 import simgsm.console.TextBundle;
 import simgsm.draw.Canvas;
 import simgsm.draw.Face;
 import simgsm.draw.Ink;
+import simgsm.ui.ComponentNames;
+import simgsm.ui.Drawing;
 import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -38,6 +41,7 @@ public final class WorldView extends FloorView {
     private static final double LEAST_SCALE = 16;
 
     private static final double START_SCALE = 40;
+    private static final long REST_CLOCK_NANOS = 500_000_000;
     private static final double NUDGE_METERS = 0.1;
     private static final double RULER_METERS = 0.05;
     private static final double TURN_RADIANS = Math.toRadians(5);
@@ -51,6 +55,9 @@ public final class WorldView extends FloorView {
     private String selected;
     private boolean following;
     private String readout = "";
+    /** Opaque, so that the floor beneath is not painted with it. */
+    private final JLabel clock = Theme.label(NumberTexts.clock(0), Theme::monoSmall, Ink.QUIET);
+
     private PlaceListener placeListener;
     private Ruler ruler;
     private boolean live = true;
@@ -70,6 +77,10 @@ public final class WorldView extends FloorView {
         this.texts = texts;
         this.selection = selection;
         placing = new RobotPlacing(operator, texts, this::repaint);
+        clock.setOpaque(true);
+        clock.setHorizontalAlignment(JLabel.CENTER);
+        Theme.styled(clock, label -> label.setBackground(Theme.color(Ink.FLOOR)));
+        add(ComponentNames.name(clock, "world.clock", texts.of("world.clock")));
         setCursor(Cursor.getPredefinedCursor(Cursor.CROSSHAIR_CURSOR));
         WorldMouse mouse = new WorldMouse(this);
         addMouseListener(mouse);
@@ -107,15 +118,16 @@ public final class WorldView extends FloorView {
     public void show(SimulationSnapshot newest) {
         World before = scene.world();
         boolean still = SnapshotComparison.looksTheSame(scene, newest);
+        // At rest a running clock is shown once a second, so its hundredths say nothing.
+        String exact = NumberTexts.clock(newest.timeNanos());
+        boolean isRunningAtRest = still && newest.timeNanos() - scene.timeNanos() > REST_CLOCK_NANOS;
+        clock.setText(isRunningAtRest ? exact.substring(0, exact.indexOf('.')) : exact);
         change(() -> scene = newest);
         if (newest.world() != before) {
             showStart();
         }
         follow();
-        if (still) {
-            // only the clock differs
-            repaint(getWidth() - Theme.px(120), 0, Theme.px(120), Theme.px(40));
-        } else {
+        if (!still) {
             repaint();
         }
     }
@@ -257,6 +269,18 @@ public final class WorldView extends FloorView {
         requestFocusInWindow();
     }
 
+    @Override
+    public void doLayout() {
+        int width = Drawing.width(clock.getFont(), NumberTexts.clock(0)) + Theme.px(16);
+        clock.setBounds(getWidth() - width - Theme.px(10), Theme.px(12), width, Theme.px(20));
+    }
+
+    /** Another time on the clock lays out nothing around the floor. */
+    @Override
+    public boolean isValidateRoot() {
+        return true;
+    }
+
     // ---- painting --------------------------------------------------------------------------------------------------
 
     @Override
@@ -268,7 +292,6 @@ public final class WorldView extends FloorView {
         if (ruler != null) {
             ruler.paint(g, viewport());
         }
-        tag(g, NumberTexts.clock(scene.timeNanos()), width, g.px(12));
         if (!readout.isEmpty()) {
             tag(g, readout, width, height - g.px(30));
         }

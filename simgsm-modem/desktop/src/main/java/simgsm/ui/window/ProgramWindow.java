@@ -64,7 +64,7 @@ public final class ProgramWindow {
     private static final String FOLDER = "folder";
 
     private static final int HUNDRED_PERCENT = 100;
-    private static final int SHARING_MILLIS = 500;
+    private static final int SHARING_MILLIS = 1000;
 
     private final Appearance appearance;
     private final double zoom;
