@@ -13,6 +13,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.draw.StatusMark;
 import simgsm.ui.Arrange;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 import simgsm.ui.DressedPanel;
@@ -20,6 +21,7 @@ import simgsm.ui.Lamp;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.window.MenuButton;
 
 /** Name, port, counts, rates, and the buttons for folding and quitting. */
 final class HeaderPanel extends DressedPanel {
@@ -54,7 +56,8 @@ final class HeaderPanel extends DressedPanel {
         network.setToolTipText(texts.of(accessKey + ".why"));
         network.setName("network");
         buttons = buttons(operator, folding);
-        row = Arrange.row(ROW_GAP, title, port, network, Arrange.growing(rateLabel), attached, calls, waiting, buttons);
+        MenuButton menu = new MenuButton(Locale.forLanguageTag(texts.of("window.language")));
+        row = Arrange.row(ROW_GAP, menu, title, port, network, Arrange.growing(rateLabel), attached, calls, waiting, buttons);
         add(row, BorderLayout.CENTER);
         port.setToolTipText(network.getText() + ": " + network.getToolTipText());
         port.show(StatusMark.DISC, Ink.GOOD, texts.of("window.port", String.valueOf(operator.port())));
@@ -74,13 +77,15 @@ final class HeaderPanel extends DressedPanel {
                 .described(texts.of("window.fold.why"))
                 .with(Symbol.UP.icon()));
         fold.setSelected(true);
-        UserAction quit = UserAction.of(texts, "window.quit", "window.quit", operator::quit);
+        UserAction quit = UserAction.of(texts, "window.quit", "window.quit", operator::quit)
+                .in(CommandGroup.NETWORK);
         JPanel all = Arrange.row(
                 8,
                 ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
                 ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")));
         operator.link().ifPresent(show -> {
-            UserAction link = UserAction.of(texts, "window.link", "window.link", show);
+            UserAction link = UserAction.of(texts, "window.link", "window.link", show)
+                    .in(CommandGroup.NETWORK);
             all.add(ComponentNames.name(new JButton(link), "window.link", texts.of("window.link.why")), 0);
         });
         return all;

@@ -21,6 +21,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DressedPanel;
 import simgsm.ui.Symbol;
@@ -122,7 +123,7 @@ public final class MonitorPanel extends DressedPanel {
     }
 
     private JToggleButton toggle(String id, String key, Symbol symbol, Runnable task) {
-        UserAction action = UserAction.of(texts, id, key, task).with(symbol.icon());
+        UserAction action = UserAction.of(texts, id, key, task).in(CommandGroup.VIEW).with(symbol.icon());
         JToggleButton button = ComponentNames.name(new JToggleButton(action), id, texts.of(key));
         button.setHideActionText(true);
         return button;
@@ -181,7 +182,9 @@ public final class MonitorPanel extends DressedPanel {
 
     /** @param key of the text; the key of its tool tip has the suffix {@code .why} */
     private JButton starter(String id, String key, Symbol symbol, Background.Action action) {
-        UserAction starting = UserAction.of(texts, id, key, () -> start(action)).with(symbol.icon());
+        UserAction starting = UserAction.of(texts, id, key, () -> start(action))
+                .in(CommandGroup.NETWORK)
+                .with(symbol.icon());
         return ComponentNames.name(new JButton(starting), id, texts.of(key + ".why"));
     }
 

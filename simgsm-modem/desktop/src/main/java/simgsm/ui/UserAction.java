@@ -3,6 +3,7 @@ package simgsm.ui;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.Optional;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.Icon;
@@ -12,6 +13,8 @@ import simgsm.console.TextBundle;
 
 /** A user action with its name, description, mnemonic, icon and keys, for buttons, menus and key bindings. */
 public final class UserAction extends AbstractAction {
+    private static final String GROUP = "group";
+
     private final Runnable task;
 
     /**
@@ -53,6 +56,21 @@ public final class UserAction extends AbstractAction {
     public UserAction with(KeyStroke accelerator) {
         putValue(ACCELERATOR_KEY, accelerator);
         return this;
+    }
+
+    /** Puts it into the window's menu, in this submenu. */
+    public UserAction in(CommandGroup group) {
+        putValue(GROUP, group);
+        return this;
+    }
+
+    public Optional<CommandGroup> group() {
+        return Optional.ofNullable((CommandGroup) getValue(GROUP));
+    }
+
+    /** Shows in menus whether what it switches is on. */
+    public void setOn(boolean on) {
+        putValue(SELECTED_KEY, on);
     }
 
     public String id() {

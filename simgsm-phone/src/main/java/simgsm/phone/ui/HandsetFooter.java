@@ -9,6 +9,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -40,7 +41,7 @@ final class HandsetFooter extends JPanel {
     }
 
     private void add(HandsetFold fold, UserAction action) {
-        JButton button = new JButton(action);
+        JButton button = new JButton(action.in(CommandGroup.VIEW));
         button.setContentAreaFilled(false);
         button.setHorizontalAlignment(JButton.LEADING);
         button.setRequestFocusEnabled(false);

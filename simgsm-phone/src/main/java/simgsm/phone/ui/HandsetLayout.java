@@ -20,8 +20,9 @@ final class HandsetLayout implements Arrange.FixedLayout {
 
     private static final double PAD_TOP = 232;
 
-    static final Rectangle2D LINK = new Rectangle2D.Double(24, 14, 110, 22);
-    static final Rectangle2D BRAND = new Rectangle2D.Double(136, 14, 100, 22);
+    static final Rectangle2D WINDOW_MENU = new Rectangle2D.Double(20, 12, 30, 26);
+    static final Rectangle2D LINK = new Rectangle2D.Double(58, 14, 130, 22);
+    static final Rectangle2D BRAND = new Rectangle2D.Double(196, 14, 100, 22);
     static final Rectangle2D LCD = new Rectangle2D.Double(20, 44, 280, 180);
     static final Rectangle2D PAD = new Rectangle2D.Double(112, PAD_TOP, 96, 96);
     static final Rectangle2D FOOT = new Rectangle2D.Double(20, 580, 280, 28);

@@ -28,6 +28,7 @@ import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.scope.ToneScopePanel;
 import simgsm.ui.window.Display;
+import simgsm.ui.window.MenuButton;
 
 /** The handset: display, keys, and a fold with the tone scope or the events. The drawing scales with the panel. */
 public final class HandsetPanel extends JPanel {
@@ -55,6 +56,7 @@ public final class HandsetPanel extends JPanel {
         ComponentNames.name(this, "handset", texts.of("window.title"));
         lcd = new Lcd(texts, language, clock, first);
         place(lcd, HandsetLayout.LCD);
+        place(new MenuButton(language), HandsetLayout.WINDOW_MENU);
         link = Lamp.ofLink(language);
         place(link, HandsetLayout.LINK);
         for (PhoneKey key : PhoneKey.values()) {

@@ -19,6 +19,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.phone.screen.PhoneKey;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.UserAction;
 
 /**
@@ -82,7 +83,8 @@ final class Keyboard {
                     ARROWS.contains(key) ? "" : texts.of("key." + key.name().toLowerCase(Locale.ROOT));
             inputs.put(KeyStroke.getKeyStroke(code, 0, false), name + ".down");
             inputs.put(KeyStroke.getKeyStroke(code, 0, true), name + ".up");
-            actions.put(name + ".down", new UserAction(name + ".down", meaning, () -> controls.keyDown(key)));
+            UserAction press = new UserAction(name + ".down", meaning, () -> controls.keyDown(key)).in(CommandGroup.CALL);
+            actions.put(press.id(), press);
             actions.put(name + ".up", new UserAction(name + ".up", "", () -> controls.keyUp(key)));
         });
         panel.setInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, inputs);

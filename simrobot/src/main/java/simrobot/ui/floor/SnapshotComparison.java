@@ -17,8 +17,12 @@ public final class SnapshotComparison {
                 && before.behaviours().equals(now.behaviours())
                 && before.behaviourFaults().equals(now.behaviourFaults())
                 && now.world().surfaces().stream().noneMatch(Surface::isMoving)
-                && before.timeNanos() / FADE_NANOS == now.timeNanos() / FADE_NANOS
+                && (!hasTrails(now) || before.timeNanos() / FADE_NANOS == now.timeNanos() / FADE_NANOS)
                 && now.hasRobotsAs(before, SnapshotComparison::looksTheSame);
+    }
+
+    private static boolean hasTrails(SimulationSnapshot now) {
+        return now.robots().stream().anyMatch(robot -> robot.trail().size() > 1);
     }
 
     private static boolean looksTheSame(RobotSnapshot a, RobotSnapshot b) {

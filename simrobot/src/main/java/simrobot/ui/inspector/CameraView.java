@@ -54,12 +54,19 @@ public final class CameraView extends PaintedComponent {
         super(AccessibleRole.LABEL);
         setName("camera");
         this.texts = texts;
-        timer.setCoalesce(true);
+        timer.setRepeats(false);
     }
 
     /** To be called with each new snapshot, on the event thread. */
     public void show(SimulationSnapshot scene, RobotSnapshot robot) {
         change(() -> newest = new CameraScene(scene, robot));
+        drawSoon();
+    }
+
+    private void drawSoon() {
+        if (executor != null && newest != null && !newest.looksLike(drawn)) {
+            timer.start();
+        }
     }
 
     @Override
@@ -100,6 +107,7 @@ public final class CameraView extends PaintedComponent {
                 drawn = sight;
                 picture = seen;
                 repaint();
+                drawSoon();
             });
         });
     }
@@ -113,7 +121,6 @@ public final class CameraView extends PaintedComponent {
             thread.setDaemon(true);
             return thread;
         });
-        timer.start();
     }
 
     @Override
@@ -133,6 +140,7 @@ public final class CameraView extends PaintedComponent {
 
     @Override
     protected void paint(Graphics2D g, double width, double height) {
+        drawSoon();
         double share = Math.min(width / Camera.WIDTH, height / Camera.HEIGHT);
         double w = Camera.WIDTH * share;
         double h = Camera.HEIGHT * share;

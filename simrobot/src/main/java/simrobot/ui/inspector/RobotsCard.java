@@ -18,6 +18,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -79,13 +80,15 @@ final class RobotsCard extends JPanel {
         setOpaque(false);
         robots = new RobotList(texts, selection);
         statuses = new StatusLamps(texts);
-        add = new UserAction("robot.add", texts.of("robot.add"), newRobot).with(Symbol.PLUS.icon(12));
+        add = new UserAction("robot.add", texts.of("robot.add"), newRobot).in(CommandGroup.ROBOT).with(Symbol.PLUS.icon(12));
         add.onKey(page, KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK).described(texts.of("robot.add.hint"));
         remove = new UserAction("robot.remove", texts.of("robot.remove"), () -> remove(operator))
+                .in(CommandGroup.ROBOT)
                 .with(Symbol.MINUS.icon(12));
         remove.described(texts.of("robot.remove.hint"));
         remove.bind(robots.list(), JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(KeyEvent.VK_DELETE, 0));
         UserAction restore = new UserAction("robot.restore", texts.of("robot.restore.hint"), () -> restore(operator))
+                .in(CommandGroup.ROBOT)
                 .onKey(page, KeyEvent.VK_Z, InputEvent.CTRL_DOWN_MASK);
         restoring = ToolButtons.button(new JButton(), restore, texts.of("robot.restore"));
         restoring.setVisible(false);
@@ -192,7 +195,10 @@ final class RobotsCard extends JPanel {
 
     private void show(Optional<RobotSnapshot> robot, List<BehaviourKind> kinds) {
         current = robot.map(RobotSnapshot::behaviour).orElse(BehaviourKind.NONE);
-        behaviour.setEnabled(robot.isPresent());
+        // A combo box paints itself anew even if this changes nothing.
+        if (behaviour.isEnabled() != robot.isPresent()) {
+            behaviour.setEnabled(robot.isPresent());
+        }
         List<BehaviourKind> all = new ArrayList<>(kinds);
         if (!all.contains(current)) {
             all.add(current);

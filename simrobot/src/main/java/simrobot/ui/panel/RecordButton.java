@@ -7,6 +7,7 @@ import java.util.Optional;
 import javax.swing.JToggleButton;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -28,6 +29,7 @@ final class RecordButton {
         this.texts = texts;
         this.operator = operator;
         UserAction action = new UserAction("tool.record", texts.of("tool.record"), this::press)
+                .in(CommandGroup.WORLD)
                 .with(Symbol.RECORD.icon())
                 .onKey(button, KeyEvent.VK_K, InputEvent.CTRL_DOWN_MASK);
         ToolButtons.icon(button, action);

@@ -12,6 +12,7 @@ import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Card;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 import simgsm.ui.window.Display;
@@ -109,7 +110,7 @@ public final class SimRobotPanel extends JPanel {
     }
 
     private UserAction presentationKey(String id, int key) {
-        UserAction action = new UserAction(id, texts.of("presentation"), this::switchPresentation);
+        UserAction action = new UserAction(id, texts.of("presentation"), this::switchPresentation).in(CommandGroup.VIEW);
         action.bindInWindow(running, KeyStroke.getKeyStroke(key, 0));
         return action;
     }

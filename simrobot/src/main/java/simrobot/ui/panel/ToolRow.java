@@ -10,21 +10,23 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import javax.swing.AbstractButton;
-import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.Drawing;
 import simgsm.ui.Lamp;
 import simgsm.ui.LinkState;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
+import simgsm.ui.window.MenuButton;
 import simrobot.drawing.Layers;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.ui.OperatorActions;
@@ -34,7 +36,8 @@ import simrobot.ui.WindowSnapshot;
 import simrobot.ui.floor.WorldView;
 
 /**
- * The row above the floor: world, link, switches, time, and the tools of the floor. Its buttons have words where all of them
+ * The row above the floor: menu, world, link, switches, time, and the tools of the floor; the other commands of the floor are
+ * in the menu only. Its buttons have words where all of them
  * fit into one row, or in a high page into two; else icons, whose tool tips have the words.
  */
 final class ToolRow extends JPanel {
@@ -54,11 +57,12 @@ final class ToolRow extends JPanel {
     private final JToggleButton motors;
     private final JButton pause;
     private final JButton step;
-    private final JToggleButton follow;
+    private final UserAction follow;
     private final SpeedChoice speed;
-    private final JToggleButton ruler;
+    private final UserAction ruler;
+    private final Map<UserAction, Predicate<Layers>> layers = new LinkedHashMap<>();
     private final RecordButton record;
-    private final ExportChoice exports;
+    private final ExportCommands exports;
     /** What changes robots or world; hidden while a recording is played. */
     private final List<JComponent> liveTools;
 
@@ -86,15 +90,19 @@ final class ToolRow extends JPanel {
         setOpaque(false);
         worlds = new WorldChoice(texts, operator, editing);
         link = Lamp.ofLink(language);
-        power = worded(new JToggleButton(), "power", Symbol.POWER.icon(), KeyEvent.VK_P, this::switchPower);
-        motors = worded(new JToggleButton(), "motors", Symbol.MOTOR.icon(), KeyEvent.VK_M, this::switchMotors);
-        pause = button("pause", Symbol.PAUSE.icon(), KeyEvent.VK_SPACE, () -> operator.setPaused(!paused));
-        step = button("step", Symbol.STEP.icon(), KeyEvent.VK_PERIOD, operator::stepOnce);
-        follow = toggle("follow", Symbol.FOLLOW.icon(), KeyEvent.VK_G, () -> view.setFollowing(!view.isFollowing()));
+        power = worded(new JToggleButton(), "power", Symbol.POWER, KeyEvent.VK_P, this::switchPower);
+        motors = worded(new JToggleButton(), "motors", Symbol.MOTOR, KeyEvent.VK_M, this::switchMotors);
+        pause = button("pause", CommandGroup.WORLD, Symbol.PAUSE, KeyEvent.VK_SPACE, () -> operator.setPaused(!paused));
+        step = button("step", CommandGroup.WORLD, Symbol.STEP, KeyEvent.VK_PERIOD, operator::stepOnce);
+        follow = action("follow", CommandGroup.VIEW, KeyEvent.VK_G, () -> view.setFollowing(!view.isFollowing()));
         speed = new SpeedChoice(texts, operator);
-        ruler = toggle("ruler", Symbol.RULER.icon(), KeyEvent.VK_R, view::toggleRuler);
-        exports = new ExportChoice(texts, operator);
-        JButton brake = worded(new JButton(), "brake", Symbol.BRAKE.icon(), KeyEvent.VK_B, () -> operator.brake(robot));
+        ruler = action("ruler", CommandGroup.VIEW, KeyEvent.VK_R, view::toggleRuler);
+        layer("trail", KeyEvent.VK_T, Layers::trail, shown -> shown.withTrail(!shown.trail()));
+        layer("rays", KeyEvent.VK_S, Layers::sonar, shown -> shown.withSonar(!shown.sonar()));
+        layer("grid", KeyEvent.VK_G, Layers::grid, shown -> shown.withGrid(!shown.grid()));
+        showSwitches();
+        exports = new ExportCommands(texts, operator, page);
+        JButton brake = worded(new JButton(), "brake", Symbol.BRAKE, KeyEvent.VK_B, () -> operator.brake(robot));
         record = new RecordButton(texts, operator);
         left = worldTools(brake);
         liveTools = List.of(worlds.component(), power, motors, brake, record.component());
@@ -104,7 +112,8 @@ final class ToolRow extends JPanel {
     }
 
     private JPanel worldTools(JButton brake) {
-        List<JComponent> first = List.of(worlds.component(), gap(), link, gap(), power, motors, brake, gap());
+        MenuButton menu = new MenuButton(language);
+        List<JComponent> first = List.of(menu, worlds.component(), gap(), link, gap(), power, motors, brake, gap());
         JPanel row = Arrange.row(Theme.HALF, first.toArray(JComponent[]::new));
         List.of(pause, step, speed.component(), record.component()).forEach(row::add);
         return row;
@@ -113,16 +122,10 @@ final class ToolRow extends JPanel {
     private JPanel floorTools(Runnable inspectorSwitch) {
         return Arrange.row(
                 Theme.HALF,
-                button("zoom.out", Symbol.MINUS.icon(), 0, () -> view.zoom(0.8)),
-                button("zoom.in", Symbol.PLUS.icon(), 0, () -> view.zoom(1.25)),
-                button("fit", Symbol.FIT.icon(), KeyEvent.VK_F, this::fit),
-                follow,
-                layer("trail", Symbol.TRAIL.icon(), KeyEvent.VK_T, shown -> shown.withTrail(!shown.trail())),
-                layer("rays", Symbol.RAYS.icon(), KeyEvent.VK_S, shown -> shown.withSonar(!shown.sonar())),
-                layer("grid", Symbol.GRID.icon(), KeyEvent.VK_G, shown -> shown.withGrid(!shown.grid())),
-                ruler,
-                exports.component(),
-                button("inspector", Symbol.LIST.icon(), KeyEvent.VK_I, inspectorSwitch));
+                button("zoom.out", CommandGroup.VIEW, Symbol.MINUS, 0, () -> view.zoom(0.8)),
+                button("zoom.in", CommandGroup.VIEW, Symbol.PLUS, 0, () -> view.zoom(1.25)),
+                button("fit", CommandGroup.VIEW, Symbol.FIT, KeyEvent.VK_F, this::fit),
+                button("inspector", CommandGroup.VIEW, Symbol.LIST, KeyEvent.VK_I, inspectorSwitch));
     }
 
     @Override
@@ -168,8 +171,7 @@ final class ToolRow extends JPanel {
         power.setSelected(on);
         motors.setEnabled(on);
         motors.setSelected(selected.map(RobotSnapshot::motors).orElse(false));
-        follow.setSelected(view.isFollowing());
-        ruler.setSelected(view.ruler() != null);
+        showSwitches();
         exports.show(robot, newest.worldFile());
         speed.show(newest.speed());
         showPaused(newest.paused());
@@ -216,40 +218,40 @@ final class ToolRow extends JPanel {
         return gap;
     }
 
-    /** @param key with Alt */
-    private JToggleButton layer(String id, Icon icon, int key, UnaryOperator<Layers> change) {
-        UserAction action = new UserAction(
-                        "tool." + id, texts.of("tool." + id), () -> view.setLayers(change.apply(view.layers())))
-                .with(icon)
+    /** A command of the menu. @param key with Alt */
+    private void layer(String id, int key, Predicate<Layers> isOn, UnaryOperator<Layers> change) {
+        UserAction action = new UserAction("tool." + id, texts.of("tool." + id), () -> {
+                    view.setLayers(change.apply(view.layers()));
+                    showSwitches();
+                })
+                .in(CommandGroup.VIEW)
                 .onKey(page, key, InputEvent.ALT_DOWN_MASK);
-        JToggleButton button = withWord(ToolButtons.icon(new JToggleButton(), action), id);
-        button.setSelected(true);
-        return button;
+        layers.put(action, isOn);
     }
 
-    private JToggleButton toggle(String id, Icon icon, int key, Runnable task) {
-        return withWord(ToolButtons.icon(new JToggleButton(), action(id, icon, key, task)), id);
+    private void showSwitches() {
+        follow.setOn(view.isFollowing());
+        ruler.setOn(view.ruler() != null);
+        layers.forEach((action, isOn) -> action.setOn(isOn.test(view.layers())));
     }
 
-    private JButton button(String id, Icon icon, int key, Runnable task) {
-        return withWord(ToolButtons.icon(new JButton(), action(id, icon, key, task)), id);
-    }
-
-    /** The icons of larger and smaller have none. */
-    private <B extends AbstractButton> B withWord(B button, String id) {
+    private JButton button(String id, CommandGroup group, Symbol symbol, int key, Runnable task) {
+        JButton button = ToolButtons.icon(
+                new JButton(), action(id, group, key, task).with(symbol.icon()));
         if (!id.startsWith("zoom.")) {
             words.put(button, texts.of("tool." + id + ".word"));
         }
         return button;
     }
 
-    private <B extends AbstractButton> B worded(B button, String id, Icon icon, int key, Runnable task) {
-        return ToolButtons.button(button, action(id, icon, key, task), texts.of("tool." + id + ".word"));
+    private <B extends AbstractButton> B worded(B button, String id, Symbol symbol, int key, Runnable task) {
+        UserAction action = action(id, CommandGroup.ROBOT, key, task).with(symbol.icon());
+        return ToolButtons.button(button, action, texts.of("tool." + id + ".word"));
     }
 
     /** @param key with Ctrl, 0 for none */
-    private UserAction action(String id, Icon icon, int key, Runnable task) {
-        UserAction action = new UserAction("tool." + id, texts.of("tool." + id), task).with(icon);
+    private UserAction action(String id, CommandGroup group, int key, Runnable task) {
+        UserAction action = new UserAction("tool." + id, texts.of("tool." + id), task).in(group);
         return key == 0 ? action.described(action.name()) : action.onKey(page, key, InputEvent.CTRL_DOWN_MASK);
     }
 }

@@ -19,6 +19,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -47,11 +48,13 @@ public final class WorldChoice {
         this.editing = editing;
         this.operator = operator;
         UserAction open = new UserAction("tool.world", texts.of("tool.world"), this::showMenu)
+                .in(CommandGroup.WORLD)
                 .with(Symbol.DOWN.icon(12))
                 .onKey(button, KeyEvent.VK_O, InputEvent.CTRL_DOWN_MASK);
         ToolButtons.named(button, open.described(texts.of("tool.world")));
         button.setHorizontalTextPosition(JButton.LEADING);
         edit = new UserAction("world.edit", texts.of("tool.world.edit"), () -> editing.accept(false))
+                .in(CommandGroup.WORLD)
                 .with(KeyStroke.getKeyStroke(KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK))
                 .onKey(button, KeyEvent.VK_E, InputEvent.CTRL_DOWN_MASK);
     }

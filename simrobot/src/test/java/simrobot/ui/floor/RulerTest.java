@@ -36,15 +36,15 @@ class RulerTest {
 
     @Test
     void itIsLaidAheadOfTheRobotAndPutAwayAgain() {
-        bench.click("tool.ruler");
+        bench.command("tool.ruler");
         assertEquals("Ruler: 1.000 m  90.0\u00b0", bench.spoken("world"));
-        bench.click("tool.ruler");
+        bench.command("tool.ruler");
         assertNull(bench.floor().ruler());
     }
 
     @Test
     void draggingMeasuresAndLeavesTheRobotWhereItIs() {
-        bench.click("tool.ruler");
+        bench.command("tool.ruler");
         mouse(MouseEvent.MOUSE_PRESSED, 2, 2);
         mouse(MouseEvent.MOUSE_DRAGGED, 5, 2);
         mouse(MouseEvent.MOUSE_RELEASED, 5, 2);
@@ -57,7 +57,7 @@ class RulerTest {
 
     @Test
     void itSticksToARobotsMiddle() {
-        bench.click("tool.ruler");
+        bench.command("tool.ruler");
         mouse(MouseEvent.MOUSE_PRESSED, 3, 0);
         mouse(MouseEvent.MOUSE_DRAGGED, 0.1, 0.1);
         assertEquals(new Position(0, 0), bench.floor().ruler().to());
@@ -65,7 +65,7 @@ class RulerTest {
 
     @Test
     void itsEndsMoveByKeyboard() {
-        bench.click("tool.ruler");
+        bench.command("tool.ruler");
         act("world.pan.39");
         assertEquals(0.05, bench.floor().ruler().to().xMeters(), 1e-9);
         act("world.ruler.40");
@@ -78,7 +78,7 @@ class RulerTest {
     void itIsPaintedWithItsNumbers() {
         // Four times as large: a thin line between two pixels has the colour of neither.
         int before = WindowBench.count(WindowBench.painted(bench.floor(), 4), Ink.ACCENT);
-        bench.click("tool.ruler");
+        bench.command("tool.ruler");
         assertTrue(WindowBench.count(WindowBench.painted(bench.floor(), 4), Ink.ACCENT) > before + 400);
     }
 

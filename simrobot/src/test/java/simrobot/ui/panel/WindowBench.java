@@ -14,7 +14,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.ToIntFunction;
+import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.JComponent;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import simgsm.air.Msisdn;
@@ -26,6 +28,7 @@ import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.tone.ToneExperiment;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
+import simgsm.ui.UserAction;
 import simrobot.control.LoggedEvent;
 import simrobot.process.BehaviourKind;
 import simrobot.robot.Placement;
@@ -133,6 +136,27 @@ public final class WindowBench implements OperatorActions {
 
     public void click(String name) {
         ((AbstractButton) component(name)).doClick(0);
+    }
+
+    /** Performs a command that only the menu has; true if it is a switch that is on then. */
+    public boolean command(String id) {
+        UserAction action = actions(panel).filter(each -> each.id().equals(id)).findFirst().orElseThrow();
+        action.actionPerformed(null);
+        return Boolean.TRUE.equals(action.getValue(UserAction.SELECTED_KEY));
+    }
+
+    private static Stream<UserAction> actions(Container parent) {
+        Stream<UserAction> own = parent instanceof JComponent bound && bound.getActionMap().keys() != null
+                ? Stream.of(bound.getActionMap().keys())
+                        .map(bound.getActionMap()::get)
+                        .filter(UserAction.class::isInstance)
+                        .map(UserAction.class::cast)
+                : Stream.empty();
+        return Stream.concat(
+                own,
+                Stream.of(parent.getComponents())
+                        .filter(Container.class::isInstance)
+                        .flatMap(child -> actions((Container) child)));
     }
 
     public WorldView floor() {

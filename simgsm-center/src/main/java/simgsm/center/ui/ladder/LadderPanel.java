@@ -23,6 +23,7 @@ import javax.swing.SwingUtilities;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DressedPanel;
 import simgsm.ui.Symbol;
@@ -109,7 +110,7 @@ public final class LadderPanel extends DressedPanel {
     }
 
     private UserAction action(String id, String key, Symbol symbol, Runnable task) {
-        return UserAction.of(texts, id, key, task).with(symbol.icon());
+        return UserAction.of(texts, id, key, task).in(CommandGroup.VIEW).with(symbol.icon());
     }
 
     private JToggleButton toggle(String id, String key, Symbol symbol, Runnable task) {

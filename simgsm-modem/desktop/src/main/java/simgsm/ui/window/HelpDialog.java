@@ -2,21 +2,12 @@ package simgsm.ui.window;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
-import java.util.Comparator;
-import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
-import javax.swing.AbstractButton;
-import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
@@ -32,6 +23,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.lesson.LessonLibrary;
 import simgsm.ui.Arrange;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Drawing;
@@ -52,75 +44,6 @@ final class HelpDialog {
 
     /** The lessons and the action that begins one; empty if the program cannot. */
     record Lessons(LessonLibrary library, Optional<Consumer<String>> chosen) {}
-
-    /** A key and its action. */
-    record ShownKey(String key, String action) {}
-
-    /**
-     * The keys that work now everywhere in the window or in a panel of it, and the mnemonics of its buttons, in the
-     * order of the keys' names.
-     */
-    static List<ShownKey> keysOf(Component root) {
-        return components(root)
-                .filter(JComponent.class::isInstance)
-                .map(JComponent.class::cast)
-                .flatMap(component -> Stream.concat(bindings(component), mnemonic(component).stream()))
-                .distinct()
-                .sorted(Comparator.comparing(ShownKey::key))
-                .toList();
-    }
-
-    /** Without hidden pages, such as the editor's, whose keys have no effect now. */
-    private static Stream<Component> components(Component root) {
-        Stream<Component> own = Stream.of(root);
-        return root instanceof Container container
-                ? Stream.concat(
-                        own,
-                        Stream.of(container.getComponents())
-                                .filter(Component::isVisible)
-                                .flatMap(HelpDialog::components))
-                : own;
-    }
-
-    private static Stream<ShownKey> bindings(JComponent component) {
-        return Stream.of(JComponent.WHEN_IN_FOCUSED_WINDOW, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT)
-                .flatMap(condition -> bindings(component, component.getInputMap(condition)));
-    }
-
-    private static Stream<ShownKey> bindings(JComponent component, InputMap inputs) {
-        KeyStroke[] strokes = inputs.keys();
-        return Stream.of(strokes == null ? new KeyStroke[0] : strokes).flatMap(stroke -> {
-            Object id = inputs.get(stroke);
-            return !isOnKeypad(stroke)
-                            && component.getActionMap().get(id) instanceof UserAction action
-                            && !action.name().isBlank()
-                    ? Stream.of(new ShownKey(text(stroke.getModifiers(), stroke.getKeyCode()), action.name()))
-                    : Stream.empty();
-        });
-    }
-
-    /** Keys of the number pad repeat keys of the main block. */
-    private static boolean isOnKeypad(KeyStroke stroke) {
-        return stroke.getKeyCode() >= KeyEvent.VK_NUMPAD0 && stroke.getKeyCode() <= KeyEvent.VK_DIVIDE;
-    }
-
-    private static Optional<ShownKey> mnemonic(JComponent component) {
-        return component instanceof AbstractButton button && button.getMnemonic() != 0
-                ? Optional.of(new ShownKey(
-                        text(InputEvent.ALT_DOWN_MASK, button.getMnemonic()),
-                        button.getAccessibleContext().getAccessibleName()))
-                : Optional.empty();
-    }
-
-    private static String text(int modifiers, int keyCode) {
-        String held = InputEvent.getModifiersExText(modifiers);
-        // Java's names are words such as "Equals"; these codes equal their characters
-        boolean isSign = keyCode >= KeyEvent.VK_COMMA && keyCode <= KeyEvent.VK_CLOSE_BRACKET;
-        String key = keyCode == KeyEvent.VK_PLUS
-                ? "+"
-                : isSign ? String.valueOf((char) keyCode) : KeyEvent.getKeyText(keyCode);
-        return held.isEmpty() ? key : held + "+" + key;
-    }
 
     /**
      * Opens help, lessons and glossary as tabs.
@@ -226,31 +149,44 @@ final class HelpDialog {
         }
     }
 
-    /** Makes the column of keys as wide as its widest row. */
-    private static void fitKeys(JTable table) {
+    /** Makes the columns of groups and keys as wide as their widest rows. */
+    private static void fit(JTable table) {
         table.setRowHeight(Theme.px(24));
-        int width = IntStream.range(0, table.getRowCount())
-                .map(row -> Drawing.width(Theme.base(), table.getValueAt(row, 0).toString()))
-                .max()
-                .orElse(0);
-        table.getColumnModel().getColumn(0).setMinWidth(width + Theme.px(KEY_MARGIN_UNITS));
-        table.getColumnModel().getColumn(0).setMaxWidth(width + Theme.px(KEY_MARGIN_UNITS));
+        for (int column = 0; column < 2; column++) {
+            int fitted = column;
+            int width = IntStream.range(0, table.getRowCount())
+                    .map(row -> Drawing.width(
+                            Theme.base(), table.getValueAt(row, fitted).toString()))
+                    .max()
+                    .orElse(0);
+            table.getColumnModel().getColumn(column).setMinWidth(width + Theme.px(KEY_MARGIN_UNITS));
+            table.getColumnModel().getColumn(column).setMaxWidth(width + Theme.px(KEY_MARGIN_UNITS));
+        }
+    }
+
+    /** The commands that have keys; a group is named in its first row. */
+    private static DefaultTableModel rows(Component root, TextBundle texts) {
+        DefaultTableModel rows = new DefaultTableModel(
+                new Object[] {"", texts.of("window.help.key"), texts.of("window.help.action")}, 0);
+        CommandGroup before = null;
+        for (WindowCommands.Command command : WindowCommands.of(root)) {
+            if (!command.keys().isEmpty()) {
+                String group = command.group() == before ? "" : command.group().title(texts);
+                before = command.group();
+                rows.addRow(new Object[] {
+                    group, command.keysText(), command.action().name()
+                });
+            }
+        }
+        return rows;
     }
 
     static JPanel content(Component root, String about, String version, TextBundle texts) {
         JTextArea text = wrapped(about);
         text.setOpaque(false);
-        DefaultTableModel rows =
-                new DefaultTableModel(new Object[] {texts.of("window.help.key"), texts.of("window.help.action")}, 0);
-        keysOf(root).stream()
-                .collect(Collectors.groupingBy(
-                        ShownKey::action,
-                        LinkedHashMap::new,
-                        Collectors.mapping(ShownKey::key, Collectors.joining(",  "))))
-                .forEach((action, keys) -> rows.addRow(new Object[] {keys, action}));
-        JTable table = new JTable(rows);
+        JTable table = new JTable(rows(root, texts));
         table.setDefaultEditor(Object.class, null);
-        Theme.styled(table, HelpDialog::fitKeys);
+        Theme.styled(table, HelpDialog::fit);
         JPanel column = Arrange.column(
                 Theme.GRID,
                 ComponentNames.name(text, "help.about", texts.of("window.help")),

@@ -29,6 +29,7 @@ import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.draw.Appearance;
 import simgsm.lesson.LessonLibrary;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -267,11 +268,15 @@ public final class ProgramWindow {
         frame.setTitle(content.title());
         frame.setContentPane(content.panel());
         WindowKeys.install(frame.getRootPane(), language);
-        new UserAction("window.help", DesktopTexts.in(language).of("window.help"), () -> help("window.help"))
-                .bindInWindow(
-                        frame.getRootPane(),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_F10, 0));
+        helpCommand("window.help", KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
+        Stream.of("lessons.title", "glossary.title", "settings.title", "about.title").forEach(this::helpCommand);
+    }
+
+    /** @param tab key of the text of a tab of the help */
+    private void helpCommand(String tab, KeyStroke... keys) {
+        new UserAction(tab, DesktopTexts.in(language).of(tab), () -> help(tab))
+                .in(CommandGroup.WINDOW)
+                .bindInWindow(frame.getRootPane(), keys);
     }
 
     /** @param tab text key of the tab shown first */

@@ -12,6 +12,7 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -28,11 +29,15 @@ public final class WindowKeys {
      */
     public static List<UserAction> install(JComponent anchor, Locale language) {
         TextBundle texts = DesktopTexts.in(language);
-        UserAction in = new UserAction("window.zoom.in", texts.of("window.zoom.in"), () -> zoom(anchor, 1));
-        UserAction out = new UserAction("window.zoom.out", texts.of("window.zoom.out"), () -> zoom(anchor, -1));
-        UserAction reset = new UserAction("window.zoom.reset", texts.of("window.zoom.reset"), () -> zoom(anchor, 0));
+        UserAction in = new UserAction("window.zoom.in", texts.of("window.zoom.in"), () -> zoom(anchor, 1))
+                .in(CommandGroup.WINDOW);
+        UserAction out = new UserAction("window.zoom.out", texts.of("window.zoom.out"), () -> zoom(anchor, -1))
+                .in(CommandGroup.WINDOW);
+        UserAction reset = new UserAction("window.zoom.reset", texts.of("window.zoom.reset"), () -> zoom(anchor, 0))
+                .in(CommandGroup.WINDOW);
         UserAction appearance =
-                new UserAction("window.appearance", texts.of("window.appearance"), () -> switchAppearance(anchor));
+                new UserAction("window.appearance", texts.of("window.appearance"), () -> switchAppearance(anchor))
+                .in(CommandGroup.WINDOW);
         in.bindInWindow(anchor, ctrl(KeyEvent.VK_PLUS), ctrl(KeyEvent.VK_ADD), ctrl(KeyEvent.VK_EQUALS), ctrlShift());
         out.bindInWindow(anchor, ctrl(KeyEvent.VK_MINUS), ctrl(KeyEvent.VK_SUBTRACT));
         reset.bindInWindow(anchor, ctrl(KeyEvent.VK_0), ctrl(KeyEvent.VK_NUMPAD0));

@@ -3,6 +3,7 @@ package simgsm.ui.window;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
 import java.awt.Graphics2D;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -10,9 +11,13 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JMenu;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
@@ -20,6 +25,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
@@ -37,20 +43,42 @@ class HelpDialogTest {
         window.add(new JButton(new UserAction("new", "New &phone", () -> {})));
     }
 
+    private static List<String> commands(Component root) {
+        return WindowCommands.of(root).stream()
+                .map(command -> command.action().name() + ": " + command.keysText())
+                .toList();
+    }
+
+    @Test
+    void theMenuHasTheCommandsOfTheTableByGroupWithTheirKeysAndWhatIsOn() {
+        MenuButton button = new MenuButton(Locale.ENGLISH);
+        UserAction trail = new UserAction("trail", "Trail", () -> {}).in(CommandGroup.VIEW);
+        trail.setOn(true);
+        trail.bindInWindow(window);
+        new UserAction("call", "Call", () -> {}).in(CommandGroup.CALL).bindInWindow(window);
+        JPopupMenu menu = button.menu(window);
+        assertEquals(
+                List.of("Phone", "View"),
+                Stream.of(menu.getComponents()).map(each -> ((JMenu) each).getText()).toList());
+        JMenu view = (JMenu) menu.getComponent(1);
+        assertTrue(IntStream.range(0, view.getItemCount())
+                .mapToObj(view::getItem)
+                .anyMatch(item -> item instanceof JCheckBoxMenuItem && item.isSelected()));
+        assertEquals(
+                KeyStroke.getKeyStroke(KeyEvent.VK_P, InputEvent.CTRL_DOWN_MASK), view.getItem(0).getAccelerator());
+    }
+
     @Test
     void allNamedKeysAndMnemonicsAreListed() {
         assertEquals(
-                List.of(
-                        new HelpDialog.ShownKey("Alt+P", "New phone"),
-                        new HelpDialog.ShownKey("Ctrl+P", "Switch the robot on")),
-                HelpDialog.keysOf(window));
+                List.of("Switch the robot on: Ctrl+P", "New phone: Alt+P"), commands(window));
     }
 
     @Test
     void keysWithASignAreShownByIt() {
         JPanel zoomed = new JPanel();
         new UserAction("larger", "Larger", () -> {}).onKey(zoomed, KeyEvent.VK_EQUALS, InputEvent.CTRL_DOWN_MASK);
-        assertEquals(List.of(new HelpDialog.ShownKey("Ctrl+=", "Larger")), HelpDialog.keysOf(zoomed));
+        assertEquals(List.of("Larger: Ctrl+="), commands(zoomed));
     }
 
     @Test
@@ -60,15 +88,15 @@ class HelpDialogTest {
         JPanel content = HelpDialog.content(zoomed, "A robot.", "1.0.0", DesktopTexts.in(Locale.ENGLISH));
         JTable keys = (JTable) ComponentNames.find(content, "help.keys").orElseThrow();
         int larger = IntStream.range(0, keys.getRowCount())
-                .filter(row -> keys.getValueAt(row, 1).equals("Larger"))
+                .filter(row -> keys.getValueAt(row, 2).equals("Larger"))
                 .findFirst()
                 .orElseThrow();
-        assertEquals("Ctrl++,  Ctrl+=,  Ctrl+Shift+=", keys.getValueAt(larger, 0));
+        assertEquals("Ctrl++,  Ctrl+=,  Ctrl+Shift+=", keys.getValueAt(larger, 1));
         keys.setSize(400, 400);
         keys.doLayout();
         int needed =
-                keys.prepareRenderer(keys.getCellRenderer(larger, 0), larger, 0).getPreferredSize().width;
-        assertTrue(needed <= keys.getCellRect(larger, 0, false).width);
+                keys.prepareRenderer(keys.getCellRenderer(larger, 1), larger, 1).getPreferredSize().width;
+        assertTrue(needed <= keys.getCellRect(larger, 1, false).width);
     }
 
     @Test
@@ -86,7 +114,7 @@ class HelpDialogTest {
         JPanel phone = new JPanel();
         new UserAction("message", "Write a message", () -> {})
                 .bind(phone, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke(KeyEvent.VK_F2, 0));
-        assertEquals(List.of(new HelpDialog.ShownKey("F2", "Write a message")), HelpDialog.keysOf(phone));
+        assertEquals(List.of("Write a message: F2"), commands(phone));
     }
 
     @Test
@@ -94,9 +122,9 @@ class HelpDialogTest {
         JPanel editor = new JPanel();
         new UserAction("wall", "Draw a wall", () -> {}).onKey(editor, KeyEvent.VK_W, InputEvent.CTRL_DOWN_MASK);
         window.add(editor);
-        assertEquals(3, HelpDialog.keysOf(window).size());
+        assertEquals(3, commands(window).size());
         editor.setVisible(false);
-        assertEquals(2, HelpDialog.keysOf(window).size());
+        assertEquals(2, commands(window).size());
     }
 
     @Test
