@@ -453,10 +453,6 @@ class SimRobotPanelTest {
                 "zoom.in",
                 "zoom.out",
                 "fit",
-                "follow",
-                "trail",
-                "rays",
-                "grid",
                 "world")) {
             assertFalse(bench.spoken("tool." + tool).isBlank(), tool);
             assertTrue(bench.component("tool." + tool).isFocusable(), tool);
