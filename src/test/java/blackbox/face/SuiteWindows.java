@@ -162,7 +162,7 @@ final class SuiteWindows {
                         Runnable::run);
             case CLASS -> classPanel(locale);
             case SCOPE -> scope(locale);
-            case LESSONS -> new LessonList(LessonLibrary.ofSuite(), locale, nothing(LessonList.Actions.class));
+            case LESSONS -> new LessonList(LessonLibrary.ofSuite(), locale, true, nothing(LessonList.Actions.class));
             case LESSON -> lesson(form, locale);
             case SHEET -> sheet(form, locale);
             default -> program(which, language);

@@ -99,6 +99,7 @@ public final class CenterWindow implements CenterActions {
             out.ready(center.ready());
             window.withConsole(() -> Program.runConsole(out, arguments, new CenterCommands(center, out)));
         });
+        window.showSheets();
         if (watch.mayBeginLesson()) {
             window.onLesson(operator::beginLesson);
         }

@@ -23,7 +23,8 @@ import simgsm.ui.glossary.GlossaryText;
 import simgsm.ui.pane.WrappedColumn;
 
 /**
- * All lessons with title, minutes, subject, a button to open them, and one for the teacher's sheet. Needs no display.
+ * All lessons with title, minutes, subject, a button to open them, and one for the teacher's sheet where these are shown. Needs no
+ * display.
  */
 public final class LessonList extends JPanel {
     /** User actions on a lesson. */
@@ -37,10 +38,13 @@ public final class LessonList extends JPanel {
     private final LessonLibrary library;
     private final Locale language;
     private final TextBundle words;
+    private final boolean hasSheets;
     private final Actions actions;
 
-    public LessonList(LessonLibrary library, Locale language, Actions actions) {
+    /** @param hasSheets whether the teacher's sheets, which have the answers, are shown */
+    public LessonList(LessonLibrary library, Locale language, boolean hasSheets, Actions actions) {
         super(new BorderLayout());
+        this.hasSheets = hasSheets;
         this.library = library;
         this.language = language;
         this.actions = actions;
@@ -64,6 +68,7 @@ public final class LessonList extends JPanel {
             text.show(title + " (" + words.of("lesson.minutes", Integer.toString(lesson.minutes())) + ")");
             List<Component> parts = new ArrayList<>(List.of(Arrange.growing(Arrange.column(0, text))));
             library.sheet(name, language)
+                    .filter(sheet -> hasSheets)
                     .ifPresent(sheet ->
                             parts.add(button("lessons.sheet", name, title, () -> actions.showSheet(title, sheet))));
             parts.add(button("lessons.open", name, title, () -> actions.open(name)));

@@ -42,8 +42,13 @@ final class HelpDialog {
 
     private HelpDialog() {}
 
-    /** The lessons and the action that begins one; empty if the program cannot. */
-    record Lessons(LessonLibrary library, Optional<Consumer<String>> chosen) {}
+    /**
+     * The lessons and the action that begins one.
+     *
+     * @param hasSheets whether the teacher's sheets are shown
+     * @param chosen empty if the program cannot begin one
+     */
+    record Lessons(LessonLibrary library, boolean hasSheets, Optional<Consumer<String>> chosen) {}
 
     /**
      * Opens help, lessons and glossary as tabs.
@@ -65,7 +70,7 @@ final class HelpDialog {
         JDialog dialog = new JDialog(frame, texts.of("window.help"));
         JTabbedPane tabs = ComponentNames.name(new JTabbedPane(), "help.tabs", texts.of("window.help"));
         tabs.addTab(texts.of("window.help"), content(frame.getRootPane(), about, version, texts));
-        tabs.addTab(texts.of("lessons.title"), new LessonList(lessons.library(), language, new LessonList.Actions() {
+        tabs.addTab(texts.of("lessons.title"), new LessonList(lessons.library(), language, lessons.hasSheets(), new LessonList.Actions() {
             @Override
             public void open(String name) {
                 begin(dialog, name, texts, lessons);

@@ -77,6 +77,7 @@ public final class ProgramWindow {
     private final String rememberedAs;
     private final CountDownLatch ended = new CountDownLatch(1);
     private Optional<Consumer<String>> lessonChosen = Optional.empty();
+    private boolean hasSheets;
 
     // on the event thread, once the window is open
     private SharedSettings shared;
@@ -194,6 +195,11 @@ public final class ProgramWindow {
         lessonChosen = Optional.of(chosen);
     }
 
+    /** Shows the teacher's sheets in the help: in the centre's window alone, as pupils have the others. */
+    public void showSheets() {
+        hasSheets = true;
+    }
+
     /** A console of the window's program; its end closes the window. */
     public interface ConsoleRun {
         void run() throws Exception;
@@ -291,7 +297,7 @@ public final class ProgramWindow {
                 content.help(),
                 Program.version(content.panel().getClass()),
                 language,
-                new HelpDialog.Lessons(lessons, lessonChosen),
+                new HelpDialog.Lessons(lessons, hasSheets, lessonChosen),
                 new SettingsPanel.Actions(speak, this::dress, this::zoomTo, memory),
                 tab);
     }

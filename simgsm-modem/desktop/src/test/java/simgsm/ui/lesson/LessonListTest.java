@@ -36,7 +36,7 @@ class LessonListTest {
     private final LessonLibrary library = LessonLibrary.ofSuite();
 
     private LessonList list(LessonLibrary lessons) {
-        return new LessonList(lessons, Locale.ENGLISH, new LessonList.Actions() {
+        return new LessonList(lessons, Locale.ENGLISH, true, new LessonList.Actions() {
             @Override
             public void open(String name) {
                 done.add(name);
@@ -82,12 +82,14 @@ class LessonListTest {
     @ParameterizedTest
     @CsvSource({"en, keys", "es, teclas"})
     void theListSaysInWholeLinesWhatEachLessonIsAbout(String language, String word) throws Exception {
-        LessonList list = new LessonList(library, Locale.forLanguageTag(language), null);
+        LessonList list = new LessonList(library, Locale.forLanguageTag(language), false, null);
         list.setSize(600, 400);
         for (int i = 0; i < 4; i++) {
             SwingUtilities.invokeAndWait(() -> lay(list));
         }
         for (String name : library.names()) {
+            assertTrue(
+                    ComponentNames.find(list, "lessons.sheet." + name).isEmpty(), "a pupil's window has no sheet");
             GlossaryText row = (GlossaryText)
                     ComponentNames.find(list, "lessons.about." + name).orElseThrow();
             assertTrue(row.getText().endsWith("."), row.getText());
