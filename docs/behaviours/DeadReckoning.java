@@ -6,7 +6,7 @@ import simrobot.behaviour.Steering;
 
 /**
  * Drives five times round a square of 1 m, and knows where it is by its wheels only. What it believes is drawn in green; its
- * trail is the truth. Wheels slip: with --noise 3 the two part, and at each corner it writes how far.
+ * trail is the truth. Wheels slip: with --noise 3 the two part, and after each round it writes on the floor how far.
  */
 public class DeadReckoning implements Behaviour {
     private static final double SIDE = 1;
@@ -49,8 +49,10 @@ public class DeadReckoning implements Behaviour {
     private void report(Place believed, Senses senses) {
         passed++;
         double off = distance(believed, senses.xMeters(), senses.yMeters());
-        drawText(senses.xMeters(), senses.yMeters(), String.format(Locale.ROOT, "%.2f", off));
         System.out.printf(Locale.ROOT, "corner %d: off by %.2f m%n", passed, off);
+        if (passed % 4 == 0) {
+            drawText(senses.xMeters(), senses.yMeters(), String.format(Locale.ROOT, "%.2f m", off));
+        }
     }
 
     @Override

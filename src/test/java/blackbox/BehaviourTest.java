@@ -176,4 +176,35 @@ class BehaviourTest {
             assertTrue(refused.error().contains(option.substring(0, option.indexOf('='))), refused.error());
         }
     }
+
+    @Test
+    void keysOfACallDriveAProcessAndAnotherReportsBySms() throws Exception {
+        try (Scenario scenario = new Scenario("the phone as a joystick, and a guard")) {
+            Path mine = Files.createDirectory(scenario.folder().resolve("mine"));
+            for (String example : List.of("Guard.java", "Joystick.java")) {
+                Files.copy(Dist.root().resolve("docs/behaviours").resolve(example), mine.resolve(example));
+            }
+            scenario.center();
+            RunningProgram robot = scenario.robot("demo.map", "--speed", "5", "--behaviours", mine.toString());
+            RunningProgram phone = scenario.phone(Scenario.PHONE);
+            scenario.call(phone);
+            phone.say("press ** #*4 **");
+            phone.expect("tone", "key", "6");
+            phone.say("press 2");
+            robot.expect("keys", "keys", "2");
+            phone.say("press 4**");
+            robot.expect("behaviour", "value", "none");
+            robot.expect("status", "value", "Stopped");
+            ConsoleEvent pose = robot.ask("pose", "pose");
+            assertTrue(pose.number("x") > 0.01, "2 drives ahead: " + pose);
+            assertTrue(pose.number("heading") > 1 && pose.number("heading") < 180, "4 turns left: " + pose);
+            phone.say("hangup");
+            robot.expect("released");
+            robot.ask("place 0 0 0", "pose");
+            phone.say("sms " + Scenario.ROBOT + " ** #*3 **");
+            assertEquals("6 Started process 3: Guard.", phone.expect("sms").field("text"));
+            String report = phone.expect("sms", "from", Scenario.ROBOT).field("text");
+            assertTrue(report.startsWith("Obstacle ahead of 0.") || report.startsWith("Obstacle ahead of 1."), report);
+        }
+    }
 }
