@@ -47,7 +47,7 @@ class BehaviourPageTest {
                     perform(line, robot.get(0), phone);
                 }
             }
-            assertEquals(10, blocks);
+            assertEquals(12, blocks);
         }
     }
 
