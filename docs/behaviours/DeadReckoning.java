@@ -1,6 +1,6 @@
 import java.util.Locale;
 import simrobot.behaviour.Behaviour;
-import simrobot.behaviour.Place;
+import simrobot.behaviour.OdometryPose;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 
@@ -12,7 +12,7 @@ public class DeadReckoning implements Behaviour {
     private static final double SIDE = 1;
     private static final int CORNERS = 5 * 4;
 
-    private Place last;
+    private OdometryPose last;
     private double sideHeading;
     private double cornerX;
     private double cornerY;
@@ -20,7 +20,7 @@ public class DeadReckoning implements Behaviour {
 
     @Override
     public Steering decide(Senses senses) {
-        Place believed = senses.odometry();
+        OdometryPose believed = senses.odometry();
         if (last == null) {
             last = believed;
             sideHeading = believed.headingRadians() + Math.PI / 2;
@@ -42,11 +42,11 @@ public class DeadReckoning implements Behaviour {
         return Math.abs(error) > 0.2 ? new Steering(0, Math.signum(error) * 0.8) : new Steering(0.25, 2 * error);
     }
 
-    private static double distance(Place place, double x, double y) {
+    private static double distance(OdometryPose place, double x, double y) {
         return Math.hypot(place.xMeters() - x, place.yMeters() - y);
     }
 
-    private void report(Place believed, Senses senses) {
+    private void report(OdometryPose believed, Senses senses) {
         passed++;
         double off = distance(believed, senses.xMeters(), senses.yMeters());
         System.out.printf(Locale.ROOT, "corner %d: off by %.2f m%n", passed, off);

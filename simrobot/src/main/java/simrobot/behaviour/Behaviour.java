@@ -28,7 +28,7 @@ public interface Behaviour {
 
     /** Sends an SMS through the robot's modem: at most one in 10 s, further ones are dropped. @param number 1 to 15 digits */
     default void sms(String number, String text) {
-        Answer.ask(new Request.Sms(number, text));
+        BehaviourAnswer.ask(new BehaviourRequest.Sms(number, text));
     }
 
     /**
@@ -37,7 +37,7 @@ public interface Behaviour {
      * @param keys at most 16
      */
     default void play(String keys) {
-        Answer.ask(new Request.Tones(keys));
+        BehaviourAnswer.ask(new BehaviourRequest.Tones(keys));
     }
 
     /**
@@ -45,17 +45,17 @@ public interface Behaviour {
      * fails if there is no such place, or no way.
      */
     default Steering goTo(String place) {
-        Answer.ask(new Request.Drive(place));
+        BehaviourAnswer.ask(new BehaviourRequest.DriveTo(place));
         return Steering.STOP;
     }
 
     /** Draws a line on the floor, metres. The robot's newest 500 lines and texts are shown until its next process. */
     default void drawLine(double x, double y, double toX, double toY) {
-        Answer.ask(new Request.Mark(x, y, toX, toY, ""));
+        BehaviourAnswer.ask(new BehaviourRequest.Mark(x, y, toX, toY, ""));
     }
 
     /** Writes on the floor, metres. @param text at most 60 characters */
     default void drawText(double x, double y, String text) {
-        Answer.ask(new Request.Mark(x, y, x, y, text));
+        BehaviourAnswer.ask(new BehaviourRequest.Mark(x, y, x, y, text));
     }
 }

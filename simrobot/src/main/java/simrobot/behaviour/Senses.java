@@ -36,7 +36,7 @@ public interface Senses {
     double headingRadians();
 
     /** The place by the turns of the wheels alone, which slip; the true one when the process began. */
-    Place odometry();
+    OdometryPose odometry();
 
     /** Speed of the wheels, negative back. */
     double metersPerSecond();
@@ -72,8 +72,8 @@ public interface Senses {
      * which {@code #*n} started the process delivers keys; two stars begin an order and end the process.
      */
     default char key() {
-        if (Answer.isOpen()) {
-            Answer.ask(new Request.Keys());
+        if (BehaviourAnswer.isOpen()) {
+            BehaviourAnswer.ask(new BehaviourRequest.Keys());
         }
         return call().key();
     }

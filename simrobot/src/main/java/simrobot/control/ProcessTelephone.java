@@ -2,7 +2,7 @@ package simrobot.control;
 
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 
 /** Connects one robot's process to its telephone, and reports its output. For the simulation's thread. */
 final class ProcessTelephone {
@@ -30,20 +30,20 @@ final class ProcessTelephone {
         nextToneNanos = nextMessageNanos;
     }
 
-    void perform(String process, Request asked) {
+    void perform(String process, BehaviourRequest asked) {
         long now = clockNanos.getAsLong();
-        if (asked instanceof Request.Printed printed) {
+        if (asked instanceof BehaviourRequest.Printed printed) {
             printed.text().lines().forEach(line -> listener.accept(new RobotEvent.Printed(process, line)));
-        } else if (asked instanceof Request.Tones tones && now - nextToneNanos >= 0) {
+        } else if (asked instanceof BehaviourRequest.Tones tones && now - nextToneNanos >= 0) {
             tones.keys().chars().forEach(key -> modem.sendTone(callNumber.getAsLong(), (char) key));
             nextToneNanos = now + TONE_NANOS * tones.keys().length();
-        } else if (asked instanceof Request.Sms sms && now - nextMessageNanos >= 0) {
+        } else if (asked instanceof BehaviourRequest.Sms sms && now - nextMessageNanos >= 0) {
             if (modem.sendMessage(sms.to(), sms.text())) {
                 nextMessageNanos = now + MESSAGE_NANOS;
                 isRefused = false;
                 listener.accept(new RobotEvent.ReplySent(sms.to(), sms.text()));
             }
-        } else if (asked instanceof Request.Sms sms && !isRefused) {
+        } else if (asked instanceof BehaviourRequest.Sms sms && !isRefused) {
             // told once until the next one leaves
             isRefused = true;
             String text = "error: sms to " + sms.to() + " is not sent, expected at most one in 10 s";

@@ -6,7 +6,7 @@ import simgsm.draw.Canvas;
 import simgsm.draw.Face;
 import simgsm.draw.Ink;
 import simgsm.draw.Outline;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.robot.Laser;
 import simrobot.robot.LaserField;
 import simrobot.robot.Pioneer2Dx;
@@ -96,7 +96,7 @@ public final class RobotPainter {
     void marks(RobotSnapshot robot) {
         g.ink(Ink.GOOD);
         g.pen(2);
-        for (Request.Mark mark : robot.marks()) {
+        for (BehaviourRequest.Mark mark : robot.marks()) {
             double x = view.screenX(mark.x());
             double y = view.screenY(mark.y());
             if (mark.text().isEmpty()) {

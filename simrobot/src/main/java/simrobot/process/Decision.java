@@ -1,13 +1,13 @@
 package simrobot.process;
 
 import java.util.List;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.behaviour.Steering;
 
 /** A decision of a process. */
 public sealed interface Decision {
     /** The speeds until the next decision, and what else the process asks for. */
-    record Go(Steering steering, List<Request> asked) implements Decision {
+    record Go(Steering steering, List<BehaviourRequest> asked) implements Decision {
         public Go(Steering steering) {
             this(steering, List.of());
         }
@@ -16,13 +16,13 @@ public sealed interface Decision {
     /** A decision that ends the process: the robot brakes. */
     sealed interface End extends Decision {
         /** What the process has asked for in its last decision. */
-        default List<Request> asked() {
+        default List<BehaviourRequest> asked() {
             return List.of();
         }
     }
 
     /** The process has reached what it was for. */
-    record Done(List<Request> asked) implements End {}
+    record Done(List<BehaviourRequest> asked) implements End {}
 
     /** The robot has reached the place of its process. */
     record Arrived() implements End {}
@@ -42,7 +42,7 @@ public sealed interface Decision {
      *
      * @param line of its source; 0 if unknown
      */
-    record Failed(int line, String text, List<Request> asked) implements End {
+    record Failed(int line, String text, List<BehaviourRequest> asked) implements End {
         public Failed(int line, String text) {
             this(line, text, List.of());
         }

@@ -7,7 +7,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.process.CallKeys;
@@ -36,7 +36,7 @@ public final class Autonomy {
     private final Pioneer robot;
     private final List<Consumer<BehaviourKind>> listeners = new CopyOnWriteArrayList<>();
     private final List<EndListener> endListeners = new CopyOnWriteArrayList<>();
-    private final List<BiConsumer<BehaviourKind, Request>> requestListeners = new CopyOnWriteArrayList<>();
+    private final List<BiConsumer<BehaviourKind, BehaviourRequest>> requestListeners = new CopyOnWriteArrayList<>();
     private BehaviourKind kind = BehaviourKind.NONE;
     /** Null if none runs. */
     private RobotProcess process;
@@ -45,7 +45,7 @@ public final class Autonomy {
     private final CallKeys call = new CallKeys();
     private boolean takesKeys;
     private Errand errand = Errand.NONE;
-    private List<Request.Mark> marks = List.of();
+    private List<BehaviourRequest.Mark> marks = List.of();
     /** The decision that ended the process, until the robot has stopped; else null. */
     private Decision.End ending;
 
@@ -110,7 +110,7 @@ public final class Autonomy {
     }
 
     /** The process's drawing on the floor; a new list at every change. */
-    public List<Request.Mark> marks() {
+    public List<BehaviourRequest.Mark> marks() {
         return marks;
     }
 
@@ -125,7 +125,7 @@ public final class Autonomy {
     }
 
     /** Adds a listener for the requests of processes, called after each decision on the owner thread. */
-    public void addRequestListener(BiConsumer<BehaviourKind, Request> listener) {
+    public void addRequestListener(BiConsumer<BehaviourKind, BehaviourRequest> listener) {
         requestListeners.add(listener);
     }
 
@@ -271,8 +271,8 @@ public final class Autonomy {
 
     /** Replaces the speeds of a decision by those of the route to a requested place. */
     private Decision driven(Decision decision) {
-        List<Request.Drive> drives =
-                decision instanceof Decision.Go go ? requests(go.asked(), Request.Drive.class) : List.of();
+        List<BehaviourRequest.DriveTo> drives =
+                decision instanceof Decision.Go go ? requests(go.asked(), BehaviourRequest.DriveTo.class) : List.of();
         if (drives.isEmpty()) {
             errand = Errand.NONE;
             return decision;
@@ -289,16 +289,16 @@ public final class Autonomy {
         return errand.step((Decision.Go) decision, senses, process.periodNanos());
     }
 
-    private static <R extends Request> List<R> requests(List<Request> asked, Class<R> type) {
+    private static <R extends BehaviourRequest> List<R> requests(List<BehaviourRequest> asked, Class<R> type) {
         return asked.stream().filter(type::isInstance).map(type::cast).toList();
     }
 
-    private void note(List<Request> asked) {
-        takesKeys |= asked.contains(new Request.Keys());
-        List<Request.Mark> drawn = requests(asked, Request.Mark.class);
+    private void note(List<BehaviourRequest> asked) {
+        takesKeys |= asked.contains(new BehaviourRequest.Keys());
+        List<BehaviourRequest.Mark> drawn = requests(asked, BehaviourRequest.Mark.class);
         if (!drawn.isEmpty()) {
-            List<Request.Mark> all = Stream.concat(marks.stream(), drawn.stream()).toList();
-            marks = all.subList(Math.max(0, all.size() - Request.Mark.MOST), all.size());
+            List<BehaviourRequest.Mark> all = Stream.concat(marks.stream(), drawn.stream()).toList();
+            marks = all.subList(Math.max(0, all.size() - BehaviourRequest.Mark.MOST), all.size());
         }
         asked.forEach(request -> requestListeners.forEach(listener -> listener.accept(kind, request)));
     }

@@ -3,7 +3,7 @@ package simrobot.robot;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import simrobot.behaviour.Call;
-import simrobot.behaviour.Place;
+import simrobot.behaviour.OdometryPose;
 import simrobot.behaviour.Senses;
 import vericommand.Pose;
 import vericommand.RobotStatus;
@@ -67,12 +67,12 @@ final class ProcessSenses implements Senses {
     }
 
     @Override
-    public Place odometry() {
+    public OdometryPose odometry() {
         Pose now = robot.odometryPose();
         double dx = now.xMeters() - odometryStart.xMeters();
         double dy = now.yMeters() - odometryStart.yMeters();
         double turn = Math.toRadians(start.headingDegrees() - odometryStart.headingDegrees());
-        return new Place(
+        return new OdometryPose(
                 start.xMeters() + dx * Math.cos(turn) - dy * Math.sin(turn),
                 start.yMeters() + dx * Math.sin(turn) + dy * Math.cos(turn),
                 wrapped(Math.toRadians(now.headingDegrees()) + turn));

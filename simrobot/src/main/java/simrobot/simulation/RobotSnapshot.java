@@ -1,7 +1,7 @@
 package simrobot.simulation;
 
 import java.util.List;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.process.BehaviourKind;
 import simrobot.robot.Condition;
 import simrobot.robot.Trail;
@@ -35,7 +35,7 @@ public record RobotSnapshot(
         Trail.Points trail,
         BehaviourKind behaviour,
         List<Position> path,
-        List<Request.Mark> marks,
+        List<BehaviourRequest.Mark> marks,
         boolean simulated) {
     /** True if the other robot has the same pose. */
     public boolean isAtPoseOf(RobotSnapshot other) {

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 import simrobot.process.Decision;
@@ -120,13 +120,13 @@ final class BehaviourChild implements ChildProcess.Listener {
         if (robot == null || from != process) {
             return;
         }
-        Optional<Request> request = answer.flatMap(RequestLine::parse);
+        Optional<BehaviourRequest> request = answer.flatMap(RequestLine::parse);
         Optional<Decision> decision = answer.filter(found -> isOf(robot, found)).flatMap(found -> decision(found, robot));
         isExplained = decision.isPresent() && decision.get() instanceof Decision.Failed;
         if (decision.isPresent()) {
             robot.answer(decision.get());
         } else if (robot.requests.size() < MOST_REQUESTS) {
-            robot.requests.add(request.orElseGet(() -> new Request.Printed(line + "\n")));
+            robot.requests.add(request.orElseGet(() -> new BehaviourRequest.Printed(line + "\n")));
         }
     }
 
@@ -141,7 +141,7 @@ final class BehaviourChild implements ChildProcess.Listener {
                 return Optional.empty();
             }
             Steering steering = new Steering(answer.number("speed"), answer.number("turn"));
-            List<Request> requests = List.copyOf(robot.requests);
+            List<BehaviourRequest> requests = List.copyOf(robot.requests);
             return Optional.of(
                     answer.flag("done") ? new Decision.Done(requests) : new Decision.Go(steering, requests));
         } catch (IllegalArgumentException malformed) {
@@ -186,7 +186,7 @@ final class BehaviourChild implements ChildProcess.Listener {
         private Decision answer;
 
         /** Of the decision that is being made. */
-        private final List<Request> requests = new ArrayList<>();
+        private final List<BehaviourRequest> requests = new ArrayList<>();
 
         private Decision last = new Decision.Go(Steering.STOP);
         private boolean isOpen = true;

@@ -28,9 +28,9 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 import simgsm.file.Utf8Text;
-import simrobot.behaviour.Answer;
+import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Behaviour;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.source.child.FaultPlace;
@@ -114,8 +114,8 @@ public final class BehaviourFolder implements AutoCloseable {
     /** Replaces {@code System.out}: prints of a decision belong to the process, all others to the standard error. */
     public static void takePrints() {
         System.setOut(ProcessOutput.of(lines -> {
-            if (Answer.isOpen()) {
-                Answer.ask(new Request.Printed(lines));
+            if (BehaviourAnswer.isOpen()) {
+                BehaviourAnswer.ask(new BehaviourRequest.Printed(lines));
             } else {
                 System.err.print(lines);
             }

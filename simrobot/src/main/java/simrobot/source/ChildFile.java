@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.process.Decision;
 import simrobot.source.child.ChildMain;
 import simrobot.source.child.PipeLine;
@@ -54,7 +54,7 @@ record ChildFile(String name, List<String> command, List<String> lines, List<Str
     }
 
     /** Returns a fault with a hint, and with the likely line if the child knows none. @param cause names the hint */
-    Decision.Failed failed(int line, String cause, String text, List<Request> asked) {
+    Decision.Failed failed(int line, String cause, String text, List<BehaviourRequest> asked) {
         return new Decision.Failed(line > 0 ? line : likelyLine(cause), hints.with(text, cause), List.copyOf(asked));
     }
 

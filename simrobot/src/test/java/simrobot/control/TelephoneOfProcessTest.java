@@ -9,7 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import simrobot.behaviour.Answer;
+import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Behaviour;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
@@ -30,7 +30,7 @@ class TelephoneOfProcessTest {
 
     private void offer(Behaviour behaviour) {
         bench.simulation.behaviours().put(new BehaviourKind("Mine", around -> senses -> {
-            Answer answer = Answer.of(behaviour, senses);
+            BehaviourAnswer answer = BehaviourAnswer.of(behaviour, senses);
             return new Decision.Go(answer.steering(), answer.asked());
         }));
     }

@@ -2,7 +2,7 @@ package simrobot.process;
 
 import java.util.Arrays;
 import simrobot.behaviour.Call;
-import simrobot.behaviour.Place;
+import simrobot.behaviour.OdometryPose;
 import simrobot.behaviour.Senses;
 
 /** Senses of a robot at the origin that hears nothing but what a test sets. */
@@ -75,8 +75,8 @@ public final class FixedSenses implements Senses {
     }
 
     @Override
-    public Place odometry() {
-        return new Place(0, 0, 0);
+    public OdometryPose odometry() {
+        return new OdometryPose(0, 0, 0);
     }
 
     @Override

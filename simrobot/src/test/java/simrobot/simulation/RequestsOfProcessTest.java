@@ -10,9 +10,9 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.SvgCanvas;
-import simrobot.behaviour.Answer;
+import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Behaviour;
-import simrobot.behaviour.Place;
+import simrobot.behaviour.OdometryPose;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 import simrobot.drawing.Layers;
@@ -35,7 +35,7 @@ class RequestsOfProcessTest {
         SimulatedRobot robot = simulation.addRobot("robot", new Position(1, 1), Math.PI / 2);
         robot.autonomy().addEndListener((kind, how) -> ends.add(how.toString()));
         robot.autonomy().begin(new BehaviourKind("Mine", around -> senses -> {
-            Answer answer = Answer.of(behaviour, senses);
+            BehaviourAnswer answer = BehaviourAnswer.of(behaviour, senses);
             return answer.isDone()
                     ? new Decision.Done(answer.asked())
                     : new Decision.Go(answer.steering(), answer.asked());
@@ -73,7 +73,7 @@ class RequestsOfProcessTest {
         simulation.run(200);
         assertEquals(new Position(3, 1), robot[0].autonomy().path().get(robot[0].autonomy().path().size() - 1));
         simulation.run(3000);
-        assertEquals(List.of("Done[asked=[Drive[place=Desk]]]"), ends);
+        assertEquals(List.of("Done[asked=[DriveTo[place=Desk]]]"), ends);
         assertEquals(3, reached.get(0).xMeters(), 0.05);
         assertEquals(1, reached.get(0).yMeters(), 0.05);
         assertEquals(2, robot[0].yMeters(), 0.1);
@@ -98,14 +98,14 @@ class RequestsOfProcessTest {
         for (double noise : List.of(0.0, 4.0)) {
             Simulation simulation = new Simulation(World.bare(), 3);
             simulation.setNoise(noise);
-            List<Place> believed = new ArrayList<>();
+            List<OdometryPose> believed = new ArrayList<>();
             SimulatedRobot robot = start(simulation, senses -> {
                 believed.add(senses.odometry());
                 return new Steering(0.4, 0.4);
             });
             simulation.run(3000);
-            assertEquals(new Place(1, 1, Math.PI / 2), believed.get(0));
-            Place last = believed.get(believed.size() - 1);
+            assertEquals(new OdometryPose(1, 1, Math.PI / 2), believed.get(0));
+            OdometryPose last = believed.get(believed.size() - 1);
             double drift = Math.hypot(last.xMeters() - robot.xMeters(), last.yMeters() - robot.yMeters());
             assertEquals(noise > 0, drift > 0.05, "after 12 m with noise " + noise + " by " + drift);
         }
@@ -146,7 +146,7 @@ class RequestsOfProcessTest {
         };
         assertEquals(
                 "more than 1000 requests in a decision, expected fewer",
-                assertThrows(IllegalStateException.class, () -> Answer.of(floods, null))
+                assertThrows(IllegalStateException.class, () -> BehaviourAnswer.of(floods, null))
                         .getMessage());
         assertEquals(
                 "expected within decide",

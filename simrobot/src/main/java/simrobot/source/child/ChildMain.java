@@ -17,9 +17,9 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
-import simrobot.behaviour.Answer;
+import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Behaviour;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 
 /**
  * The main class of a child: reads questions from its standard input and writes a decision for each to its standard output.
@@ -100,7 +100,7 @@ public final class ChildMain {
                 behaviour = LoadedClasses.create(loader.loadClass(classNames.get(robot)));
                 behaviours.put(robot, behaviour);
             }
-            Answer made = Answer.of(behaviour, new PipeSenses(question));
+            BehaviourAnswer made = BehaviourAnswer.of(behaviour, new PipeSenses(question));
             decision++;
             answer(made);
         } catch (Throwable thrown) {
@@ -116,7 +116,7 @@ public final class ChildMain {
         }
     }
 
-    private void answer(Answer made) {
+    private void answer(BehaviourAnswer made) {
         if (made.steering() == null) {
             fail(0, "null", "decide returned null, expected a Steering");
             return;
@@ -143,7 +143,7 @@ public final class ChildMain {
         int left = leftToPrint.addAndGet(-lines.length()) + lines.length();
         if (left > 0) {
             String shown = lines.substring(0, Math.min(left, lines.length()));
-            answer(RequestLine.of(robot, new Request.Printed(shown)));
+            answer(RequestLine.of(robot, new BehaviourRequest.Printed(shown)));
         }
     }
 

@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import simrobot.behaviour.Call;
-import simrobot.behaviour.Place;
+import simrobot.behaviour.OdometryPose;
 import simrobot.behaviour.Senses;
 
 /** Senses at one moment, as a line carries them. Ranges have millimetres, other numbers all their digits. */
@@ -138,8 +138,8 @@ public final class PipeSenses implements Senses {
     }
 
     @Override
-    public Place odometry() {
-        return new Place(line.number("odometryX"), line.number("odometryY"), line.number("odometryHeading"));
+    public OdometryPose odometry() {
+        return new OdometryPose(line.number("odometryX"), line.number("odometryY"), line.number("odometryHeading"));
     }
 
     @Override

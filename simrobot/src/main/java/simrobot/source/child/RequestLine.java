@@ -5,13 +5,13 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
-import simrobot.behaviour.Request;
+import simrobot.behaviour.BehaviourRequest;
 
 /** A request of a process as a line: its word is the name of the record, its values are the components. */
 public final class RequestLine {
     private RequestLine() {}
 
-    static String of(String robot, Request request) {
+    static String of(String robot, BehaviourRequest request) {
         Stream<Object> values = Arrays.stream(request.getClass().getRecordComponents())
                 .flatMap(component -> Stream.of(component.getName(), value(component, request)));
         return PipeLine.of(
@@ -19,7 +19,7 @@ public final class RequestLine {
                 Stream.concat(Stream.of("robot", robot), values).toArray());
     }
 
-    private static Object value(RecordComponent component, Request request) {
+    private static Object value(RecordComponent component, BehaviourRequest request) {
         try {
             return component.getAccessor().invoke(request);
         } catch (ReflectiveOperationException e) {
@@ -32,14 +32,14 @@ public final class RequestLine {
     }
 
     /** Returns the request; empty if the line is none, or a value is refused. */
-    public static Optional<Request> parse(PipeLine line) {
-        return Arrays.stream(Request.class.getPermittedSubclasses())
+    public static Optional<BehaviourRequest> parse(PipeLine line) {
+        return Arrays.stream(BehaviourRequest.class.getPermittedSubclasses())
                 .filter(type -> word(type).equals(line.word()))
                 .findFirst()
                 .flatMap(type -> create(type, line));
     }
 
-    private static Optional<Request> create(Class<?> type, PipeLine line) {
+    private static Optional<BehaviourRequest> create(Class<?> type, PipeLine line) {
         RecordComponent[] components = type.getRecordComponents();
         try {
             Object[] values = Arrays.stream(components)
@@ -49,7 +49,7 @@ public final class RequestLine {
                     .toArray();
             Class<?>[] types =
                     Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new);
-            return Optional.of((Request) type.getConstructor(types).newInstance(values));
+            return Optional.of((BehaviourRequest) type.getConstructor(types).newInstance(values));
         } catch (ReflectiveOperationException | IllegalArgumentException refused) {
             return Optional.empty();
         }

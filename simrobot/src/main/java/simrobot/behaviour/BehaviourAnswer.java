@@ -8,17 +8,17 @@ import java.util.List;
  *
  * @param steering null if it returned none
  */
-public record Answer(Steering steering, boolean isDone, List<Request> asked) {
+public record BehaviourAnswer(Steering steering, boolean isDone, List<BehaviourRequest> asked) {
     private static final int MOST_REQUESTS = 1000;
-    private static final ThreadLocal<List<Request>> NOW = new ThreadLocal<>();
+    private static final ThreadLocal<List<BehaviourRequest>> NOW = new ThreadLocal<>();
 
     /** Has a process decide, on this thread. */
-    public static Answer of(Behaviour behaviour, Senses senses) {
-        List<Request> asked = new ArrayList<>();
+    public static BehaviourAnswer of(Behaviour behaviour, Senses senses) {
+        List<BehaviourRequest> asked = new ArrayList<>();
         NOW.set(asked);
         try {
             Steering steering = behaviour.decide(senses);
-            return new Answer(steering, behaviour.isDone(), List.copyOf(asked));
+            return new BehaviourAnswer(steering, behaviour.isDone(), List.copyOf(asked));
         } finally {
             NOW.remove();
         }
@@ -30,7 +30,7 @@ public record Answer(Steering steering, boolean isDone, List<Request> asked) {
     }
 
     /** Notes a request of the process that decides on this thread. */
-    public static void ask(Request request) {
+    public static void ask(BehaviourRequest request) {
         if (!isOpen() || NOW.get().size() == MOST_REQUESTS) {
             throw new IllegalStateException(
                     isOpen() ? "more than 1000 requests in a decision, expected fewer" : "expected within decide");

@@ -1,4 +1,4 @@
 package simrobot.behaviour;
 
 /** A place and a heading in the world: metres, and radians anticlockwise from +X. */
-public record Place(double xMeters, double yMeters, double headingRadians) {}
+public record OdometryPose(double xMeters, double yMeters, double headingRadians) {}
