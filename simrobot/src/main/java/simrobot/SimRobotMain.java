@@ -60,7 +60,7 @@ public final class SimRobotMain {
     private static final String NAME = "simrobot";
     private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
 
-    /** Options with which no window opens. */
+    /** Options that open no window. */
     private static final String[] WINDOWLESS = {"headless", "run", "print-world", "modem-check"};
 
     private SimRobotMain() {}
@@ -105,7 +105,7 @@ public final class SimRobotMain {
         if (arguments.has("run")) {
             return BatchRun.run(arguments, world);
         }
-        // reads the rest of the command line: its errors come before that of a missing display
+        // reads the rest of the command line first, so that its errors precede that of a missing display
         Built built = build(arguments, settings, world);
         ListeningPorts ports = ListeningPorts.open(arguments, built.simRobot());
         return arguments.has("headless")
@@ -132,7 +132,7 @@ public final class SimRobotMain {
         }
     }
 
-    /** Replays in the window, from the beginning or from where the arguments say. */
+    /** Replays in the window, from the beginning or from the time in the arguments. */
     private static int replayInWindow(Arguments arguments, ProgramWindow window, Path file, double speed)
             throws UsageException, IOException, InterruptedException {
         long from = arguments.integer("replay-from", 0, 0, Integer.MAX_VALUE);

@@ -8,14 +8,14 @@ import javax.swing.JOptionPane;
 import simgsm.console.TextBundle;
 import simgsm.ui.file.SaveDialog;
 
-/** The dialogs about files that are written: where to, and whether changes are saved. */
+/** Dialogs for saving files and unsaved changes. */
 public final class FileDialogs {
     private FileDialogs() {}
 
     /**
-     * Asks where a file is to be saved; an existing file is returned only after the user has agreed to replace it.
+     * Asks for the file to save to; an existing file is returned only after the user has agreed to replace it.
      *
-     * @param filter description of the files that are shown
+     * @param filter description of the listed files
      * @param ending of the files, without the dot
      */
     public static Optional<Path> save(TextBundle texts, Component owner, Path proposal, String filter, String ending) {
@@ -28,7 +28,7 @@ public final class FileDialogs {
                 owner, proposal, List.of(new SaveDialog.Kind(filter, ending)), FileDialogs::base, replacing);
     }
 
-    /** With the ending; it replaces that of a Saphira world, which is never written. */
+    /** Appends the extension; it replaces that of a Saphira world, which is never written. */
     public static Path withEnding(Path file, String ending) {
         return SaveDialog.withEnding(file, ending, FileDialogs::base);
     }
@@ -37,14 +37,14 @@ public final class FileDialogs {
         return name.replaceFirst("(?i)\\.(wld|yaml|yml|png|pgm)$", "");
     }
 
-    /** What happens to unsaved changes of the editor. */
+    /** The user's decision about unsaved changes of the editor. */
     public enum UnsavedChoice {
         SAVE,
         DROP,
         STAY
     }
 
-    /** Asks what happens to unsaved changes; a closed dialog is STAY. */
+    /** Asks about unsaved changes; a closed dialog is STAY. */
     public static UnsavedChoice askAboutChanges(TextBundle texts, Component owner, String world) {
         Object[] answers = {texts.of("editor.save"), texts.of("editor.drop"), texts.of("editor.cancel")};
         int answer = JOptionPane.showOptionDialog(

@@ -1,9 +1,9 @@
 package simrobot.ui;
 
 /**
- * A TCP port on which the program listens.
+ * A TCP port of the program.
  *
  * @param protocol P2OS, HTTP or AT
- * @param robot that the port belongs to; empty for a port of the whole program
+ * @param robot served by the port; empty for a port of the whole program
  */
 public record OpenPort(String protocol, String robot, int port) {}

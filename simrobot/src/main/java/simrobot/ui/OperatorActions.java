@@ -11,60 +11,64 @@ import simrobot.world.World;
 import vericommand.Pose;
 
 /**
- * What the window's user can do; each action is passed to the thread that owns what it changes. Answers come from any thread:
- * empty on success, else the reason in the window's language. Actions with an empty body are those that either a running
- * simulation or a recording does not have.
+ * Actions of the window's user; each is passed to the thread that owns the changed object. Answers may arrive on any
+ * thread: empty on success, else the reason in the window's language. Actions with an empty body exist only in a
+ * running simulation or only in a recording.
  */
 public interface OperatorActions {
     default void setPower(String robot, boolean on) {}
 
     default void setMotors(String robot, boolean on) {}
 
-    /** Moves a robot that stands still, if there is room. */
+    /** Moves a robot at rest, if there is space. */
     void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer);
 
-    /** Adds a robot with a modem of its own. @param place empty for the first free home */
+    /**
+     * Adds a robot with a modem.
+     *
+     * @param place empty for the first free home
+     */
     void addRobot(String name, String number, Optional<Pose> place, Consumer<Optional<String>> answer);
 
     default void removeRobot(String robot) {}
 
-    /** Stops the robot with its own deceleration. */
+    /** Stops the robot with its deceleration. */
     default void brake(String robot) {}
 
     /** Begins a process, or ends it with NONE. */
     default void setBehaviour(String robot, BehaviourKind kind) {}
 
-    /** Selects the robot whose sonars are in the snapshots and whose calls are heard. */
+    /** Selects the robot with sonars in the snapshots and audible calls. */
     void watch(String robot);
 
-    /** Changes what the robot's tone scope hears; its modem hears the call unchanged. */
+    /** Changes the input of the robot's tone scope; its modem's input is unchanged. */
     default void tryOut(String robot, ToneExperiment experiment) {}
 
-    /** Simulated seconds per second; infinity for as fast as the machine can. */
+    /** Simulated seconds per second; infinity for unlimited. */
     void setSpeed(double simulatedSecondsPerSecond);
 
     void setPaused(boolean paused);
 
-    /** One step while paused. */
+    /** Makes one step while paused. */
     void stepOnce();
 
     /**
-     * Replaces the world; robots that would stand in a wall are moved to homes.
+     * Replaces the world; robots that would overlap a wall are moved to homes.
      *
-     * @param file of the world, or the proposal for one that is not saved
+     * @param file of the world, or the proposal for an unsaved one
      */
     void apply(World world, Path file, Consumer<Optional<String>> answer);
 
     /** Writes a world to a .map file. */
     void save(World world, Path file, Consumer<Optional<String>> answer);
 
-    /** Writes a copy of a draft that is not saved; a folder that cannot be written to holds none. */
+    /** Writes a copy of an unsaved draft; does nothing in a read-only folder. */
     default void keep(World draft, Path file) {}
 
-    /** Deletes that copy, also one that is not written yet. */
+    /** Deletes that copy, or cancels its write. */
     default void dropKept(Path file) {}
 
-    /** Writes a picture of the world (.png, .svg) or the robot's track (.csv), by the file's ending. */
+    /** Writes a picture of the world (.png, .svg) or the robot's track (.csv), selected by the extension. */
     void export(String robot, Path file, Consumer<Optional<String>> answer);
 
     /** Jumps to a simulated time of a recording. */
@@ -76,7 +80,7 @@ public interface OperatorActions {
     /** Shows a message as {@link WindowSnapshot#notice}. */
     void tell(String message);
 
-    /** The worlds that the user has chosen lately, the newest first. */
+    /** The worlds recently chosen by the user, newest first. */
     default List<Path> recentWorlds() {
         return List.of();
     }

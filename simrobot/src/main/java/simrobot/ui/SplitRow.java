@@ -9,7 +9,7 @@ import javax.swing.JPanel;
 import simgsm.ui.Arrange;
 import simgsm.ui.Theme;
 
-/** Two groups at the two ends of a row; when they do not fit, the second has a row of its own. */
+/** Two groups at the ends of a row; if they do not fit, the second wraps to another row. */
 public final class SplitRow extends JPanel {
     private final Component left;
     private final Component right;

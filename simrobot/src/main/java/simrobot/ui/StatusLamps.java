@@ -11,7 +11,7 @@ import simgsm.ui.Theme;
 import simrobot.drawing.StatusLook;
 import vericommand.RobotStatus;
 
-/** The five statuses, each with its own mark and word; the current one is lit. */
+/** The five statuses, each with a mark and a word; the current one is lit. */
 public final class StatusLamps extends JPanel {
     private final Map<RobotStatus, Lamp> lamps = new EnumMap<>(RobotStatus.class);
     private final TextBundle texts;

@@ -11,7 +11,7 @@ import simgsm.ui.Drawing;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
-/** A text in one row or two, with an ellipsis where it does not fit. */
+/** A text in one row or two, with an ellipsis if it does not fit. */
 public final class TextLine extends PaintedComponent {
     private final Supplier<Font> font;
     private String text = "";
@@ -27,19 +27,19 @@ public final class TextLine extends PaintedComponent {
         this.ink = ink;
     }
 
-    /** Two rows high; a text that is too wide for one breaks at a blank. */
+    /** Sets two rows; a text too wide for one breaks at a blank. */
     public TextLine overTwoRows() {
         rows = 2;
         return this;
     }
 
-    /** Cut in front where it does not fit: of numbers the last digits differ. */
+    /** Truncates at the front, because numbers differ in their last digits. */
     public TextLine ofDigits() {
         isNumber = true;
         return this;
     }
 
-    /** Prefers a width of 24 units whatever its text; the tool tip has the whole text. */
+    /** Prefers a width of 24 units for any text; the tool tip has the whole text. */
     public TextLine shrinking() {
         shrinking = true;
         return this;
@@ -76,7 +76,7 @@ public final class TextLine extends PaintedComponent {
         return getFontMetrics(font.get()).getHeight();
     }
 
-    /** The height of the rows that the text takes at a width in pixels. */
+    /** The height of the text's rows at a width in pixels. */
     public int heightFor(int width) {
         return Math.max(1, Drawing.wrapped(font.get(), text, width, rows).size()) * rowHeight();
     }

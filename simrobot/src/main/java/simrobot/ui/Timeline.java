@@ -6,7 +6,7 @@ import simrobot.replay.TimelineMarker;
 /**
  * Beginning and end of a recording, in simulated time, and its markers.
  *
- * @param markers in their order
+ * @param markers in order
  */
 public record Timeline(long firstNanos, long lastNanos, List<TimelineMarker> markers) {
     public Timeline {

@@ -7,11 +7,11 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** Buttons of tool rows: the margins are smaller than Nimbus's. */
+/** Buttons of tool rows, with smaller margins than Nimbus's. */
 public final class ToolButtons {
     private ToolButtons() {}
 
-    /** A button with the action's icon; it has the action's id as its component's name. */
+    /** A button with the action's icon; the action's id becomes its component's name. */
     public static <B extends AbstractButton> B icon(B button, UserAction action) {
         return button(button, action, null);
     }
@@ -21,12 +21,12 @@ public final class ToolButtons {
         return button(button, action, action.name());
     }
 
-    /** A button with the action's name and narrow margins: three stand in the width of a column. */
+    /** A button with the action's name and narrow margins: three fit into the width of a column. */
     public static <B extends AbstractButton> B tab(B button, UserAction action) {
         return button(button, action, action.name(), 3);
     }
 
-    /** @param word shown in place of the action's name; null for none */
+    /** @param word replaces the action's name; null for none */
     public static <B extends AbstractButton> B button(B button, UserAction action, String word) {
         return button(button, action, word, word == null ? 7 : 10);
     }

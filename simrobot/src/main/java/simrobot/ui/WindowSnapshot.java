@@ -7,17 +7,17 @@ import simrobot.control.LoggedEvent;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * The state that the window shows; immutable.
+ * The state of the window; immutable.
  *
  * @param lines one for each robot that has a modem
- * @param speed simulated seconds per second; infinity for as fast as the machine can
+ * @param speed simulated seconds per second; infinity for unlimited
  * @param worldFile the file of the current world
- * @param notice a message for the user, empty for none
- * @param ports on which the program listens
- * @param events the log, the oldest first
- * @param timeline of the recording that is played; empty in a running simulation
- * @param recording the file to which the session is being recorded
- * @param worldChanged whether the world's file has been changed on the disk since it was loaded
+ * @param notice a message for the user; may be empty
+ * @param ports of the program
+ * @param events the log, oldest first
+ * @param timeline of the played recording; empty in a running simulation
+ * @param recording the file of the running recording
+ * @param worldChanged true if the world's file has changed on the disk since it was loaded
  */
 public record WindowSnapshot(
         SimulationSnapshot simulation,

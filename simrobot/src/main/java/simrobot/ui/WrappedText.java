@@ -6,9 +6,12 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 
-/** A text that breaks into as many lines as it needs; it can be selected and copied. */
+/** A text that wraps to its width; it can be selected and copied. */
 public final class WrappedText extends ReadingArea {
-    /** @param name for tests; @param spoken what the text is about */
+    /**
+     * @param name for tests;
+     * @param spoken description for screen readers
+     */
     public WrappedText(String name, String spoken, Ink ink) {
         super("");
         ComponentNames.name(this, name, spoken);
@@ -20,7 +23,7 @@ public final class WrappedText extends ReadingArea {
         });
     }
 
-    /** Shows another text; without one the component takes no room. */
+    /** Shows another text; an empty one takes no space. */
     public void show(String text) {
         if (!text.equals(getText())) {
             setText(text);
@@ -29,7 +32,7 @@ public final class WrappedText extends ReadingArea {
         }
     }
 
-    /** Asks for the height of its lines, but for no width: a text area would keep the width that it has now. */
+    /** Requests the height of its lines, but no width: a text area would keep its current width. */
     @Override
     public Dimension getPreferredSize() {
         return new Dimension(0, super.getPreferredSize().height);

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A rectangle on the floor. The first four numbers are its corners before the rotation, which is about the map's origin, as
- * in ARIA's maps.
+ * A rectangle on the floor. The first four numbers are its corners before the rotation about the map's origin, as in
+ * ARIA's maps.
  */
 public record Area(double minXMeters, double minYMeters, double maxXMeters, double maxYMeters, double rotationRadians) {
     public Area {
@@ -42,7 +42,7 @@ public record Area(double minXMeters, double minYMeters, double maxXMeters, doub
         return x >= minXMeters && x <= maxXMeters && y >= minYMeters && y <= maxYMeters;
     }
 
-    /** Shifted on the floor, in the floor's directions even where the area is turned. */
+    /** The area shifted in the floor's directions even if it is turned. */
     public Area movedBy(double dxMeters, double dyMeters) {
         Position by = local(dxMeters, dyMeters);
         return new Area(
@@ -53,7 +53,11 @@ public record Area(double minXMeters, double minYMeters, double maxXMeters, doub
                 rotationRadians);
     }
 
-    /** The area with one corner elsewhere; the opposite corner stays. @param corner as {@link #corners} counts them */
+    /**
+     * The area with one corner moved; the opposite corner is fixed.
+     *
+     * @param corner index in {@link #corners}
+     */
     Area pulled(int corner, Position to) {
         Position there = local(to.xMeters(), to.yMeters());
         boolean left = corner == 0 || corner == 3;
@@ -66,7 +70,7 @@ public record Area(double minXMeters, double minYMeters, double maxXMeters, doub
                 rotationRadians);
     }
 
-    /** A place in the area's own frame, before the rotation. */
+    /** A position in the area's frame, before the rotation. */
     public Position local(double xMeters, double yMeters) {
         if (rotationRadians == 0) {
             return new Position(xMeters, yMeters);

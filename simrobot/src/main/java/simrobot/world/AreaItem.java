@@ -6,7 +6,7 @@ import java.util.List;
 public interface AreaItem extends WorldItem {
     Area area();
 
-    /** The same item over another rectangle. */
+    /** The same item with another rectangle. */
     AreaItem over(Area newArea);
 
     @Override

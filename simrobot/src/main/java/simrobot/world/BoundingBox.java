@@ -1,6 +1,6 @@
 package simrobot.world;
 
-/** The smallest upright rectangle around places that are added one by one; metres. */
+/** The smallest upright rectangle around positions added one by one; metres. */
 final class BoundingBox {
     private double minX = Double.POSITIVE_INFINITY;
     private double minY = Double.POSITIVE_INFINITY;
@@ -22,7 +22,7 @@ final class BoundingBox {
         item.outline().forEach(this::add);
     }
 
-    /** The rectangle, or another one if no place was added. */
+    /** The rectangle, or a default if nothing was added. */
     Area or(Area empty) {
         return minX > maxX ? empty : new Area(minX, minY, maxX, maxY, 0);
     }

@@ -10,7 +10,7 @@ final class Cairn {
     private final String name;
     private final double[] corners;
 
-    /** The line that it was read from; null for one that is written. */
+    /** The source line; null for a written one. */
     private final LineTokens tokens;
 
     /** @param corners x1, y1, x2, y2, or nothing */
@@ -23,12 +23,12 @@ final class Cairn {
         tokens = null;
     }
 
-    /** A rectangle; the format turns it by the cairn's heading. */
+    /** Creates a rectangle; the format turns it by the cairn's heading. */
     Cairn(String type, Area area, String name) {
         this(type, area.center(), area.rotationRadians(), name, area.ends());
     }
 
-    /** @param tokens the rest of the line behind the type */
+    /** @param tokens the line after the type */
     Cairn(String type, LineTokens tokens) throws WorldFormatException {
         this.type = type;
         this.tokens = tokens;
@@ -58,7 +58,7 @@ final class Cairn {
         };
     }
 
-    /** As the map spells it. */
+    /** The type as spelled in the map. */
     String type() {
         return type;
     }
@@ -85,19 +85,23 @@ final class Cairn {
         return areaTurnedBy(headingRadians);
     }
 
-    /** Not rotated, for the heading is a belt's direction. */
+    /** The rectangle without rotation, because the heading is a belt's direction. */
     Area requiredUprightArea() throws WorldFormatException {
         requireCorners();
         return areaTurnedBy(0);
     }
 
-    /** A line is not rotated. */
+    /** The line, which is not rotated. */
     Segment requiredLine() throws WorldFormatException {
         requireCorners();
         return new Segment(corners[0], corners[1], corners[2], corners[3]);
     }
 
-    /** A thousandth of the number that the cairn's name gives as {@code key=number}. @param most of its absolute value */
+    /**
+     * A thousandth of the number in the cairn's name, {@code key=number}.
+     *
+     * @param most maximum absolute value
+     */
     double thousandth(String key, String expected, int most) throws WorldFormatException {
         if (!name.startsWith(key + "=")) {
             throw tokens.fault('"' + name + '"', expected);

@@ -53,7 +53,7 @@ public final class Cone {
         this.rightY = rightY;
     }
 
-    /** The distance of the apex from a place. */
+    /** The distance of the apex from a position. */
     double apexDistance(double px, double py) {
         double fx = px - x;
         double fy = py - y;
@@ -70,7 +70,7 @@ public final class Cone {
                 && fx * fx + fy * fy <= reach * reach;
     }
 
-    /** The distance to a point; infinite when it is not inside. */
+    /** The distance to a point; infinite if it is outside. */
     public double distanceToPoint(double px, double py) {
         double fx = px - x;
         double fy = py - y;
@@ -78,7 +78,7 @@ public final class Cone {
         return inside ? Math.sqrt(fx * fx + fy * fy) : Double.POSITIVE_INFINITY;
     }
 
-    /** The distance to the nearest point of the segment's part inside; infinite when no part is. */
+    /** The distance to the nearest point of the segment's part inside; infinite if there is none. */
     public double distanceToSegment(double x1, double y1, double x2, double y2) {
         double ax = x1 - x;
         double ay = y1 - y;
@@ -104,7 +104,10 @@ public final class Cone {
         return Distances.toSegment(0, 0, ax + start * sx, ay + start * sy, ax + end * sx, ay + end * sy);
     }
 
-    /** Where a value that runs from {@code from} to {@code to} over 0..1 becomes 0 or more; above 1 when it never does. */
+    /**
+     * The share at which a value that runs from {@code from} to {@code to} over 0..1 becomes 0 or more; above 1 if it
+     * never does.
+     */
     private static double entry(double from, double to) {
         if (from >= 0) {
             return 0;

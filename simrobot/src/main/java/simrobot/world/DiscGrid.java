@@ -152,7 +152,9 @@ public final class DiscGrid {
         return size;
     }
 
-    /** The distance from a place to the nearest centre of a disc other than {@code except}, at most {@code within}. */
+    /**
+     * The distance from a position to the nearest centre of a disc other than {@code except}, at most {@code within}.
+     */
     public double clearance(int except, double x, double y, double within) {
         double square = within * within;
         for (int i = near(x - within, y - within, x + within, y + within) - 1; i >= 0; i--) {
@@ -170,7 +172,7 @@ public final class DiscGrid {
         return found[i];
     }
 
-    /** Whether the centre of a disc other than {@code except} is nearer to the place than {@code within}. */
+    /** True if the centre of a disc other than {@code except} is nearer to the position than {@code within}. */
     public boolean isCrowded(int except, double x, double y, double within) {
         for (int i = near(x - within, y - within, x + within, y + within) - 1; i >= 0; i--) {
             double dx = xs[found[i]] - x;

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * A named place to which robots can be sent.
+ * A named destination for robots.
  *
- * @param type Goal, GoalWithHeading or Dock, as the map spells it
- * @param headingRadians anticlockwise from +X; without meaning for the type Goal
+ * @param type Goal, GoalWithHeading or Dock, as spelled in the map
+ * @param headingRadians anticlockwise from +X; unused for the type Goal
  */
 public record Goal(String type, String name, Position position, double headingRadians) implements WorldItem {
     public static final ItemKind<Goal> KIND = new ItemKind<>("goal", Goal.class)

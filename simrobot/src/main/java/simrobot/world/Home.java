@@ -5,14 +5,14 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Where a robot starts.
+ * A robot's start.
  *
- * @param name the name in the file, empty when it has none
+ * @param name the name in the file, may be empty
  * @param headingRadians anticlockwise from +X
- * @param area the home's rectangle when the file gives one
+ * @param area the home's rectangle if the file gives one
  */
 public record Home(String name, Position position, double headingRadians, Optional<Area> area) implements WorldItem {
-    /** Distance of the handle that turns the home from its middle. */
+    /** Distance of the turning handle from the home's middle. */
     private static final double HEADING_HANDLE_METERS = 0.6;
 
     public static final ItemKind<Home> KIND = new ItemKind<>("home", Home.class)
@@ -45,7 +45,7 @@ public record Home(String name, Position position, double headingRadians, Option
         return new Home(cairn.name(), isOutside ? area.get().center() : at, cairn.headingRadians(), area);
     }
 
-    /** The format rotates a home's area by the home's heading; an area with another rotation is left out. */
+    /** The format rotates a home's area by the home's heading; areas with another rotation are omitted. */
     private Cairn cairn() {
         double[] corners = area.filter(here -> here.rotationRadians() == headingRadians)
                 .map(Area::ends)
@@ -53,7 +53,7 @@ public record Home(String name, Position position, double headingRadians, Option
         return new Cairn("RobotHome", position, headingRadians, name, corners);
     }
 
-    /** A name that no home has: Home1, Home2 ... */
+    /** A free name: Home1, Home2 ... */
     private static String freeName(World world) {
         List<String> taken = world.items(Home.class).stream().map(Home::name).toList();
         int number = taken.size() + 1;
@@ -63,7 +63,7 @@ public record Home(String name, Position position, double headingRadians, Option
         return "Home" + number;
     }
 
-    /** In whole degrees; 0 when both places are the same. */
+    /** The direction in whole degrees; 0 if both positions are equal. */
     private static double towards(Position from, Position to) {
         double radians = Math.atan2(to.yMeters() - from.yMeters(), to.xMeters() - from.xMeters());
         return Math.toRadians(Math.rint(Math.toDegrees(radians)));
@@ -95,7 +95,7 @@ public record Home(String name, Position position, double headingRadians, Option
         return List.of(position);
     }
 
-    /** Turned towards that place, in whole degrees; a turned home has no area. */
+    /** The home turned towards a position, in whole degrees; a turned home has no area. */
     @Override
     public Home pulled(int handle, Position to) {
         return new Home(name, position, towards(position, to));

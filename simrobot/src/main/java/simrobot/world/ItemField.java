@@ -5,14 +5,14 @@ import java.math.RoundingMode;
 import java.util.function.Function;
 
 /**
- * A field of a kind of item: reader, form and print-out work from it.
+ * A field of a kind of item, used by reader, form and print-out.
  *
  * @param key part of the key of its texts
  * @param value a String for {@link Unit#TEXT}, else a Double in metres, radians, metres per second or a share
- * @param isTyped whether the editor's form shows it
+ * @param isTyped true if the editor's form shows it
  */
 public record ItemField<T extends WorldItem>(String key, Unit unit, Function<T, Object> value, boolean isTyped) {
-    /** Units with the largest amount that a form accepts, and the factor from SI to the print-out. */
+    /** Units with the largest value that a form accepts, and the factor from SI to the print-out. */
     public enum Unit {
         TEXT(0, 1),
         METERS(100_000, 1000),
@@ -28,7 +28,7 @@ public record ItemField<T extends WorldItem>(String key, Unit unit, Function<T, 
             this.printed = printed;
         }
 
-        /** In the unit of the form: metres, degrees. */
+        /** The largest value in the unit of the form: metres, degrees. */
         public double most() {
             return most;
         }
@@ -61,12 +61,12 @@ public record ItemField<T extends WorldItem>(String key, Unit unit, Function<T, 
         return (Double) value.apply(item);
     }
 
-    /** A number of the form as SI. */
+    /** Converts a number of the form to SI. */
     public double fromTyped(double number) {
         return unit == Unit.DEGREES ? Math.toRadians(number) : number;
     }
 
-    /** Without trailing zeros and exponent. */
+    /** Formats without trailing zeros and exponent. */
     static String plain(BigDecimal number) {
         return number.signum() == 0 ? "0" : number.stripTrailingZeros().toPlainString();
     }

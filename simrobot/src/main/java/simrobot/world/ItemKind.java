@@ -9,11 +9,11 @@ import java.util.Set;
 import java.util.function.Function;
 
 /**
- * A kind of item, declared once in the class of its items: the map reader and writer, {@code --print-world}, the editor's
- * tools and form, and the tests work from it.
+ * A kind of item, declared once in the class of its items for the map reader and writer, {@code --print-world}, the
+ * editor's tools and form, and the tests.
  */
 public final class ItemKind<T extends WorldItem> {
-    /** How the editor draws an item between two places: at the first one, as a line, or as a rectangle. */
+    /** Shape drawn by the editor between two positions: at the first one, as a line, or as a rectangle. */
     public enum Shape {
         PLACE,
         LINE,
@@ -25,7 +25,7 @@ public final class ItemKind<T extends WorldItem> {
         T read(Cairn cairn) throws WorldFormatException;
     }
 
-    /** Makes a new item between two places. */
+    /** Creates an item between two positions. */
     public interface Drawn<T> {
         T between(World world, Position from, Position to);
     }
@@ -49,7 +49,7 @@ public final class ItemKind<T extends WorldItem> {
 
     // ---- declaration, for the items' classes -----------------------------------------------------------------------
 
-    /** @param newWord the first word of its rows of {@code --print-world}, if it is another than the kind's */
+    /** @param newWord the first word of its rows of {@code --print-world}, if it differs from the kind's */
     ItemKind<T> printedAs(String newWord) {
         printedAs = newWord;
         return this;
@@ -86,7 +86,11 @@ public final class ItemKind<T extends WorldItem> {
         return this;
     }
 
-    /** The kind can be drawn and changed in the editor. @param newMaker from the fields' values by their keys */
+    /**
+     * Makes the kind drawable and editable.
+     *
+     * @param newMaker from the fields' values by their keys
+     */
     ItemKind<T> edited(Shape newShape, Function<Map<String, Object>, T> newMaker, Drawn<T> newDrawn) {
         shape = newShape;
         maker = newMaker;
@@ -106,7 +110,7 @@ public final class ItemKind<T extends WorldItem> {
 
     // ---- use -------------------------------------------------------------------------------------------------------
 
-    /** The kind's English word, which the keys of its texts end with. */
+    /** The kind's English word, the last part of the keys of its texts. */
     public String word() {
         return word;
     }
@@ -136,7 +140,7 @@ public final class ItemKind<T extends WorldItem> {
         return reader.read(cairn);
     }
 
-    /** The item as a cairn; empty for walls and points, which have sections of their own. */
+    /** The item as a cairn; empty for walls and points, which have sections in the file. */
     Optional<Cairn> cairn(WorldItem item) {
         return Optional.ofNullable(writer).map(writing -> writing.apply(type.cast(item)));
     }
@@ -154,7 +158,7 @@ public final class ItemKind<T extends WorldItem> {
         return drawn.between(world, from, to);
     }
 
-    /** The item's fields as the form shows them, by their keys. */
+    /** The item's fields by their keys, as in the form. */
     public Map<String, String> form(WorldItem item) {
         Map<String, String> form = new LinkedHashMap<>();
         fields.stream()
@@ -167,7 +171,11 @@ public final class ItemKind<T extends WorldItem> {
         return List.copyOf(fields);
     }
 
-    /** The item with other values. @param values of the fields that change, by their keys, SI */
+    /**
+     * The item with other values.
+     *
+     * @param values of the changed fields, by their keys, SI
+     */
     public WorldItem changed(WorldItem item, Map<String, Object> values) {
         Map<String, Object> all = new LinkedHashMap<>();
         fields.forEach(field -> all.put(field.key(), field.value().apply(type.cast(item))));

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** All kinds of items, in the order of {@code --print-world}. A new kind is its class and a row here. */
+/** All kinds of items, in the order of {@code --print-world}. A new kind needs its class and a row here. */
 public final class ItemKinds {
     public static final List<ItemKind<?>> ALL = List.of(
             Segment.KIND,
@@ -24,7 +24,7 @@ public final class ItemKinds {
         return ALL.stream().filter(ItemKind::isEdited);
     }
 
-    /** The kind of a cairn's type, upper or lower case. */
+    /** The kind of a cairn's type, ignoring case. */
     static Optional<ItemKind<?>> ofCairn(String cairnType) {
         String name = cairnType.toLowerCase(Locale.ROOT);
         return ALL.stream().filter(kind -> kind.isCairn(name)).findFirst();

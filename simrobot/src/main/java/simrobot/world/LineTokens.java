@@ -27,7 +27,7 @@ final class LineTokens {
         return next < words.size();
     }
 
-    /** The next word without taking it; only when {@link #hasMore}. */
+    /** The next word without consuming it; requires {@link #hasMore}. */
     String peek() {
         return words.get(next);
     }
@@ -53,13 +53,16 @@ final class LineTokens {
         throw fault('"' + word + '"', expected);
     }
 
-    /** Millimetres as metres, rounded once from the decimal text, so that reading and writing a map loses nothing. */
+    /**
+     * Converts millimetres to metres, rounded once from the decimal text, so that reading and writing a map loses
+     * nothing.
+     */
     double meters(String what) throws WorldFormatException {
         number(what + " in mm");
         return thousandth(words.get(next - 1));
     }
 
-    /** @throws NumberFormatException when it is no decimal number */
+    /** @throws NumberFormatException if it is no decimal number */
     static double thousandth(String decimal) {
         boolean scaled = decimal.indexOf('e') >= 0 || decimal.indexOf('E') >= 0;
         return scaled ? new BigDecimal(decimal).movePointLeft(3).doubleValue() : Double.parseDouble(decimal + "e-3");

@@ -28,7 +28,7 @@ public final class MapReader {
     }
 
     /**
-     * The world that the text describes.
+     * Reads a world from a text.
      *
      * @param source named in errors and as the world's name
      */
@@ -65,7 +65,10 @@ public final class MapReader {
         }
     }
 
-    /** Maps with several kinds of scan name their sections {@code <kind>LINES} and {@code <kind>DATA}. */
+    /**
+     * True if the line opens a section; maps with several kinds of scan name theirs {@code <kind>LINES} and {@code
+     * <kind>DATA}.
+     */
     private boolean opensSection(String line) {
         if (line.endsWith("LINES") && isWord(line)) {
             section = Section.LINES;
@@ -82,7 +85,7 @@ public final class MapReader {
         return line.chars().allMatch(c -> Character.isLetterOrDigit(c) || c == '_');
     }
 
-    /** The value of a header that is read; empty for others, which may contain anything, even an open quote. */
+    /** The value of a used header; empty for others, which may contain anything, even an open quote. */
     private static String headerValue(String line) {
         String value = line.substring(line.indexOf(':') + 1).strip();
         boolean isRead = switch (key(line)) {

@@ -9,8 +9,8 @@ import java.util.stream.Collectors;
 import simgsm.file.FileReplacement;
 
 /**
- * Writes a world as ARIA's {@code .map}, millimetres and degrees. {@link MapReader} reads the same world from it, to the last
- * bit of every coordinate.
+ * Writes a world as ARIA's {@code .map}, millimetres and degrees, without loss: {@link MapReader} restores every
+ * coordinate to the last bit.
  */
 public final class MapWriter {
     private final StringBuilder out = new StringBuilder();
@@ -80,17 +80,17 @@ public final class MapWriter {
         world.items(Point.class).forEach(point -> row(millimeters(point.xMeters(), point.yMeters())));
     }
 
-    /** The shortest decimal that is read as the same number of metres. */
+    /** The shortest decimal that reads as the same number of metres. */
     static String millimeters(double meters) {
         return ItemField.plain(BigDecimal.valueOf(meters).movePointRight(3));
     }
 
-    /** The same of several numbers, separated by blanks. */
+    /** Several numbers, separated by blanks. */
     static String millimeters(double... meters) {
         return Arrays.stream(meters).mapToObj(MapWriter::millimeters).collect(Collectors.joining(" "));
     }
 
-    /** Degrees rounded to 1e-6 if they are read as the same radians, else with all digits. */
+    /** Degrees rounded to 1e-6 if they read as the same radians, else with all digits. */
     static String degrees(double radians) {
         double exact = Math.toDegrees(radians);
         BigDecimal round = BigDecimal.valueOf(Math.rint(exact * 1e6)).movePointLeft(6);

@@ -1,10 +1,10 @@
 package simrobot.world;
 
 /**
- * Continuous collision detection for a disc on a straight path: obstacles are never skipped, whatever the path's length.
+ * Continuous collision detection for a disc on a straight path: no obstacle is skipped, whatever the path's length.
  *
- * <p>The disc stops when its rim is {@link #SKIN_METERS} short of the obstacle. Within that distance an obstacle blocks only
- * motion towards it; motion away from it and along it stays free, whatever the rounding.
+ * <p>The disc stops when its rim is {@link #SKIN_METERS} short of the obstacle. Within that distance an obstacle blocks
+ * only motion towards it; motion away from it and along it remains free, whatever the rounding.
  */
 public final class MovingDisc {
     /** The gap left at a contact, so that rounding never puts the rim inside the wall. */
@@ -54,7 +54,7 @@ public final class MovingDisc {
         addPoint(x2, y2);
     }
 
-    /** Whether, along one axis, the wall is entirely on one side of the swept area. */
+    /** True if, along one axis, the wall is entirely on one side of the swept area. */
     private boolean isBeside(double wall1, double wall2, double from, double way) {
         return Math.max(wall1, wall2) < Math.min(from, from + way) - reach
                 || Math.min(wall1, wall2) > Math.max(from, from + way) + reach;

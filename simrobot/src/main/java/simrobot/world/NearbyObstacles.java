@@ -1,8 +1,8 @@
 package simrobot.world;
 
 /**
- * The obstacles around a place, nearest first, for many cones from places close by: a cone needs only those that are nearer
- * than what it has found already. Immutable; made by {@link ObstacleGrid#near}.
+ * The obstacles around a position, nearest first, for many cones from nearby positions: a cone tests only those nearer
+ * than its result so far. Immutable; made by {@link ObstacleGrid#near}.
  */
 public final class NearbyObstacles {
     private final ObstacleGrid grid;
@@ -23,7 +23,7 @@ public final class NearbyObstacles {
         this.distances = distances;
     }
 
-    /** Whether it holds all obstacles of this grid within the range from there. */
+    /** True if it contains all obstacles of this grid within the range from there. */
     public boolean covers(ObstacleGrid obstacles, double px, double py, double rangeMeters) {
         double dx = px - x;
         double dy = py - y;

@@ -4,17 +4,17 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A world's obstacles in a uniform grid, so that ranges, distances and contacts cost the same in small and in large worlds.
- * Immutable; any thread may read.
+ * A world's obstacles in a uniform grid, so that ranges, distances and contacts cost the same in small and in large
+ * worlds. Immutable; readable on any thread.
  *
- * <p>Each cell lists the obstacles that touch it: {@code items[first[cell] .. first[cell + 1])}; an item below
- * {@code segmentCount} is a segment, the others are points.
+ * <p>Each cell lists the obstacles that touch it: {@code items[first[cell] .. first[cell + 1])}; an item below {@code
+ * segmentCount} is a segment, the others are points.
  */
 public final class ObstacleGrid {
     private static final double MAX_CELL_METERS = 2;
     private static final double MIN_CELL_METERS = 0.25;
 
-    /** Larger worlds get larger cells instead of more. */
+    /** Maximum of cells; larger worlds get larger cells instead. */
     private static final int MAX_CELLS = 1 << 21;
 
     private final int segmentCount;
@@ -77,7 +77,7 @@ public final class ObstacleGrid {
         }
     }
 
-    /** About 4 obstacles per cell where they are dense; 0.25 to 2 m. */
+    /** Side of a cell for about 4 obstacles where they are dense; 0.25 to 2 m. */
     private double cellSize(double width, double height) {
         double wanted = Math.sqrt(4 * (width + 1) * (height + 1) / (segmentCount + pointCount + 1.0));
         double size = Math.max(MIN_CELL_METERS, Math.min(MAX_CELL_METERS, wanted));
@@ -89,7 +89,7 @@ public final class ObstacleGrid {
 
     // ---- filling -------------------------------------------------------------------------------------------------
 
-    /** Takes each cell that an obstacle touches. */
+    /** Visits each cell that an obstacle touches. */
     private interface CellVisitor {
         void visit(int cellIndex, int item);
     }
@@ -214,7 +214,7 @@ public final class ObstacleGrid {
         return Math.hypot(points[p] - x, points[p + 1] - y);
     }
 
-    /** Whether no obstacle is nearer than the radius. */
+    /** True if no obstacle is nearer than the radius. */
     public boolean isFree(double x, double y, double radiusMeters) {
         int left = column(x - radiusMeters);
         int right = column(x + radiusMeters);
@@ -229,7 +229,7 @@ public final class ObstacleGrid {
         return true;
     }
 
-    /** The obstacles whose distance from a place is at most {@code reach}; metres. */
+    /** The obstacles within {@code reach} of a position; metres. */
     public NearbyObstacles near(double x, double y, double reach) {
         int left = column(x - reach);
         int right = column(x + reach);
@@ -239,14 +239,14 @@ public final class ObstacleGrid {
         for (int r = low; r <= top; r++) {
             most += first[r * columns + right + 1] - first[r * columns + left];
         }
-        // distance above, item below: sorted by distance, and an item of several cells stands beside itself
+        // distance in the upper half, item in the lower one: sorted by distance, with duplicates adjacent
         long[] keys = new long[most];
         int count = 0;
         for (int r = low; r <= top; r++) {
             for (int k = first[r * columns + left]; k < first[r * columns + right + 1]; k++) {
                 double distance = distance(items[k], x, y);
                 if (distance <= reach) {
-                    // the bits of floats from 0 on are in the order of their values
+                    // the bits of non-negative floats have the order of their values
                     keys[count++] = (long) Float.floatToIntBits(below(distance)) << 32 | items[k];
                 }
             }

@@ -1,13 +1,13 @@
 package simrobot.world;
 
-/** A place on the floor, in metres. */
+/** A position on the floor, in metres. */
 public record Position(double xMeters, double yMeters) {
     public Position {
         FiniteCheck.check("x", xMeters);
         FiniteCheck.check("y", yMeters);
     }
 
-    /** Shifted, and rounded to 1 nm against floating-point error where it changes. */
+    /** The position shifted, and rounded to 1 nm against floating-point error if it changes. */
     public Position movedBy(double dxMeters, double dyMeters) {
         return new Position(sum(xMeters, dxMeters), sum(yMeters, dyMeters));
     }

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Reads Saphira's {@code .wld}: {@code ;} comments, millimetres and degrees. Four integers are a wall, {@code push x y phi}
- * and {@code pop} nest frames, {@code position x y phi} is where the robot starts.
+ * Reads Saphira's {@code .wld}: {@code ;} comments, millimetres and degrees. Four integers are a wall, {@code push x y
+ * phi} and {@code pop} nest frames, {@code position x y phi} is a robot's start.
  */
 public final class SaphiraReader {
     /** Limit of nested frames. */
@@ -36,7 +36,7 @@ public final class SaphiraReader {
     }
 
     /**
-     * The world that the text describes.
+     * Reads a world from a text.
      *
      * @param source named in errors and as the world's name
      */
@@ -67,7 +67,7 @@ public final class SaphiraReader {
         }
     }
 
-    /** The size of Saphira's view of the world, which is not used. */
+    /** Skips the size of Saphira's view of the world. */
     private static void extent(LineTokens tokens) throws WorldFormatException {
         String which = "the " + tokens.word("width or height");
         if (tokens.meters(which) < 0) {

@@ -2,7 +2,7 @@ package simrobot.world;
 
 import java.util.List;
 
-/** A straight wall between two places, in metres; both ends may be the same place. */
+/** A straight wall between two positions, in metres; both ends may be equal. */
 public record Segment(double x1Meters, double y1Meters, double x2Meters, double y2Meters) implements WorldItem {
     public static final ItemKind<Segment> KIND = new ItemKind<>("wall", Segment.class)
             .printedAs("line")

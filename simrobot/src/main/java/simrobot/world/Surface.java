@@ -16,7 +16,7 @@ public interface Surface extends AreaItem {
         return velocityX() != 0 || velocityY() != 0;
     }
 
-    /** The way of a robot for each metre or radian of its wheels, 0 to 1: below 1 the wheels slip. */
+    /** The robot's motion per metre or radian of its wheels, 0 to 1: below 1 the wheels slip. */
     default double grip() {
         return 1;
     }

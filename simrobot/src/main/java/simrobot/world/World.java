@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 
-/** The floor and everything on it: one list of items, by their kinds and within a kind in the file's order; immutable. */
+/** The floor and its items: one list, by kinds and within a kind in the file's order; immutable. */
 public final class World {
-    /** Half the side of a world without anything in it. */
+    /** Half the side of an empty world. */
     private static final double BARE_FLOOR_METERS = 10;
 
     /** Width of two robots side by side. */
@@ -18,7 +18,7 @@ public final class World {
     private final String name;
     private final double pointDiameterMeters;
 
-    /** The items of each type that occurs, in the order of {@link ItemKinds#ALL}. */
+    /** The items of each present type, in the order of {@link ItemKinds#ALL}. */
     private final Map<Class<?>, List<? extends WorldItem>> items = new LinkedHashMap<>();
 
     /**
@@ -39,7 +39,7 @@ public final class World {
         }
     }
 
-    /** A world without anything in it. */
+    /** An empty world. */
     public static World bare() {
         return of("bare", List.of());
     }
@@ -55,7 +55,7 @@ public final class World {
         return new WorldBuilder(this, newName).build();
     }
 
-    /** A builder that holds the contents of this world. */
+    /** A builder with the contents of this world. */
     public WorldBuilder toBuilder() {
         return new WorldBuilder(this, name);
     }
@@ -93,7 +93,7 @@ public final class World {
                 .toList();
     }
 
-    /** The smallest upright rectangle around everything in the world. */
+    /** The smallest upright rectangle around all items. */
     public Area bounds() {
         BoundingBox bounds = new BoundingBox();
         items().forEach(bounds::add);
@@ -101,8 +101,8 @@ public final class World {
     }
 
     /**
-     * The area in which robots may be placed: the bounds, or, for a world less than 1 m wide or deep such as a single wall,
-     * 20 m of floor around its middle.
+     * The area for robots: the bounds, or, for a world less than 1 m wide or deep such as a single wall, 20 m of floor
+     * around its middle.
      */
     public Area ground() {
         Area bounds = bounds();

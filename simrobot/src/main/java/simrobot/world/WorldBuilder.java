@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Collects the contents of a world, from nothing or from another world. */
+/** Collects the contents of a world, from scratch or from another world. */
 public final class WorldBuilder {
     private final String name;
     private final Map<Class<?>, List<WorldItem>> items = new HashMap<>();
@@ -18,7 +18,7 @@ public final class WorldBuilder {
         this.name = name;
     }
 
-    /** All that a world holds, under another name. */
+    /** Creates a builder with a world's contents under another name. */
     public WorldBuilder(World world, String name) {
         this(name);
         world.items().forEach(this::add);
@@ -37,7 +37,11 @@ public final class WorldBuilder {
         return this;
     }
 
-    /** Puts an item in the place of another of its type. @param index among the items of the type */
+    /**
+     * Replaces an item by another of its type.
+     *
+     * @param index among the items of the type
+     */
     public WorldBuilder set(int index, WorldItem item) {
         list(item.getClass()).set(index, item);
         return this;

@@ -2,7 +2,7 @@ package simrobot.world;
 
 import java.io.IOException;
 
-/** A world file cannot be read; the message names file, line, what was found and what was expected. */
+/** A world file cannot be read; the message names file, line, the text found and the expected one. */
 public final class WorldFormatException extends IOException {
     private final String source;
     private final int line;
@@ -22,12 +22,12 @@ public final class WorldFormatException extends IOException {
         return source;
     }
 
-    /** What was found, in quotes if it is the file's own text. */
+    /** The text found, in quotes if it is the file's. */
     public String found() {
         return found;
     }
 
-    /** What the format expects. */
+    /** The expected text. */
     public String expected() {
         return expected;
     }

@@ -2,7 +2,7 @@ package simrobot.world;
 
 import java.util.List;
 
-/** A thing in a world that can be added, moved, changed and removed; immutable, as the world is. */
+/** An object in a world that can be added, moved, changed and removed; immutable. */
 public interface WorldItem {
     /** The declaration of its kind. */
     ItemKind<?> kind();
@@ -10,10 +10,14 @@ public interface WorldItem {
     /** The item shifted on the floor, its coordinates rounded to 1 nm against floating-point error. */
     WorldItem movedBy(double dxMeters, double dyMeters);
 
-    /** The places at which its shape can be changed: a wall's ends, an area's corners, a home's heading. */
+    /** The positions at which its shape can be changed: a wall's ends, an area's corners, a home's heading. */
     List<Position> handles();
 
-    /** The item with one of its handles at another place. @param handle as {@link #handles} counts them, from 0 */
+    /**
+     * The item with one of its handles moved.
+     *
+     * @param handle index in {@link #handles}
+     */
     WorldItem pulled(int handle, Position to);
 
     /** The corners of its shape on the floor. */

@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 
-/** Reads a world file, ARIA {@code .map} or Saphira {@code .wld}, by its ending. */
+/** Reads a world file, ARIA {@code .map} or Saphira {@code .wld}, selected by its extension. */
 public final class WorldReader {
     /** Far above the largest known map (63 311 points, under 1 MB). */
     static final long MAX_FILE_BYTES = 64L << 20;
@@ -17,16 +17,16 @@ public final class WorldReader {
     private WorldReader() {}
 
     /**
-     * The world that the file describes.
+     * Reads the world.
      *
-     * @throws WorldFormatException naming file, line, what was found and what was expected
-     * @throws IOException when the file cannot be read
+     * @throws WorldFormatException naming file, line, the text found and the expected one
+     * @throws IOException if the file cannot be read
      */
     public static World read(Path file) throws IOException {
         return read(file, octets(file));
     }
 
-    /** The world that a file of this name and content describes. */
+    /** Reads a world from a file's name and content. */
     public static World read(Path file, byte[] octets) throws WorldFormatException {
         String text = decode(octets);
         boolean saphira = file.toString().toLowerCase(Locale.ROOT).endsWith(".wld");
@@ -35,9 +35,9 @@ public final class WorldReader {
     }
 
     /**
-     * The content of a file of at most 64 MiB; devices and pipes are refused, which may never end.
+     * The content of a file of at most 64 MiB; devices and pipes are refused, because they may never end.
      *
-     * @throws IOException naming the file, what was found and what was expected
+     * @throws IOException naming the file, the type or size found and the expected one
      */
     public static byte[] octets(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {

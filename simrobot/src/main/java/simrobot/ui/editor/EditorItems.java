@@ -32,7 +32,7 @@ final class EditorItems {
         return items;
     }
 
-    /** The text of its kind: its argument 0 is the middle of the item, the next ones are its fields. */
+    /** The text of its kind: argument 0 is the middle of the item, its fields follow. */
     static String text(TextBundle texts, WorldItem item) {
         List<Object> arguments = new ArrayList<>(List.of(middle(item.outline())));
         arguments.addAll(shown(item.kind(), item));

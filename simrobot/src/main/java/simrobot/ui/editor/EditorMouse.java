@@ -16,17 +16,17 @@ import simrobot.world.Position;
 import simrobot.world.World;
 
 /**
- * The mouse on the floor of the editor. The arrow tool selects, moves, and pulls handles; the other tools draw from the place of
- * the press to the place of the release. Shift keeps walls straight. The right button pans. A drag ends without effect when
- * the draft is changed by other means meanwhile, such as undo.
+ * The mouse on the floor of the editor. The arrow tool selects, moves, and pulls handles; the other tools draw from the
+ * press to the release. Shift keeps walls straight. The right button pans. A drag ends without effect if the draft
+ * changes otherwise during it, such as by undo.
  */
 final class EditorMouse extends MouseAdapter {
     private static final double LEAST_METERS = 0.005;
 
     private final EditorView view;
-    /** What a movement does while a button is pressed; null for nothing. */
+    /** The effect of a movement while a button is pressed; null for none. */
     private Consumer<MouseEvent> drag;
-    /** The draft as it was when the drag began. */
+    /** The draft at the beginning of the drag. */
     private World before;
 
     private boolean draws;
@@ -55,7 +55,11 @@ final class EditorMouse extends MouseAdapter {
         }
     }
 
-    /** Selects what is under the pointer. @return what a drag does with it */
+    /**
+     * Selects the item at the pointer.
+     *
+     * @return the effect of a drag
+     */
     private Consumer<MouseEvent> grasp(MouseEvent event) {
         Draft draft = view.draft();
         Position from = at(event);
@@ -104,7 +108,11 @@ final class EditorMouse extends MouseAdapter {
         }
     }
 
-    /** Ends a drag without effect. @return whether there was one */
+    /**
+     * Ends a drag without effect.
+     *
+     * @return true if there was one
+     */
     boolean cancel() {
         boolean dragging = drag != null;
         drag = null;
@@ -145,7 +153,7 @@ final class EditorMouse extends MouseAdapter {
         if (item.kind().shape() == ItemKind.Shape.LINE) {
             Position fixed =
                     Edits.handles(before, item).get(1 - handle.number()).place();
-            // without the wall itself, so that its end does not snap to where it was
+            // without the wall itself, so that its end does not snap to its old place
             to = event.isShiftDown() ? straight(fixed, event) : snapped(event, Edits.without(before, item));
             view.point(to, measure(fixed, to));
         } else if (item.kind().shape() == ItemKind.Shape.AREA) {

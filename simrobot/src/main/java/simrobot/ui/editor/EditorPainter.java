@@ -18,7 +18,7 @@ import simrobot.world.Position;
 import simrobot.world.World;
 import simrobot.world.WorldItem;
 
-/** Paints what the editor adds to a floor: the raster, the selected item's handles, the pointer. */
+/** Paints the editor's additions to a floor: the raster, the selected item's handles, the pointer. */
 final class EditorPainter {
     private final Canvas g;
     private final Viewport view;
@@ -28,7 +28,7 @@ final class EditorPainter {
         this.view = view;
     }
 
-    /** One item by itself; surfaces are painted with all others. */
+    /** Paints one item; surfaces are painted together. */
     void item(WorldItem item) {
         FloorPainter floor = new FloorPainter(g, view);
         World alone = World.of("", List.of(item));
@@ -36,7 +36,7 @@ final class EditorPainter {
         floor.obstacles(alone);
     }
 
-    /** A dot at each place of the raster, while they are at least 7 units apart. */
+    /** Paints a dot at each point of the raster if they are at least 7 units apart. */
     void raster(double stepMeters) {
         double gap = stepMeters * view.pixelsPerMeter();
         if (gap < g.px(7)) {
@@ -59,7 +59,7 @@ final class EditorPainter {
         g.fill(dots);
     }
 
-    /** Robots as dashed circles with their names. */
+    /** Paints robots as dashed circles with their names. */
     void robots(List<RobotSnapshot> robots) {
         g.pen(1.4, 4);
         double r = Pioneer2Dx.RADIUS_METERS * view.pixelsPerMeter();
@@ -73,7 +73,7 @@ final class EditorPainter {
         }
     }
 
-    /** The place that a robot would need at each of these homes, where it does not fit. */
+    /** Paints a robot's circle at these homes, where it does not fit. */
     void blocked(List<Home> homes) {
         double r = Pioneer2Dx.RADIUS_METERS * view.pixelsPerMeter();
         for (Home home : homes) {
@@ -116,7 +116,7 @@ final class EditorPainter {
         }
     }
 
-    /** @param crossed whether a cross marks the place */
+    /** @param crossed true for a cross at the position */
     void pointer(Position at, String text, boolean crossed) {
         double x = view.screenX(at.xMeters());
         double y = view.screenY(at.yMeters());

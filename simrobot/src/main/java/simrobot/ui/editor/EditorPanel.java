@@ -35,7 +35,7 @@ import simrobot.ui.ToolButtons;
 import simrobot.world.Home;
 import simrobot.world.World;
 
-/** The world editor: rows of tools, the floor that is edited, and a sidebar with the items. */
+/** The world editor: rows of tools, the floor, and a sidebar with the items. */
 public final class EditorPanel extends JPanel {
     private static final double[] RASTERS_METERS = {0, 0.1, 0.5};
     private static final String ENDING = "map";
@@ -160,7 +160,7 @@ public final class EditorPanel extends JPanel {
      * Begins to edit a world.
      *
      * @param place the file of the world, or the proposal for a new one
-     * @param isThere whether the file exists and holds this world
+     * @param isThere true if the file exists and contains this world
      */
     public void edit(World world, Path place, boolean isThere, List<RobotSnapshot> robots) {
         file = place;
@@ -178,14 +178,14 @@ public final class EditorPanel extends JPanel {
         floor.showRobots(robots);
     }
 
-    /** Takes the draft over that an earlier session left; one step of undo. */
+    /** Restores an earlier session's draft as one undo step. */
     private void restore() {
         left.ifPresent(draft -> floor.step(() -> floor.draft().change(draft)));
         left = Optional.empty();
         restoring.setVisible(false);
     }
 
-    /** Writes a changed draft beside its file. */
+    /** Writes a changed draft next to its file. */
     void keepDraft() {
         if (floor.draft().isChanged()) {
             kept.keep(floor.draft().committed(), file);
@@ -274,9 +274,9 @@ public final class EditorPanel extends JPanel {
     }
 
     /**
-     * Leaves the editor, after a question where changes are unsaved.
+     * Leaves the editor, after a question if there are unsaved changes.
      *
-     * @param done run when it is left; not where the user stays
+     * @param done run when it is left, unless the user stays
      */
     public void leave(Runnable done) {
         if (!floor.draft().isChanged()) {
@@ -293,7 +293,7 @@ public final class EditorPanel extends JPanel {
         }
     }
 
-    /** Puts the saved world under the robots, unless it is there already. */
+    /** Loads the saved world into the simulation, unless it is already loaded. */
     private void applyAnd(Runnable done) {
         if (floor.draft().committed() == applied) {
             done.run();

@@ -12,12 +12,12 @@ import simrobot.world.ItemKinds;
 /**
  * A tool of the editor.
  *
- * @param kind what it draws; null for the tool that selects
+ * @param kind drawn by it; null for the selection tool
  */
 public record EditorTool(ItemKind<?> kind) {
     static final EditorTool SELECT = new EditorTool(null);
 
-    /** The tool that selects, then one for each kind that can be drawn. */
+    /** The selection tool, then one for each kind that can be drawn. */
     public static final List<EditorTool> ALL = Stream.concat(
                     Stream.of(SELECT), ItemKinds.edited().map(EditorTool::new))
             .toList();
@@ -27,7 +27,7 @@ public record EditorTool(ItemKind<?> kind) {
         return kind != null && kind.shape() == shape;
     }
 
-    /** The symbol with the kind's name; a box where there is none. */
+    /** The symbol with the kind's name; a box if there is none. */
     Symbol symbol() {
         return kind == null
                 ? Symbol.POINTER

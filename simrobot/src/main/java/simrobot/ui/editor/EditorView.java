@@ -25,9 +25,9 @@ import simrobot.world.Position;
 import simrobot.world.World;
 
 /**
- * The floor that is edited: the draft, its selected item with its handles, and the place at which the tool works. By keyboard
- * the arrows move the selected item by a step of the raster, or pan; with Shift they move its end, its corner or its
- * heading; Insert makes an item in the centre; Delete deletes; Escape ends a drag, else the selection and the tool.
+ * The edited floor: the draft, its selected item with its handles, and the tool's position. By keyboard the arrows move
+ * the selected item by a step of the raster, or pan; with Shift they move its end, its corner or its heading; Insert
+ * makes an item in the centre; Delete deletes; Escape ends a drag, else the selection and the tool.
  */
 final class EditorView extends FloorView {
     private static final double MARGIN_UNITS = 48;
@@ -86,7 +86,7 @@ final class EditorView extends FloorView {
         repaint();
     }
 
-    /** To be called when the draft, its selection or the tool has changed. */
+    /** Called after a change of the draft, its selection or the tool. */
     void fireChanged() {
         change(changed);
         repaint();
@@ -97,7 +97,7 @@ final class EditorView extends FloorView {
         fireChanged();
     }
 
-    /** The homes at which no robot fits; looked for once for each change. */
+    /** The homes at which no robot fits; computed once for each change. */
     List<Home> blockedHomes() {
         World committed = draft.committed();
         if (committed != looked) {
@@ -129,7 +129,7 @@ final class EditorView extends FloorView {
         repaint();
     }
 
-    /** How near the pointer must be to an item to mean it, metres. */
+    /** Maximum distance of the pointer from a selected item, metres. */
     double reach() {
         return meters(REACH_UNITS);
     }
@@ -164,7 +164,7 @@ final class EditorView extends FloorView {
         return snap.stepMeters() == 0 ? STEP_WITHOUT_RASTER_METERS : snap.stepMeters();
     }
 
-    /** Moves the end of a wall, the upper right corner of an area, or the place that a home looks at. */
+    /** Moves the end of a wall, the upper right corner of an area, or a home's heading. */
     private void pull(int dx, int dy) {
         draft.selected().ifPresent(item -> {
             List<Handle> handles = Edits.handles(draft.committed(), item);
@@ -186,7 +186,10 @@ final class EditorView extends FloorView {
 
     // ---- painting --------------------------------------------------------------------------------------------------
 
-    /** @param at the place at which the tool works, null for none; @param reading shown there */
+    /**
+     * @param at the tool's position, null for none;
+     * @param reading shown there
+     */
     void point(Position at, String reading) {
         pointer = at;
         measure = reading;

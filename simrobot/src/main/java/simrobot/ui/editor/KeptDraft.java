@@ -9,8 +9,9 @@ import simrobot.world.World;
 import simrobot.world.WorldReader;
 
 /**
- * The copy of an unsaved draft on the disk, {@code .NAME.draft} beside the world's file. It is there from 0.2 s after a change
- * until the draft is saved or dropped; where the process ends in between, the editor offers it when it opens that file next.
+ * The copy of an unsaved draft on the disk, {@code .NAME.draft} next to the world's file. It is written 0.2 s after a
+ * change and deleted when the draft is saved or dropped; after the end of the process, the editor offers it at the next
+ * opening of the file.
  */
 final class KeptDraft {
     private final OperatorActions operator;
@@ -24,7 +25,7 @@ final class KeptDraft {
         return file.resolveSibling("." + file.getFileName() + ".draft");
     }
 
-    /** Writes the draft, if it differs from the one written last. */
+    /** Writes the draft, if it differs from the last written one. */
     void keep(World draft, Path file) {
         if (draft != written) {
             written = draft;
@@ -32,7 +33,7 @@ final class KeptDraft {
         }
     }
 
-    /** The draft of an editor that ended without saving; empty without one, or where its file is damaged. */
+    /** The draft of an editor that ended without saving; empty without one, or if its file is damaged. */
     static Optional<World> of(Path file) {
         Path kept = placeOf(file);
         if (!Files.isRegularFile(kept)) {

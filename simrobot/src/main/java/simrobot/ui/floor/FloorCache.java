@@ -16,12 +16,12 @@ import simrobot.drawing.WorldPainter;
 import simrobot.world.World;
 
 /**
- * The floor without its robots as an image in device pixels, painted again only when world, viewport, layers or theme
- * change: a floor of tens of thousands of points takes longer to paint than a frame lasts. While the view is dragged the
- * image is shifted, and only what has come into view is painted.
+ * The floor without its robots as an image in device pixels, painted only after a change of world, viewport, layers or
+ * theme: tens of thousands of points take longer to paint than a frame lasts. During a drag of the view the image is
+ * shifted, and only the new part is painted.
  */
 public final class FloorCache {
-    /** All that the image depends on. */
+    /** The properties that determine the image. */
     private record Key(
             World world,
             Viewport view,
@@ -55,7 +55,7 @@ public final class FloorCache {
         }
     }
 
-    /** Around a part that is painted anew: strokes of objects that are just outside reach into it. */
+    /** Margin around a painted part for the strokes of objects just outside. */
     private static final double REACH_PIXELS = 24;
 
     private static final double WHOLE = 1e-3;
@@ -102,7 +102,7 @@ public final class FloorCache {
         }
     }
 
-    /** Shifts the image, if the wanted view differs from it by whole pixels only; false if it does not. */
+    /** Shifts the image, if the wanted view differs from it by whole pixels only; false otherwise. */
     private boolean drag(Key wanted, Layers layers) {
         if (key == null || !key.at(wanted.view).equals(wanted)) {
             return false;

@@ -24,7 +24,7 @@ public abstract class FloorView extends PaintedComponent {
     private Viewport viewport = new Viewport(0, 0, 40, 1, 1);
     private Choice choice = Choice.START;
 
-    /** What decides on the part that is shown. */
+    /** The rule that determines the visible part. */
     private enum Choice {
         START,
         WHOLE,
@@ -34,7 +34,7 @@ public abstract class FloorView extends PaintedComponent {
     /**
      * @param name of the component
      * @param actions prefix of the names of its actions
-     * @param marginUnits around a floor that is fitted
+     * @param marginUnits around a fitted floor
      */
     protected FloorView(String name, String actions, double marginUnits) {
         super(AccessibleRole.CANVAS);
@@ -61,7 +61,7 @@ public abstract class FloorView extends PaintedComponent {
         });
     }
 
-    /** What {@link #fit} shows. */
+    /** The area shown by {@link #fit}. */
     protected abstract Area floorArea();
 
     /** Binds keys while the view has the focus. @param modifiers of InputEvent */
@@ -73,7 +73,7 @@ public abstract class FloorView extends PaintedComponent {
         return action;
     }
 
-    /** What the four arrow keys do, dx and dy in steps to the right and up. */
+    /** An action of the four arrow keys, dx and dy in steps to the right and up. */
     protected interface ArrowAction {
         void go(int dx, int dy);
     }
@@ -90,14 +90,14 @@ public abstract class FloorView extends PaintedComponent {
         return viewport;
     }
 
-    /** Shows another part; from then on the view does not fit itself any more. */
+    /** Shows another part; afterwards the view no longer fits itself. */
     public final void look(Viewport newViewport) {
         viewport = newViewport;
         choice = Choice.USER;
         repaint();
     }
 
-    /** Shows the whole floor, also after the view's size has changed. */
+    /** Shows the whole floor, also after a change of the view's size. */
     public final void fit() {
         choice = Choice.WHOLE;
         viewport = whole();
@@ -108,19 +108,23 @@ public abstract class FloorView extends PaintedComponent {
         return Viewport.fitting(floorArea(), getWidth(), getHeight(), Theme.exact(marginUnits));
     }
 
-    /** Shows what a user sees first, also after the view's size has changed. */
+    /** Shows the initial part, also after a change of the view's size. */
     protected final void showStart() {
         choice = Choice.START;
         viewport = start(whole());
         repaint();
     }
 
-    /** Whether the user has not chosen a part yet. */
+    /** True if the user has not chosen a part yet. */
     protected final boolean isAtStart() {
         return choice == Choice.START;
     }
 
-    /** What a user sees first. @param whole the whole floor */
+    /**
+     * The initial part.
+     *
+     * @param whole the whole floor
+     */
     protected Viewport start(Viewport whole) {
         return whole;
     }
@@ -142,7 +146,7 @@ public abstract class FloorView extends PaintedComponent {
         return viewport.worldY(event.getY());
     }
 
-    /** A distance in units as metres on the floor. */
+    /** Converts a distance in units to metres on the floor. */
     public final double meters(double units) {
         return Theme.exact(units) / viewport.pixelsPerMeter();
     }

@@ -10,8 +10,8 @@ import simrobot.ui.EventThread;
 import simrobot.ui.OperatorActions;
 
 /**
- * Moves robots on behalf of the window. A refused place is shown as a preview with the reason for 2.5 s; a robot that is
- * dropped there returns to where its drag began.
+ * Moves robots for the window. A refused place is shown as a preview with the reason for 2.5 s; a robot dropped there
+ * returns to the start of its drag.
  */
 public final class RobotPlacing {
     private static final int PREVIEW_MILLIS = 2500;
@@ -40,7 +40,7 @@ public final class RobotPlacing {
         return dragged != null;
     }
 
-    /** Whether it is this robot that is dragged. */
+    /** True if this robot is being dragged. */
     boolean isDragging(RobotSnapshot robot) {
         return dragged != null && dragged.name().equals(robot.name());
     }
@@ -63,7 +63,7 @@ public final class RobotPlacing {
         }
     }
 
-    /** Ends a drag; a robot that was refused returns to where it began. */
+    /** Ends a drag; a refused robot returns to its start. */
     void endDrag() {
         RobotSnapshot from = dragged;
         dragged = null;
@@ -82,7 +82,7 @@ public final class RobotPlacing {
         };
     }
 
-    /** Shows where a robot is to be put; null shows nothing. */
+    /** Shows the place for a robot; null shows nothing. */
     public void show(RobotPreview newPreview) {
         preview = newPreview;
         changed.run();

@@ -14,16 +14,16 @@ import simrobot.simulation.RobotSnapshot;
 import simrobot.world.Position;
 
 /**
- * The mouse on the floor. Dragging a robot moves it; dragging its handle, or the robot with Shift or the right button, turns it;
- * dragging the floor pans; a double click on the floor fits the world. While a place is chosen, pressing on the floor sets it and
- * dragging from there sets the heading. While the ruler is shown, dragging measures.
+ * The mouse on the floor. Dragging a robot moves it; dragging its handle, or the robot with Shift or the right button,
+ * turns it; dragging the floor pans; a double click on the floor fits the world. While a place is being chosen,
+ * pressing on the floor sets it and dragging from there sets the heading. With the ruler, dragging measures.
  */
 final class WorldMouse extends MouseAdapter {
     private static final double PLACES_PER_METER = 20;
     private static final Snap TO_THE_MILLIMETRE = new Snap(0);
 
     private final WorldView view;
-    /** What a movement does while a button is pressed; null for nothing. */
+    /** The effect of a movement while a button is pressed; null for none. */
     private Consumer<MouseEvent> drag;
 
     private double lastX;
@@ -98,12 +98,12 @@ final class WorldMouse extends MouseAdapter {
         });
     }
 
-    /** The robot that the drag began with; none when it has been removed since. */
+    /** The robot at the beginning of the drag; empty if it has been removed since. */
     private Optional<RobotSnapshot> dragged() {
         return view.selectedRobot().filter(view.placing()::isDragging);
     }
 
-    /** Towards the pointer, in whole degrees, in steps of 15 with Shift held. */
+    /** The heading towards the pointer, in whole degrees, in steps of 15 with Shift. */
     private double heading(MouseEvent event, double x, double y) {
         double towards = Math.atan2(view.worldY(event) - y, view.worldX(event) - x);
         double step = event.isShiftDown() ? 15 : 1;
@@ -154,7 +154,7 @@ final class WorldMouse extends MouseAdapter {
         }
     }
 
-    /** A ruler that was hidden during the drag stays hidden. */
+    /** Updates the ruler, unless it was hidden during the drag. */
     private void measure(Ruler ruler) {
         if (view.ruler() == null) {
             drag = null;
@@ -167,7 +167,7 @@ final class WorldMouse extends MouseAdapter {
         return isWithin(event, place.xMeters(), place.yMeters(), view.meters(9));
     }
 
-    /** A robot's centre within 9 units or a wall's end within 7, else the place to the millimetre. */
+    /** A robot's centre within 9 units or a wall's end within 7, else the position to the millimetre. */
     private Position snapped(MouseEvent event) {
         for (RobotSnapshot robot : view.scene().robots()) {
             Position middle = new Position(robot.xMeters(), robot.yMeters());

@@ -17,14 +17,14 @@ import simrobot.drawing.WorldPainter;
 import simrobot.simulation.SimulationSnapshot;
 
 /**
- * The whole world with its robots and their trails as a picture, PNG or SVG. It has the window's appearance, light or dark,
- * and always zoom 1. Any thread.
+ * Draws the whole world with its robots and their trails as PNG or SVG, in the window's theme, light or dark, at zoom
+ * 1. Callable on any thread.
  */
 public final class WorldPictures implements FileExports.Pictures {
     private static final double LONG_SIDE = 1200;
     private static final double LEAST_SIDE = 400;
     private static final double MARGIN = 48;
-    /** For PNG: twice the screen's resolution, for print. */
+    /** Scale of PNG: twice the screen's resolution, for print. */
     private static final double PIXELS_PER_UNIT = 2;
 
     private static final Layers SHOWN = new Layers(true, true, false);

@@ -31,9 +31,9 @@ import simrobot.world.Position;
 import simrobot.world.World;
 
 /**
- * The floor with its robots, which the mouse drags and turns. By keyboard the arrows pan; with Alt they move the selected robot
- * by 10 cm, and the Page keys turn it by 5 degrees. While the ruler is shown the arrows move its end by 5 cm, with Shift its
- * beginning; Escape hides it.
+ * The floor with its robots, which the mouse drags and turns. By keyboard the arrows pan; with Alt they move the
+ * selected robot by 10 cm, and the Page keys turn it by 5 degrees. With the ruler the arrows move its end by 5 cm, with
+ * Shift its beginning; Escape hides it.
  */
 public final class WorldView extends FloorView {
     private static final double MARGIN_UNITS = 36;
@@ -62,15 +62,15 @@ public final class WorldView extends FloorView {
     private Ruler ruler;
     private boolean live = true;
 
-    /** Without a ruler it is disabled, and the window has the key. */
+    /** Disabled without a ruler, so that the window gets the key. */
     private final transient UserAction hideRuler;
 
-    /** Receives the place for a new robot; the heading is NaN until the mouse has been dragged. */
+    /** Receives the place for a new robot; the heading is NaN until the mouse is dragged. */
     public interface PlaceListener {
         void at(double xMeters, double yMeters, double headingRadians);
     }
 
-    /** @param selection receives the name of a robot that is selected with the mouse */
+    /** @param selection receives the name of a robot selected with the mouse */
     public WorldView(SimulationSnapshot scene, TextBundle texts, OperatorActions operator, Consumer<String> selection) {
         super("world", "world", MARGIN_UNITS);
         this.scene = scene;
@@ -137,7 +137,7 @@ public final class WorldView extends FloorView {
         return scene.world().bounds();
     }
 
-    /** Where robots would be too small in the whole floor, the surroundings of one. */
+    /** The area around one robot, if robots would be too small in the whole floor. */
     @Override
     protected Viewport start(Viewport whole) {
         if (whole.pixelsPerMeter() >= Theme.exact(LEAST_SCALE)) {
@@ -171,7 +171,7 @@ public final class WorldView extends FloorView {
                 .findFirst();
     }
 
-    /** Selects a robot in the whole window; one that is not on the floor yet is selected when it is added. */
+    /** Selects a robot in the whole window, possibly once it is added. */
     public void requestSelection(String robot) {
         selection.accept(robot);
     }
@@ -207,7 +207,7 @@ public final class WorldView extends FloorView {
         }
     }
 
-    /** The place under the pointer, shown at the lower right; empty for none. */
+    /** Shows the position under the pointer at the lower right; empty for none. */
     void setReadout(String text) {
         if (!text.equals(readout)) {
             readout = text;
@@ -221,7 +221,7 @@ public final class WorldView extends FloorView {
         return placing;
     }
 
-    /** Robots of a recording are not live: they cannot be moved. */
+    /** Disables moving robots for recordings. */
     public void setLive(boolean nowLive) {
         live = nowLive;
     }
@@ -230,7 +230,11 @@ public final class WorldView extends FloorView {
         return live;
     }
 
-    /** While there is a listener, pressing the mouse on the floor chooses a place, for it only. @param listener or null */
+    /**
+     * Passes the next place pressed on the floor to the listener only.
+     *
+     * @param listener or null
+     */
     public void choosePlace(PlaceListener listener) {
         placeListener = listener;
         placing.show(null);
@@ -297,7 +301,7 @@ public final class WorldView extends FloorView {
         }
     }
 
-    /** A small text at the right edge. */
+    /** Draws a small text at the right edge. */
     private static void tag(Canvas g, String text, double right, double top) {
         double width = g.width(text, Face.MONO_SMALL) + g.px(16);
         double x = right - width - g.px(10);

@@ -22,8 +22,8 @@ import simrobot.simulation.SimulationSnapshot;
 import vericommand.RobotStatus;
 
 /**
- * The picture of the selected robot's camera. It is drawn on a thread of its own, at most 15 times a second, only while the
- * view is visible and only when a robot has moved.
+ * The image of the selected robot's camera, drawn on a separate thread at most 15 times a second, only while the view
+ * is visible and after a robot has moved.
  */
 public final class CameraView extends PaintedComponent {
     private static final int PERIOD_MILLIS = 66;
@@ -40,7 +40,7 @@ public final class CameraView extends PaintedComponent {
 
     /** A robot in a scene. */
     private record CameraScene(SimulationSnapshot scene, RobotSnapshot robot) {
-        /** Whether world and robots are in the same places. */
+        /** True if world and robots have the same positions. */
         boolean looksLike(CameraScene other) {
             return other != null
                     && robot.name().equals(other.robot.name())
@@ -57,7 +57,7 @@ public final class CameraView extends PaintedComponent {
         timer.setRepeats(false);
     }
 
-    /** To be called with each new snapshot, on the event thread. */
+    /** Called with each new snapshot, on the event thread. */
     public void show(SimulationSnapshot scene, RobotSnapshot robot) {
         change(() -> newest = new CameraScene(scene, robot));
         drawSoon();
@@ -75,7 +75,7 @@ public final class CameraView extends PaintedComponent {
         return missing.isEmpty() ? texts.of("camera.spoken", newest.robot().name()) : missing;
     }
 
-    /** Why there is no picture; empty when there is one. */
+    /** The reason for a missing image; may be empty. */
     private String missing() {
         if (newest == null) {
             return texts.of("camera.none");

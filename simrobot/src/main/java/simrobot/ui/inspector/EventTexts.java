@@ -15,7 +15,7 @@ public final class EventTexts {
         this.texts = texts;
     }
 
-    /** The text of the event's name, with the fields after the robot's name. */
+    /** The text for the event's name, with the fields after the robot's name. */
     public String of(Event event) {
         String key = "log." + event.name()
                 + (event.name().equals("modem") ? "." + event.fields().get("state") : "");

@@ -35,7 +35,7 @@ import simrobot.drawing.NumberTexts;
 import simrobot.ui.ToolButtons;
 import simrobot.ui.WrappedText;
 
-/** The event log of all robots or of the selected one, the newest at the bottom; lines can be copied. */
+/** The event log of all robots or of the selected one, newest at the bottom; lines can be copied. */
 public final class EventsCard extends JPanel {
     private final TextBundle texts;
     private final EventTexts words;
@@ -48,7 +48,7 @@ public final class EventsCard extends JPanel {
         }
     };
 
-    /** The chosen event whole; a row of the list is cut where it does not fit. */
+    /** The selected event in full; list rows are truncated. */
     private final WrappedText whole;
 
     private final JScrollPane pane = new VerticalScrollPane(list);
@@ -86,7 +86,7 @@ public final class EventsCard extends JPanel {
         update();
     }
 
-    /** A hidden log is not filtered. */
+    /** Filters the log only if visible. */
     private void update() {
         if (isVisible() && (events != filtered || !selected.equals(filteredFor))) {
             filter();
@@ -99,7 +99,7 @@ public final class EventsCard extends JPanel {
         update();
     }
 
-    /** A list that shows its end keeps showing it. */
+    /** Filters the log; a list that shows its end keeps showing it. */
     private void filter() {
         filtered = events;
         filteredFor = selected;
@@ -120,7 +120,7 @@ public final class EventsCard extends JPanel {
         }
     }
 
-    /** What was chosen stays so in another row; what has gone is chosen no more. */
+    /** Selects these events in their new rows, if they still exist. */
     private void select(List<LoggedEvent> chosen) {
         list.clearSelection();
         chosen.stream()
@@ -147,11 +147,11 @@ public final class EventsCard extends JPanel {
         return new Dimension(Theme.px(180), Theme.px(160));
     }
 
-    /** The log grows at its end, so rows that the list has are not announced again. */
+    /** The log grows at its end, so existing rows are not announced again. */
     private static final class Rows extends AbstractListModel<LoggedEvent> {
         private List<LoggedEvent> rows = List.of();
 
-        /** @return whether the rows before are still where they were */
+        /** @return true if the previous rows are unchanged */
         boolean show(List<LoggedEvent> newRows) {
             int before = rows.size();
             boolean grown =

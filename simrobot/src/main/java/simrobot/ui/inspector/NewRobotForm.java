@@ -30,8 +30,8 @@ import simrobot.ui.floor.WorldView;
 import vericommand.Pose;
 
 /**
- * The form for a new robot: its name, its modem's number and its place. The place is typed or pressed on the floor; without
- * one the robot is put on the first free home.
+ * The form for a new robot: its name, its modem's number and its place, typed or pressed on the floor; without a place
+ * the robot starts at the first free home.
  */
 final class NewRobotForm extends JPanel {
     private static final String FIRST_NUMBER = "5550200";
@@ -95,7 +95,7 @@ final class NewRobotForm extends JPanel {
         return Arrange.column(2, label, field);
     }
 
-    /** Opens the form with a name and a number that are free, or closes it. */
+    /** Opens the form with a free name and number, or closes it. */
     void toggle(List<String> names, List<String> numbers) {
         if (isVisible()) {
             close();
@@ -110,7 +110,7 @@ final class NewRobotForm extends JPanel {
         setVisible(true);
         view.choosePlace(this::placed);
         name.selectAll();
-        // The form may have been hidden with all around it, and what is not laid out takes no focus.
+        // laid out first, because the form may have been hidden and cannot take the focus before
         if (SwingUtilities.getRoot(this) instanceof Container window) {
             window.validate();
         }
@@ -144,7 +144,7 @@ final class NewRobotForm extends JPanel {
         }
     }
 
-    /** Shows why, and brings the reason and the buttons below it into view: a low window shows the fields alone. */
+    /** Shows the reason and scrolls it and the buttons into view: a low window shows the fields alone. */
     private void refuse(String why) {
         problem.show(why);
         scrollRectToVisible(new Rectangle(0, getHeight() - 1, 1, 1));
@@ -175,7 +175,7 @@ final class NewRobotForm extends JPanel {
     }
 
     /**
-     * The typed place in metres and degrees; empty when all fields are; the heading is 0 when its field is empty.
+     * The typed place in metres and degrees; empty if all fields are; an empty heading is 0.
      *
      * @throws IllegalArgumentException with a text that is not a number
      */
@@ -186,7 +186,7 @@ final class NewRobotForm extends JPanel {
         return Optional.of(new Pose(number(x), number(y), heading.getText().isBlank() ? 0 : number(heading)));
     }
 
-    /** A decimal with a dot or a comma. */
+    /** Parses a decimal with a dot or a comma. */
     private static double number(JTextField field) {
         String word = field.getText().strip();
         String text = word.replace(',', '.');

@@ -23,7 +23,7 @@ public final class RefusalTexts {
         speak(language);
     }
 
-    /** The window has changed its language; any thread. */
+    /** Sets the window's language; callable on any thread. */
     public void speak(Locale language) {
         texts = SimRobotTexts.in(language);
     }
@@ -59,7 +59,7 @@ public final class RefusalTexts {
         return texts.of("refused.process", robot, RobotsCard.word(texts, kind), StatusLamps.word(texts, status));
     }
 
-    /** For actions that a recording does not have. */
+    /** The refusal of actions that a recording does not have. */
     public String onlyLookedAt() {
         return texts.of("refused.recording");
     }
@@ -75,7 +75,7 @@ public final class RefusalTexts {
         return texts.of("refused.damaged", where);
     }
 
-    /** Why a world or a recording could not be read. */
+    /** The reason why a world or a recording could not be read. */
     public String unreadable(Path file, IOException why) {
         if (why instanceof WorldFormatException fault) {
             return texts.of(
@@ -103,7 +103,7 @@ public final class RefusalTexts {
         };
     }
 
-    /** Why a file could not be written. */
+    /** The reason why a file could not be written. */
     public String unwritable(Path file, IOException failure) {
         IOException why = failure.getCause() instanceof IOException cause ? cause : failure;
         if (Files.isDirectory(file)) {

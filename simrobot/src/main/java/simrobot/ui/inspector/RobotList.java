@@ -29,8 +29,8 @@ public final class RobotList {
     /**
      * A robot in the list.
      *
-     * @param number of its modem, empty when it has none
-     * @param calling whether it is in a call
+     * @param number of its modem, empty without one
+     * @param calling true if it is in a call
      */
     public record Row(String name, RobotStatus status, String number, boolean calling) {}
 

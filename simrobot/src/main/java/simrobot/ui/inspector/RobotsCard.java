@@ -35,7 +35,7 @@ import vericommand.Pose;
 
 /** The list of the robots, the selected one's status, process and ports, and the buttons that add and remove robots. */
 final class RobotsCard extends JPanel {
-    /** How the names of processes begin that drive to a place. */
+    /** Prefix of the names of processes that drive to a place. */
     private static final String GOTO = "goto ";
 
     private final TextBundle texts;
@@ -47,14 +47,14 @@ final class RobotsCard extends JPanel {
     private final JPanel buttons;
     private final JPanel process;
     private final JButton restoring;
-    /** The robot that the user removed last; empty if it is there again. */
+    /** The robot removed last; empty once it exists again. */
     private Optional<Removed> removed = Optional.empty();
 
     private Optional<Removed> removable = Optional.empty();
-    /** The name on the button that puts a robot back. */
+    /** The name on the button that restores a robot. */
     private Optional<String> offered = Optional.empty();
 
-    /** What is needed to put a removed robot back. */
+    /** The data for restoring a removed robot. */
     private record Removed(String name, String number, Pose pose) {}
 
     private final JComboBox<String> behaviour = new JComboBox<>();
@@ -64,7 +64,7 @@ final class RobotsCard extends JPanel {
     private boolean showing;
 
     /**
-     * The robots of a window.
+     * Creates the robots of a window.
      *
      * @param page the keys are bound to it
      * @param newRobot opens and closes the form for a new robot
@@ -121,7 +121,7 @@ final class RobotsCard extends JPanel {
                 robot.name(), robot.number(), Optional.of(robot.pose()), refusal -> refusal.ifPresent(operator::tell)));
     }
 
-    /** Offers the removed robot while it is not there; a real robot cannot be put back. */
+    /** Offers the removed robot until it exists again; a real robot cannot be restored. */
     private void offerRestoring(List<RobotList.Row> rows, Optional<RobotSnapshot> shown) {
         removable = shown.filter(RobotSnapshot::simulated)
                 .map(robot -> new Removed(
@@ -144,13 +144,13 @@ final class RobotsCard extends JPanel {
         }
     }
 
-    /** Ctrl and an arrow select the next or the previous robot from everywhere in the window. */
+    /** Binds Ctrl and an arrow to the next or the previous robot in the whole window. */
     private void step(JComponent page, int key, int by) {
         new UserAction("robots.step." + by, "", () -> robots.step(by))
                 .bindInWindow(page, KeyStroke.getKeyStroke(key, InputEvent.CTRL_DOWN_MASK));
     }
 
-    /** The robots of a recording cannot be changed. */
+    /** Disables changes of a recording's robots. */
     void setLive(boolean live) {
         buttons.setVisible(live);
         add.setEnabled(live);
@@ -173,7 +173,7 @@ final class RobotsCard extends JPanel {
         return PlaceNames.in(Locale.forLanguageTag(texts.of("language.tag")));
     }
 
-    /** Shows this choice; a process that has been removed stays in it while it runs. */
+    /** Offers these kinds; a removed process remains while it runs. */
     private void offer(List<BehaviourKind> kinds) {
         if (!kinds.equals(choice) && !behaviour.isPopupVisible()) {
             choice = kinds;
@@ -185,7 +185,7 @@ final class RobotsCard extends JPanel {
         }
     }
 
-    /** The box shows the robot's process, not the last choice: a choice is a request. */
+    /** Shows the robot's process, not the last choice, which is only a request. */
     private void chosen(OperatorActions operator) {
         int index = behaviour.getSelectedIndex();
         if (!showing && index >= 0 && !choice.get(index).equals(current)) {

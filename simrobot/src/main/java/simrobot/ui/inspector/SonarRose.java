@@ -97,7 +97,7 @@ final class SonarRose extends PaintedComponent {
     }
 
     private void sector(Canvas g, double radius, int sonar) {
-        // from the robot's centre, so that a near echo lies just outside its body
+        // from the robot's centre, so that a near echo is drawn just outside its body
         double mouth = Math.hypot(SonarRing.mountX(sonar), SonarRing.mountY(sonar));
         double r = length(mouth + ranges[sonar], radius);
         boolean echo = ranges[sonar] < Pioneer2Dx.SONAR_RANGE_METERS;

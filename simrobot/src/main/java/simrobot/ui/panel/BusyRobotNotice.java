@@ -21,7 +21,7 @@ import simrobot.ui.TextLine;
 import simrobot.ui.ToolButtons;
 
 /**
- * Notices calls and orders to robots that are not selected. A robot that becomes busy is selected while the selected one is
+ * Announces calls and orders to unselected robots. A robot that becomes busy is selected while the selected one is
  * idle; otherwise a notice names it, with a button that selects it.
  */
 final class BusyRobotNotice extends JPanel {
@@ -42,7 +42,7 @@ final class BusyRobotNotice extends JPanel {
         setVisible(false);
     }
 
-    /** @param maySelect whether another robot may be selected now */
+    /** @param maySelect true if another robot may be selected now */
     void show(List<TelephoneSnapshot> lines, String selected, boolean maySelect) {
         Set<String> before = busy;
         List<TelephoneSnapshot> commanded =

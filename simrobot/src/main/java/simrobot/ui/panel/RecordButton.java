@@ -15,7 +15,7 @@ import simrobot.ui.FileDialogs;
 import simrobot.ui.OperatorActions;
 import simrobot.ui.ToolButtons;
 
-/** The button that records the session in a file until it is pressed again. */
+/** The button that records the session to a file until it is pressed again. */
 final class RecordButton {
     private static final String ENDING = "rec";
 
@@ -39,7 +39,7 @@ final class RecordButton {
         return button;
     }
 
-    /** The button shows whether the session is recorded, not the last click. */
+    /** Shows the state of the recording, not the last click. */
     void show(Optional<Path> file) {
         button.setSelected(file.isPresent());
         if (!known || !file.equals(recording)) {

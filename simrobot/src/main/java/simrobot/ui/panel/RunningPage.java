@@ -17,30 +17,30 @@ import simrobot.ui.telephone.ModemPanel;
 import simrobot.ui.telephone.VeriCommandPanel;
 
 /**
- * The page of a running simulation. Its size decides where the parts stand and which give way: in a wide page modem and
- * VeriCommand stand in a column at the right of the floor and the inspector beside them; in a narrower one that is high
- * enough, below the floor. In a small page the inspector is hidden, and modem and VeriCommand are compact and stand where
- * they leave the floor the larger area. The floor and the tone scope are always visible. The gaps are dividers.
+ * The page of a running simulation. Its size determines the layout: in a wide page the column of modem and VeriCommand
+ * is at the right of the floor, followed by the inspector; in a narrower one that is high enough, it is below the
+ * floor. In a small page the inspector is hidden, and modem and VeriCommand are compact, on the side that leaves the
+ * floor the larger area. The floor and the tone scope are always visible. The gaps are dividers.
  */
 final class RunningPage extends JPanel {
-    /** The smallest page that shows every part that does not give way, in units. */
+    /** The smallest page that shows every permanent part, in units. */
     static final Dimension LEAST_UNITS = new Dimension(744, 375);
 
     private static final int FULL_WIDTH_UNITS = 900;
     private static final int FULL_HEIGHT_UNITS = 640;
     private static final int COLUMN_UNITS = 312;
-    /** The floor's width from which the inspector stands beside the column of modem and VeriCommand. */
+    /** Minimum width of the floor for the inspector next to the column of modem and VeriCommand. */
     private static final int WIDE_FLOOR_UNITS = 600;
 
-    /** A column of at least this height shows modem and VeriCommand with all they have. */
+    /** Minimum height of a column that shows modem and VeriCommand in full. */
     private static final int TALL_COLUMN_UNITS = 610;
 
     private static final int ORDERS_UNITS = 340;
     private static final double ORDERS_SHARE = 0.36;
-    /** In a narrower panel the modem's facts stand above the tone scope. */
+    /** Width of a panel below which the modem's facts are above the tone scope. */
     private static final int NARROW_MODEM_UNITS = 440;
 
-    /** What a dragged gap leaves the floor. */
+    /** Minimum size of the floor after a drag. */
     private static final Dimension LEAST_FLOOR_UNITS = new Dimension(240, 160);
 
     private final JComponent tools;
@@ -58,7 +58,7 @@ final class RunningPage extends JPanel {
     private final Divider ordersDivider;
     private final Divider lowerOrdersDivider;
     private final List<Divider> dividers;
-    /** Those that stand in a gap of the present layout. */
+    /** The dividers in a gap of the current layout. */
     private final Set<Divider> placed = new HashSet<>();
 
     private boolean hasLine;
@@ -108,7 +108,7 @@ final class RunningPage extends JPanel {
         return new Divider(id, texts.of(id), language, leastUnits);
     }
 
-    /** @param present whether the selected robot has a modem; without one modem and VeriCommand are hidden */
+    /** @param present true if the selected robot has a modem; otherwise modem and VeriCommand are hidden */
     void setLinePresent(boolean present) {
         if (hasLine != present) {
             hasLine = present;
@@ -116,7 +116,7 @@ final class RunningPage extends JPanel {
         }
     }
 
-    /** In a presentation the floor fills the page above one large line of text. */
+    /** Presents: the floor fills the page above one large line of text. */
     void setPresenting(boolean presenting) {
         isPresenting = presenting;
         tools.setVisible(!presenting);
@@ -128,7 +128,7 @@ final class RunningPage extends JPanel {
         return isPresenting;
     }
 
-    /** Shows the inspector where the size hides it, or hides it. */
+    /** Shows the inspector if the size hides it, or hides it. */
     void switchInspector() {
         isInspectorWanted = !inspector.isVisible();
         isInspectorSwitched = true;
@@ -154,7 +154,7 @@ final class RunningPage extends JPanel {
         return inspector.isVisible() ? inspector.getPreferredSize().width + gap() : 0;
     }
 
-    /** The modem's part of a row that it shares with VeriCommand. */
+    /** The modem's width in a row shared with VeriCommand. */
     private static int modemWidthInRow(int rowWidth) {
         return rowWidth - gap() - Math.min(Theme.px(ORDERS_UNITS), (int) (rowWidth * ORDERS_SHARE));
     }
@@ -168,7 +168,7 @@ final class RunningPage extends JPanel {
         return getWidth() - beside >= Theme.px(WIDE_FLOOR_UNITS);
     }
 
-    /** Below tools and notice. */
+    /** The page below tools and notice. */
     private Rectangle restOfPage() {
         int top = 0;
         if (tools.isVisible()) {
@@ -243,7 +243,7 @@ final class RunningPage extends JPanel {
             divider.place(x, y, width, height);
         }
 
-        /** The tone scope keeps its least height, and gets what VeriCommand does not need. */
+        /** Gives VeriCommand its height and the tone scope the rest, at least its minimum. */
         private void stackAtRight(Rectangle rest) {
             Rectangle column = cutRight(rest, columnDivider, Theme.px(COLUMN_UNITS));
             int spare = column.height - gap() - modem.getPreferredSize().height;

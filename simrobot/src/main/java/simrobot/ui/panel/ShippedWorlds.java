@@ -9,17 +9,17 @@ import java.util.List;
 import java.util.Optional;
 import simgsm.console.TextBundle;
 
-/** The worlds that come with the program, in the order in which a class meets them, with a line on what each is for. */
+/** The worlds shipped with the program, in the order of a course, with a line on each one's purpose. */
 final class ShippedWorlds {
     static final List<String> NAMES =
             List.of("demo.map", "office.map", "corridor.map", "maze.map", "treadmill.map", "empty.map");
 
-    /** Below the program's own folder or one above it. */
+    /** Path relative to the program's folder or its parent. */
     static final Path FOLDER = Path.of("worlds");
 
     private ShippedWorlds() {}
 
-    /** What a world is for; empty for a file that does not hold one of these worlds. */
+    /** A world's purpose; empty for any other file. */
     static Optional<String> about(TextBundle texts, Path file) {
         String name = String.valueOf(file.getFileName());
         return NAMES.contains(name) && (!Files.exists(file) || isAsShipped(file, name))

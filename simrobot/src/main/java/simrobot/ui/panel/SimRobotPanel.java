@@ -50,7 +50,7 @@ public final class SimRobotPanel extends JPanel {
     private final JPanel noticeRow;
     private final CardLayout pages = new CardLayout();
     private final JPanel page = new JPanel(pages);
-    /** Holds the running page and its keys, which are off while the editor is shown. */
+    /** Holds the running page and its keys, which are off in the editor. */
     private final JPanel running = new JPanel(new BorderLayout());
 
     private final EditorPanel editor;
@@ -163,7 +163,7 @@ public final class SimRobotPanel extends JPanel {
         }
     }
 
-    /** Selects a robot in the whole window; one that is not there yet is selected when it is added. */
+    /** Selects a robot in the whole window, possibly once it is added. */
     void select(String robot) {
         if (robot(robot).isEmpty()) {
             requested = robot;
@@ -184,7 +184,7 @@ public final class SimRobotPanel extends JPanel {
         runningPage.switchInspector();
     }
 
-    /** Full screen with the floor and one large line, and back. */
+    /** Switches full screen with the floor and one large line. */
     private void switchPresentation() {
         runningPage.setPresenting(!runningPage.isPresenting());
         endPresentation.setEnabled(runningPage.isPresenting());
@@ -205,7 +205,7 @@ public final class SimRobotPanel extends JPanel {
         pages.show(page, EDITING);
     }
 
-    /** Closes the window by the given action, unless an editor with unsaved changes is to stay. */
+    /** Closes the window by the given action, unless the user keeps an editor with unsaved changes. */
     void leave(Runnable close) {
         if (editor.isVisible()) {
             editor.leave(close);

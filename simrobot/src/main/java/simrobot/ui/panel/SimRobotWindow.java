@@ -19,9 +19,9 @@ public final class SimRobotWindow {
     private SimRobotWindow() {}
 
     /**
-     * Made on the event thread.
+     * Creates the content on the event thread.
      *
-     * @param snapshots read by the event thread; the same object until something changes
+     * @param snapshots read by the event thread; the same object until a change
      */
     public static ProgramWindow.Content content(
             String title, Locale language, Supplier<WindowSnapshot> snapshots, OperatorActions operator) {

@@ -41,14 +41,14 @@ import simrobot.ui.floor.WorldView;
  * fit into one row, or in a high page into two; else icons, whose tool tips have the words.
  */
 final class ToolRow extends JPanel {
-    /** From this height of the page on, a second row for the words costs the floor little. */
+    /** Height of the page at which a second row for the words is affordable. */
     private static final int HIGH_PAGE_UNITS = 640;
 
     private final TextBundle texts;
     private final Locale language;
     private final OperatorActions operator;
     private final WorldView view;
-    /** The keys are bound to it: it is visible also while this row is hidden. */
+    /** The component of the key bindings: visible even while this row is hidden. */
     private final JComponent page;
 
     private final WorldChoice worlds;

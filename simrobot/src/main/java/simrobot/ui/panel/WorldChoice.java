@@ -30,7 +30,7 @@ import simrobot.ui.ToolButtons;
 
 /** The button with the world's name; its menu lists the worlds in its folder. */
 public final class WorldChoice {
-    /** In a folder; a picture is opened by name, for most pictures are no worlds. */
+    /** Extensions listed in a folder; a picture is opened by name, because most pictures are no worlds. */
     private static final List<String> LISTED = List.of("map", "wld", "yaml", "yml");
 
     private static final List<String> ENDINGS = List.of("map", "wld", "yaml", "yml", "png", "pgm");
@@ -122,14 +122,14 @@ public final class WorldChoice {
         return new UserAction("world." + world.getFileName(), shown, () -> operator.load(world));
     }
 
-    /** The folder, from the user's own where it lies in that. */
+    /** The folder, relative to the user's if it is below that. */
     private static String folder(Path world) {
         Path home = Path.of(System.getProperty("user.home", ""));
         Path folder = world.getParent();
         return folder.startsWith(home) ? "~/" + home.relativize(folder) : folder.toString();
     }
 
-    /** The worlds in the folder of this one, the shipped ones first; those that the program carries where there is no folder. */
+    /** The worlds in the folder of this one, the shipped ones first; the built-in ones if there is no folder. */
     private List<Path> neighbours() {
         Path folder = file.toAbsolutePath().getParent();
         if (folder == null || !Files.exists(file)) {

@@ -28,9 +28,9 @@ import simrobot.replay.TimelineMarker;
 import simrobot.ui.Timeline;
 
 /**
- * The recording from its beginning to its end, with the current position and the markers, each kind with a mark and a row of
- * its own. A click or a drag seeks. The arrows move by 1 s, with Shift by 10 s, the Page keys to the next and the previous
- * marker, Home and End to the beginning and the end.
+ * The recording from beginning to end, with the current position and the markers, each kind with its mark and row. A
+ * click or a drag seeks. The arrows move by 1 s, with Shift by 10 s, the Page keys to the next and the previous marker,
+ * Home and End to the beginning and the end.
  */
 final class TimelineBar extends PaintedComponent {
     private static final long SECOND_NANOS = 1_000_000_000L;

@@ -22,7 +22,7 @@ import simrobot.ui.TextLine;
 import simrobot.ui.Timeline;
 import simrobot.ui.ToolButtons;
 
-/** The timeline of a recording, with buttons to the next and the previous marker. Modem and VeriCommand are hidden meanwhile. */
+/** The timeline of a recording, with buttons to the next and the previous marker; modem and VeriCommand are hidden. */
 public final class TimelinePanel extends JPanel {
     private final TimelineBar bar;
     private final OperatorActions operator;

@@ -29,7 +29,7 @@ import simrobot.ui.TextLine;
 
 /** M2: its number, the network, the call, and the tone scope. */
 public final class ModemPanel extends JPanel {
-    /** The height of the compact panel that lies below the floor. */
+    /** The height of the compact panel below the floor. */
     public static final int COMPACT_HEIGHT_UNITS = 156;
 
     private final TextBundle texts;
@@ -46,7 +46,7 @@ public final class ModemPanel extends JPanel {
     private final JLabel sound = ComponentNames.name(Theme.label("", Theme::small, Ink.QUIET), "modem.sound", "");
     private final ToneScopePanel scope;
     private final OperatorActions operator;
-    /** The same for all robots. */
+    /** Shared by all robots. */
     private ToneExperiment experiment = ToneExperiment.NONE;
 
     private String robot = "";
@@ -70,10 +70,10 @@ public final class ModemPanel extends JPanel {
     }
 
     /**
-     * Chooses the form that the size of the page leaves room for.
+     * Selects the form for the size of the page.
      *
      * @param compact without title and sliders
-     * @param stacked number and call above the tone scope, in place of all facts at its left
+     * @param stacked number and call above the tone scope, instead of all facts at its left
      */
     public void arrange(boolean compact, boolean stacked) {
         if (compact != isCompact || stacked != isStacked) {
@@ -121,7 +121,7 @@ public final class ModemPanel extends JPanel {
         scope.show(line.heard());
     }
 
-    /** @param listener called with true when keys are to be hidden in the window, with false when shown again */
+    /** @param listener receives true to hide keys in the window, false to show them */
     public void whenHidingKeys(Consumer<Boolean> listener) {
         scope.whenHiding(listener);
     }
@@ -173,7 +173,9 @@ public final class ModemPanel extends JPanel {
         }
     }
 
-    /** Where the panel is too narrow for the line of the network, a refusal stands here: without a network there is no call. */
+    /**
+     * Shows the call, or, in a panel too narrow for the network's line, a refusal: without a network there is no call.
+     */
     private void showCall(StationSnapshot modem) {
         MobileCallState state = modem.callState();
         if (isStacked && modem.rejectCause().isPresent()) {

@@ -17,8 +17,8 @@ import vericommand.OrderCourse;
 import vericommand.VeriCommandSnapshot;
 
 /**
- * What happens, in one line to be read from the last row of a class: the key that sounds with its two frequencies, the
- * order in words, what has become of it.
+ * The current activity in one line, legible from the last row of a class: the sounding key with its two frequencies,
+ * the order in words, its outcome.
  */
 public final class PresentationView extends PaintedComponent {
     private static final double HEIGHT_UNITS = 96;
@@ -26,7 +26,7 @@ public final class PresentationView extends PaintedComponent {
     private static final double TEXT_POINTS = 28;
     private static final double MARGIN_UNITS = 24;
     private static final double GAP_UNITS = 16;
-    /** How far the texts shrink in a narrow window before the order gets a row of its own. */
+    /** Minimum scale of the texts before the order wraps to a second row. */
     private static final double LEAST_SCALE = 0.75;
 
     private final Locale language;
@@ -66,7 +66,7 @@ public final class PresentationView extends PaintedComponent {
         return Math.round(key.rowHertz()) + " + " + Math.round(key.columnHertz()) + " Hz";
     }
 
-    /** The order and what has become of it, as {@code forward 20 cm - 3 executed}. */
+    /** The order and its outcome, as {@code forward 20 cm - 3 executed}. */
     private String course(VeriCommandSnapshot order) {
         String words = order.words().in(language);
         String ordered = words.isEmpty() ? order.keys() : words;
@@ -98,7 +98,7 @@ public final class PresentationView extends PaintedComponent {
         }
     }
 
-    /** @return where the next text begins */
+    /** @return left edge of the next text */
     private double paintKey(Graphics2D g, double scale, double middle, double width) {
         g.setColor(Theme.color(isSounding ? Ink.ACCENT : Ink.TEXT));
         double x = draw(g, Theme.mono(KEY_POINTS * scale, true), key, Theme.exact(MARGIN_UNITS), middle, width);
@@ -117,7 +117,7 @@ public final class PresentationView extends PaintedComponent {
                 + 2 * Theme.exact(GAP_UNITS);
     }
 
-    /** @return where the next text begins */
+    /** @return left edge of the next text */
     private static double draw(Graphics2D g, Font font, String text, double x, double middle, double width) {
         if (text.isEmpty()) {
             return x;

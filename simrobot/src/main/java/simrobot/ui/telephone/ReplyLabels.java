@@ -10,7 +10,7 @@ import simgsm.ui.NumberedLabel;
 import simgsm.ui.Theme;
 import vericommand.ReplyTone;
 
-/** The replies of one call or message as numbered labels with their words, the newest at the right. */
+/** The replies of one call or message as numbered labels with their words, newest at the right. */
 final class ReplyLabels extends JPanel {
     private final Locale language;
     private List<String> shown = List.of();
@@ -23,7 +23,7 @@ final class ReplyLabels extends JPanel {
         setName("replies");
     }
 
-    /** @param replies as {@code 3 Done: ...} or {@code 3}, the newest last */
+    /** @param replies as {@code 3 Done: ...} or {@code 3}, newest last */
     void show(List<String> replies) {
         if (!replies.equals(shown)) {
             shown = replies;
@@ -36,7 +36,7 @@ final class ReplyLabels extends JPanel {
         return shown.isEmpty() ? "" : shown.get(shown.size() - 1);
     }
 
-    /** Adds labels from the newest on while they fit; repeated when the panel's width changes. */
+    /** Adds labels, newest first, while they fit; repeated after a change of the panel's width. */
     private void build() {
         removeAll();
         JPanel row = Arrange.row(6);

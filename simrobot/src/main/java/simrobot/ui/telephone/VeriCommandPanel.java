@@ -60,10 +60,10 @@ public final class VeriCommandPanel extends JPanel {
     }
 
     /**
-     * Chooses the form.
+     * Selects the form.
      *
      * @param compact without title, origin and the reply's text, which the labels' tool tips have; the words of an
-     *     accepted order take the verdict's place
+     * accepted order replace the verdict
      */
     public void setCompact(boolean compact) {
         isCompact = compact;
@@ -91,7 +91,7 @@ public final class VeriCommandPanel extends JPanel {
         reply.show(newest(order.replies()));
     }
 
-    /** Hides the keys of the order while a student reads them off the tone scope. */
+    /** Hides the order's keys while a student reads them from the tone scope. */
     public void setKeysHidden(boolean hidden) {
         areKeysHidden = hidden;
     }
@@ -131,7 +131,7 @@ public final class VeriCommandPanel extends JPanel {
         }
     }
 
-    /** Beside the verdict, which says only whether the order was accepted: its outcome. */
+    /** Shows the order's outcome next to the verdict, which is only its acceptance. */
     private void showCourse(OrderCourse now) {
         courseNow = now;
         course.setVisible(now != OrderCourse.NONE);
@@ -149,14 +149,15 @@ public final class VeriCommandPanel extends JPanel {
     }
 
     /**
-     * All in one column, the replies at its bottom. The course stands beside the verdict where both fit, else below it. Where
-     * the height does not suffice the keys become smaller, then one of course and replies gives way: they mostly say the same.
+     * Lays out all parts in one column, the replies at its bottom; the outcome next to the verdict if both fit, else
+     * below it. If the height is short the keys shrink, then outcome or replies are hidden, because they mostly say the
+     * same.
      */
     private final class Parts implements FixedLayout {
         private static final int GAP_UNITS = 6;
-        /** Rows of the verdict for which room is kept. */
+        /** Number of rows reserved for the verdict. */
         private static final int ROWS = 2;
-        /** In one row, as small as they get. */
+        /** Minimum height of the keys in one row. */
         private static final int LEAST_KEYS_UNITS = 21;
 
         /** Keys, a verdict in one row, and the replies. */
@@ -166,7 +167,7 @@ public final class VeriCommandPanel extends JPanel {
             return new Dimension(Theme.px(120), height + others());
         }
 
-        /** The same for short and long orders, so that the tone scope beside it keeps its size. */
+        /** Independent of the order's length, so that the tone scope keeps its size. */
         @Override
         public Dimension preferredLayoutSize(Container parent) {
             int keysHeight = (isCompact ? keys.getMinimumSize() : keys.getPreferredSize()).height;
@@ -218,13 +219,13 @@ public final class VeriCommandPanel extends JPanel {
             }
         }
 
-        /** @return where the next part begins */
+        /** @return top of the next part */
         private static int below(int top, int width, JComponent part, int height) {
             part.setBounds(0, top, width, height);
             return part.isVisible() ? top + height + gap() : top;
         }
 
-        /** @return where the part above ends */
+        /** @return bottom of the part above */
         private static int above(int bottom, int width, JComponent part, int height) {
             part.setBounds(0, bottom - height, width, height);
             return part.isVisible() && height > 0 ? bottom - height - gap() : bottom;
@@ -235,13 +236,13 @@ public final class VeriCommandPanel extends JPanel {
         }
     }
 
-    /** Whether the newest reply is that of the order's course. */
+    /** True if the newest reply states the order's outcome. */
     private boolean isSaidByReplies() {
         String tone = courseNow.tone().map(each -> String.valueOf(each.key())).orElse("none");
         return replies.newest().startsWith(tone);
     }
 
-    /** In a call each reply tone is one label. */
+    /** One label for each reply tone of a call. */
     private static List<String> tones(String digits) {
         return digits.chars().mapToObj(digit -> String.valueOf((char) digit)).toList();
     }

@@ -1,2 +1,2 @@
-/** What the window shows of the selected robot's telephone side: modem, tone scope, VeriCommand and replies. */
+/** The window's view of the selected robot's telephone: modem, tone scope, VeriCommand and replies. */
 package simrobot.ui.telephone;
