@@ -1,4 +1,4 @@
-/** The mobile station, and on top of it the GSM modem (M2). */
+/** The mobile station and the GSM modem (M2) built on it. */
 module simgsm.station {
     requires transitive simgsm.base;
     requires transitive simgsm.air;

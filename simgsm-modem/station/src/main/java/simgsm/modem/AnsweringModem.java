@@ -9,9 +9,9 @@ import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationEvent;
 
 /**
- * A modem through which a robot is commanded: {@link Modem} (M2), or a real one. It answers calls, reports keys and short
- * messages as {@link StationEvent}s, and sends reply tones and messages. One owner thread calls everything except
- * {@link #snapshot} and {@link #state}.
+ * The modem of a robot: {@link Modem} (M2), or a real one. It answers calls, reports keys and short messages as
+ * {@link StationEvent}s, and sends reply tones and messages. One owner thread calls everything except {@link
+ * #snapshot} and {@link #state}.
  */
 public interface AnsweringModem {
     /** Makes a modem with a rule for its calls and a listener. */
@@ -19,9 +19,9 @@ public interface AnsweringModem {
         /**
          * Called once.
          *
-         * @param admission decides about a call when it is answered, by its caller's number, which is empty if the network
-         *     does not send it
-         * @param listener receives the events; of a denied call the ringing and the release only
+         * @param admission rules on a call when it is answered, by the caller's number, empty if the network does not
+         *     send it
+         * @param listener receives the events; for a denied call only ringing and release
          */
         M make(Function<Optional<Msisdn>, CallDecision> admission, Consumer<StationEvent> listener);
     }
@@ -40,13 +40,16 @@ public interface AnsweringModem {
     boolean sendTone(DtmfKey key);
 
     /**
-     * Sends a short message; one that finds no service or a congested network is sent again for 10 minutes before it fails.
+     * Sends a short message; without service or in a congested network it is repeated for 10 minutes before it fails.
      *
      * @return the message's id
      */
     int reply(Msisdn to, String text);
 
-    /** Whether the network has begun a USSD dialogue and waits for the reply; a dialogue of an AT client is the client's. */
+    /**
+     * True if the network has begun a USSD dialogue and waits for the reply; a dialogue of an AT client is the
+     * client's.
+     */
     default boolean isAskedByNetwork() {
         return false;
     }
@@ -56,7 +59,7 @@ public interface AnsweringModem {
         return false;
     }
 
-    /** While an order is being executed, the count of 60 s without a key stands still. */
+    /** Sets that an order is being executed, which stops the count of 60 s without a key. */
     void setOrderUnderWay(boolean active);
 
     /** Ends the call with cause 16. @return false if there is none */

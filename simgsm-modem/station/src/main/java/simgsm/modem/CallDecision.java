@@ -3,7 +3,7 @@ package simgsm.modem;
 import simgsm.dtmf.DtmfKey;
 
 /**
- * How a modem treats an incoming call. Either way it answers, and the tone is the first thing that the caller hears; a
- * denied call is then cleared with cause 16.
+ * A modem's treatment of an incoming call. It answers in both cases and sends the tone first; a denied call is then
+ * cleared with cause 16.
  */
 public record CallDecision(boolean accepted, DtmfKey tone) {}

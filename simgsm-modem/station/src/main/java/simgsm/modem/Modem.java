@@ -21,17 +21,18 @@ import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
 
 /**
- * M2 as a deterministic core: a station that alerts every call at once, connects it after {@link ModemOptions}' time,
- * clears it with cause 16 after 60 s without a key while no order is being executed, and with cause 41 after 2 s without a
- * speech frame. Once connected, time is counted in speech: keys by the frames received, silence by the frames sent.
+ * M2 as a deterministic core: a station that alerts every call at once, connects it after the time of {@link
+ * ModemOptions}, clears it with cause 16 after 60 s without a key while no order is being executed, and with cause 41
+ * after 2 s without a speech frame. During a call, time is counted in speech: keys by received frames, silence by
+ * sent frames.
  */
 public final class Modem implements AnsweringModem {
     static final int TONE_MILLIS = 150;
     static final int PAUSE_MILLIS = 70;
-    /** The longest time without a key. */
+    /** Longest time without a key. */
     public static final int IDLE_SECONDS = 60;
 
-    /** The same in speech. */
+    /** {@link #IDLE_SECONDS} in samples. */
     static final int IDLE_SAMPLES = IDLE_SECONDS * 8000;
     /** 2 s, in frames sent. */
     static final int SILENT_FRAMES = 100;
@@ -51,7 +52,7 @@ public final class Modem implements AnsweringModem {
     private final DtmfGenerator generator = new DtmfGenerator(this::toneGenerated);
     private final DtmfReceiver receiver;
     private final OutageWatch outages = new OutageWatch();
-    /** Tones whose last sample is in the frame that was filled last; sent once the next frame is requested. */
+    /** Tones with their last sample in the frame filled last; sent once the next frame is requested. */
     private final Queue<DtmfKey> generated = new ArrayDeque<>();
 
     private Consumer<StationEvent> observer = event -> {};
@@ -63,7 +64,7 @@ public final class Modem implements AnsweringModem {
     private int idleSamples;
     private int framesSinceHeard;
 
-    /** As below, with random numbers of its own. */
+    /** As below, with its own random numbers. */
     public Modem(
             StationIdentity identity,
             Sim sim,
@@ -76,10 +77,10 @@ public final class Modem implements AnsweringModem {
     /**
      * A modem without a link.
      *
-     * @param admission decides about a call when it is answered, by its caller's number, which is empty if the network does
-     *     not send it
-     * @param listener receives the station's events and {@link ModemEvent}s on the owner thread, and may call the modem; of
-     *     a denied call it receives the ringing and the release only
+     * @param admission rules on a call when it is answered, by the caller's number, empty if the network does not
+     *     send it
+     * @param listener receives the station's events and {@link ModemEvent}s on the owner thread, and may call the
+     *     modem; for a denied call only ringing and release
      * @param random as for {@link MobileStation}
      */
     public Modem(
@@ -111,7 +112,7 @@ public final class Modem implements AnsweringModem {
         replies = new Replies(station, listener);
     }
 
-    /** For the thread that gives it time and a socket. */
+    /** The station, for the thread that gives it time and a socket. */
     public MobileStation station() {
         return station;
     }
@@ -121,7 +122,7 @@ public final class Modem implements AnsweringModem {
         return station.snapshot();
     }
 
-    /** Queues a reply tone of 150 ms, 70 ms from the next. */
+    /** Queues a reply tone of 150 ms, followed by a pause of 70 ms. */
     @Override
     public boolean sendTone(DtmfKey key) {
         boolean heard = phase == Phase.ACCEPTED && connected;
@@ -131,7 +132,7 @@ public final class Modem implements AnsweringModem {
         return heard;
     }
 
-    /** As in the interface; of more than 20 messages that wait the oldest fails. */
+    /** As in the interface; the oldest of more than 20 waiting messages fails. */
     @Override
     public int reply(Msisdn to, String text) {
         return replies.send(to, text);
@@ -147,13 +148,13 @@ public final class Modem implements AnsweringModem {
         return isAskedByNetwork() && station.sendUssd(text);
     }
 
-    /** Every reply tone starts the count again. */
+    /** Every reply tone restarts the count. */
     @Override
     public void setOrderUnderWay(boolean active) {
         orderActive = active;
     }
 
-    /** Answers the call that rings, before its time is over. @return false if none rings */
+    /** Answers the ringing call before its time is over. @return false if none rings */
     public boolean answer() {
         if (phase != Phase.RINGING) {
             return false;
@@ -197,7 +198,7 @@ public final class Modem implements AnsweringModem {
         }
     }
 
-    /** Adds a receiver of all events of the station, each after the modem has acted on it. */
+    /** Adds a receiver of all events of the station, called after the modem has acted on them. */
     public void observe(Consumer<StationEvent> newObserver) {
         observer = newObserver;
     }
@@ -207,7 +208,7 @@ public final class Modem implements AnsweringModem {
         observer.accept(event);
     }
 
-    /** A call that was not ringing here was dialled through the station, and is not the robot's. */
+    /** A call that did not ring here was dialled through the station; it is not the robot's. */
     private void act(StationEvent event) {
         if (event instanceof StationEvent.SpeechReceived speech) {
             hear(speech);

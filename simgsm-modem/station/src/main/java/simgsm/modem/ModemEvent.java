@@ -4,12 +4,12 @@ import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
 import simgsm.station.context.StationEvent;
 
-/** What a modem adds to the events of its station. */
+/** Events of a modem besides its station's. */
 public sealed interface ModemEvent extends StationEvent.OfTerminal {
     /** A key in an accepted call, at its decision, while its tone sounds. */
     record KeyDecided(DtmfDigit digit) implements ModemEvent {}
 
-    /** The key decided last sounds no longer; a real modem that does not say how long it sounded tells it at once. */
+    /** The last decided key has ended; a real modem without durations reports it at once. */
     record KeyEnded() implements ModemEvent {}
 
     /** A tone could not be sent. */
@@ -18,7 +18,10 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
     /** An accepted call had no key for 60 s; the modem clears it, and its release follows. */
     record CallIdle(int seconds) implements ModemEvent {}
 
-    /** A key in an accepted call that may have been lost with the speech, or whose report could not be read; an order that it belongs to cannot be trusted. */
+    /**
+     * A key in an accepted call may have been lost with the speech, or its report could not be read; an order with it
+     * cannot be trusted.
+     */
     record KeyUnreadable() implements ModemEvent {}
 
     /** All keys in this much speech of an accepted call, lost frames included, have been reported. */
@@ -27,6 +30,6 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
     /** A real modem's state has changed. @param text the answer that shows it, or the network's name */
     record StateChanged(ModemState state, String text) implements ModemEvent {}
 
-    /** A tone of {@link Modem#sendTone} or of the {@link CallDecision} has been sent whole. */
+    /** A tone of {@link Modem#sendTone} or of the {@link CallDecision} has been sent completely. */
     record ReplyToneSent(DtmfKey key) implements ModemEvent {}
 }

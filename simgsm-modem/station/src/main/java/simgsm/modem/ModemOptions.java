@@ -5,14 +5,13 @@ import simgsm.station.StationOptions;
 /**
  * Options of a modem.
  *
- * @param answerAfterMillis how long it rings before it answers a call, 0 to {@value #MAX_ANSWER_AFTER_MILLIS}; 0 answers at
- *     once
+ * @param answerAfterMillis ringing time before the answer, 0 to {@value #MAX_ANSWER_AFTER_MILLIS}
  */
 public record ModemOptions(StationOptions station, int answerAfterMillis) {
-    /** Real networks assign the speech channel meanwhile, and callers that poll their modem see it ringing. */
+    /** Real networks assign the speech channel meanwhile, and polling callers see the modem ringing. */
     public static final int DEFAULT_ANSWER_AFTER_MILLIS = 1500;
 
-    /** The centre gives up an unanswered call after 180 s. */
+    /** The centre clears an unanswered call after 180 s. */
     public static final int MAX_ANSWER_AFTER_MILLIS = 120_000;
 
     public static final ModemOptions STANDARD = new ModemOptions(StationOptions.STANDARD, DEFAULT_ANSWER_AFTER_MILLIS);

@@ -2,10 +2,10 @@ package simgsm.modem;
 
 import java.util.Locale;
 
-/** Whether a modem can serve, and what hinders it. */
+/** The service of a modem: ready, or the obstacle. */
 public enum ModemState {
     READY,
-    /** The line is down, or a command has no answer. */
+    /** The line is down, or a command was not answered. */
     SILENT,
     SIM_PIN,
     SIM_PUK,

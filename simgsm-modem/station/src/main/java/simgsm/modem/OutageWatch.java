@@ -4,20 +4,20 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.speech.SpeechCodec;
 
 /**
- * Finds out whether a key may have been lost with the speech, as in a handover: then no order may be made of the keys around it.
- * A key that falls into an outage of 60 ms or more leaves a longer interval between the keys beside it.
- * In one of 100 ms or more, for which the last frame before it stands in, weaker and weaker, a key may be heard twice.
+ * Detects keys that may have been lost with the speech, as in a handover: no order may be made of the keys around
+ * them. A key inside an outage of 60 ms or more leaves a longer interval between its neighbours. In an outage of 100
+ * ms or more, which fading copies of the last frame replace, a key may be heard twice.
  */
 final class OutageWatch {
-    /** Shorter outages leave enough of a key, whose tone is 65 ms or longer; 3 frames. */
+    /** 3 frames; shorter outages leave enough of a key, whose tone lasts 65 ms or more. */
     private static final int LEAST_FRAMES = 3;
     /** Shorter outages double no key. */
     private static final int LEAST_DOUBLING_FRAMES = 5;
-    /** A key that is heard twice comes within 200 ms after the outage. */
+    /** A doubled key is heard within 200 ms after the outage. */
     private static final int DOUBLING_SAMPLES = 1_600;
     /**
-     * An interval with a lost key has twice the length of the others; one whose second key is decided late, because the outage
-     * took its beginning, has less than this.
+     * An interval with a lost key is twice as long as the others; one with a late second key, after the outage cut
+     * its beginning, is shorter than this.
      */
     private static final double LONGER = 1.7;
     /** 340 ms at 8 kHz: 1.7 times the interval of the phones here. */
@@ -28,20 +28,20 @@ final class OutageWatch {
     /** Null before the first key of the call. */
     private DtmfKey last;
 
-    /** Until then a key may be heard twice. */
+    /** Until this sample a key may be heard twice. */
     private long doublingEnd;
-    /** The shortest interval between two keys of this call. */
+    /** Shortest interval between two keys of this call. */
     private long shortest;
 
     private boolean isOutage;
-    /** Whether the interval before had an outage: a key that was decided late makes the next interval short. */
+    /** True if the previous interval had an outage: a key decided late shortens the next interval. */
     private boolean wasOutage;
 
     OutageWatch() {
         reset();
     }
 
-    /** A new call. */
+    /** Starts a call. */
     void reset() {
         samples = 0;
         last = null;
@@ -51,7 +51,7 @@ final class OutageWatch {
         wasOutage = false;
     }
 
-    /** This number of frames in a row did not arrive; their substitutes are heard next. */
+    /** This number of consecutive frames did not arrive; their substitutes are heard next. */
     void lost(int frames) {
         isOutage |= frames >= LEAST_FRAMES;
         if (frames >= LEAST_DOUBLING_FRAMES) {
@@ -59,12 +59,12 @@ final class OutageWatch {
         }
     }
 
-    /** Counts samples that were heard, substitutes of lost frames included. */
+    /** Counts heard samples, including substitutes of lost frames. */
     void heard(int count) {
         samples += count;
     }
 
-    /** A key is decided. @return whether another one may have been lost before it, or this may be the last one again */
+    /** A key is decided. @return true if another one may have been lost before it, or it may repeat the last one */
     boolean keyDecided(DtmfKey key) {
         long interval = samples - lastKey;
         boolean isLost = isOutage && last != null && interval > Math.min(LONG_SAMPLES, LONGER * shortest);

@@ -17,17 +17,20 @@ import simgsm.station.context.StationEvent.MessageFailed;
 import simgsm.station.context.StationEvent.MessageSent;
 
 /**
- * Replies to short messages. A reply that fails for lack of service is kept and sent again at the next registration; one
- * that a congested network refuses, after 30 s. If the first attempt was lost before its acknowledgement, the receiver may
- * get the reply twice.
+ * Replies to short messages. A reply that fails for lack of service is kept and repeated at the next registration;
+ * one refused by a congested network after 30 s. If only the acknowledgement of the first attempt was lost, the
+ * receiver may get the reply twice.
  */
 final class Replies {
-    /** Of more replies that are kept the oldest fails. */
+    /** If more replies are kept, the oldest fails. */
     static final int MAX_KEPT = 20;
-    /** After this time a kept reply fails. */
+    /** Age at which a kept reply fails. */
     static final long MAX_AGE_NANOS = TimeUnit.MINUTES.toNanos(10);
 
-    /** Temporary network failures (TS 24.011, table 8.4) without 41, after which the message may have been taken. */
+    /**
+     * Temporary network failures (TS 24.011, table 8.4) except 41, after which the network may have accepted the
+     * message.
+     */
     private static final Set<RpCause> TEMPORARY =
             EnumSet.of(RpCause.NETWORK_OUT_OF_ORDER, RpCause.CONGESTION, RpCause.RESOURCES_UNAVAILABLE);
 
@@ -41,7 +44,7 @@ final class Replies {
 
     private final Deque<Reply> kept = new ArrayDeque<>();
 
-    /** @param listener receives the outcome under the id of the first attempt, and all other events */
+    /** @param listener receives the outcome with the id of the first attempt, and all other events */
     Replies(MobileStation station, Consumer<StationEvent> listener) {
         this.station = station;
         this.listener = listener;

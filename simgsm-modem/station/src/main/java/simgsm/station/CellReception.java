@@ -11,7 +11,7 @@ import simgsm.air.RadioResource.MeasurementReport;
 import simgsm.rr.SystemInformation;
 import simgsm.station.context.StationContext;
 
-/** The cell and its level, as a cells program sends them; a centre alone sends neither. */
+/** The cell and its level as sent by a cells program; a centre alone sends neither. */
 final class CellReception {
     private final StationContext context;
     private Optional<SystemInformation.Type3> information = Optional.empty();
@@ -26,12 +26,12 @@ final class CellReception {
                 cell -> new ServingCell(cell.cellIdentity(), cell.area().areaCode(), rxlev));
     }
 
-    /** What the cell has sent; empty before. */
+    /** Information sent by the cell; empty before. */
     Optional<SystemInformation.Type3> information() {
         return information;
     }
 
-    /** The link is down. */
+    /** The link was lost. */
     void lost() {
         information = Optional.empty();
         rxlev = 0;

@@ -32,7 +32,7 @@ final class ConnectionControl {
         context.timers().stop(StationTimer.IDENTITY);
     }
 
-    /** Any frame shows that the centre is alive. */
+    /** Every frame shows that the centre is alive. */
     void heard() {
         keepAlive.heard();
     }

@@ -141,7 +141,7 @@ final class MessageDispatcher {
         }
     }
 
-    /** TS 44.018, 3.4.13.1. Registration comes first, because the others depend on it. */
+    /** TS 44.018, 3.4.13.1. Registration is first, because the others depend on it. */
     private void channelReleased() {
         context.radio().release();
         registration.fire(MobileRegistrationEvent.CHANNEL_RELEASED);
@@ -150,8 +150,8 @@ final class MessageDispatcher {
     }
 
     /**
-     * TS 44.018, 3.3.2. An open connection needs no answer: the network uses it. The answer carries the identity that was
-     * paged, because a network that pages by the IMSI may not know which TMSI was taken.
+     * TS 44.018, 3.3.2. An open connection needs no answer: the network uses it. The answer has the paged identity,
+     * because a network that pages by the IMSI may not know the accepted TMSI.
      */
     private void paged(MobileIdentity identity) {
         if (registration.isRegistered()

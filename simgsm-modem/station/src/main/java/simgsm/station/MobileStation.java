@@ -32,12 +32,12 @@ import simgsm.station.sms.ShortMessages;
 import simgsm.station.ss.MobileUssd;
 
 /**
- * A mobile station as a deterministic core: frames, commands and time in; frames and {@link StationEvent}s out. It has no
- * thread, clock or socket. One owner thread calls everything except {@link #snapshot}; commands happen at the time of the
- * last call that carried one.
+ * A mobile station as a deterministic core: input is frames, commands and time, output is frames and {@link
+ * StationEvent}s. It has no thread, clock or socket. One owner thread calls everything except {@link #snapshot};
+ * commands happen at the time of the last call that had one.
  */
 public final class MobileStation implements StationCommands {
-    /** {@link #nextDeadlineNanos} of a station that waits for nothing. */
+    /** {@link #nextDeadlineNanos} without a deadline. */
     public static final long NO_DEADLINE = Long.MAX_VALUE;
 
     private final StationContext context;
@@ -56,7 +56,7 @@ public final class MobileStation implements StationCommands {
     private boolean linkUp;
     private volatile StationSnapshot snapshot;
 
-    /** A station that is switched on and has no link yet. */
+    /** A station that is switched on and not connected. */
     public MobileStation(
             StationIdentity identity,
             Sim sim,
@@ -67,10 +67,10 @@ public final class MobileStation implements StationCommands {
     }
 
     /**
-     * A station as above.
+     * As above.
      *
-     * @param random gives the first message reference, the synchronisation source of the speech stream, and the time of the
-     *     first periodic update
+     * @param random for the first message reference, the synchronisation source of the speech stream, and the time of
+     *     the first periodic update
      */
     public MobileStation(
             StationIdentity identity,
@@ -104,7 +104,7 @@ public final class MobileStation implements StationCommands {
         return context.identity();
     }
 
-    /** There is a connection to the centre. */
+    /** The link to the centre is established. */
     public void linkUp(Uplink uplink, long nowNanos) {
         timePassed(nowNanos);
         linkUp = true;
@@ -113,7 +113,7 @@ public final class MobileStation implements StationCommands {
         settle();
     }
 
-    /** The connection is lost, or an attempt to connect has failed. */
+    /** The link is lost, or an attempt to connect has failed. */
     public void linkDown(long nowNanos) {
         timePassed(nowNanos);
         linkUp = false;
@@ -147,12 +147,12 @@ public final class MobileStation implements StationCommands {
         context.timers().advanceTo(nowNanos);
     }
 
-    /** When {@link #timePassed} is to be called next, or {@link #NO_DEADLINE}. */
+    /** Time of the next call of {@link #timePassed}, or {@link #NO_DEADLINE}. */
     public long nextDeadlineNanos() {
         return context.timers().nextDeadlineNanos().orElse(NO_DEADLINE);
     }
 
-    /** Has an action run whenever {@link #nextDeadlineNanos} becomes earlier. */
+    /** Sets an action that runs whenever {@link #nextDeadlineNanos} becomes earlier. */
     void onEarlierDeadline(Runnable action) {
         context.timers().unnamed().onEarlier(action);
     }
@@ -227,7 +227,7 @@ public final class MobileStation implements StationCommands {
         return settled(registration.isPowered() && ussd.send(text));
     }
 
-    /** Whether the network waits for the reply in a USSD dialogue that it has begun itself. */
+    /** True if the network waits for the reply in a USSD dialogue that it has begun. */
     public boolean isAskedByNetwork() {
         return ussd.isAskedByNetwork();
     }
@@ -274,7 +274,7 @@ public final class MobileStation implements StationCommands {
         settle();
     }
 
-    /** The time of the last call that carried one. */
+    /** The time of the last call that had one. */
     public long nowNanos() {
         return context.timers().nowNanos();
     }
@@ -284,7 +284,7 @@ public final class MobileStation implements StationCommands {
         call.remindToAnswer(nanos);
     }
 
-    /** Requests one {@link StationEvent.ReminderDue} in 30 s, unless one is due already. */
+    /** Requests one {@link StationEvent.ReminderDue} in 30 s, unless one is pending. */
     public void remind() {
         if (!context.timers().isRunning(StationTimer.REMINDER)) {
             context.timers().start(StationTimer.REMINDER, () -> context.events().add(new StationEvent.ReminderDue()));
@@ -296,7 +296,7 @@ public final class MobileStation implements StationCommands {
         return snapshot;
     }
 
-    /** Whether the link may be closed: there is none, or the station is off and detached. */
+    /** True if the link may be closed: there is none, or the station is off and detached. */
     boolean isDetached() {
         return registration.isOff() || !linkUp;
     }
@@ -311,7 +311,7 @@ public final class MobileStation implements StationCommands {
         return result;
     }
 
-    /** Follows each change: supervises the idle channel, publishes the snapshot, delivers the events. */
+    /** Called after each change: supervises the idle channel, publishes the snapshot, delivers the events. */
     private void settle() {
         call.checkService();
         if (!context.radio().isOpen()) {

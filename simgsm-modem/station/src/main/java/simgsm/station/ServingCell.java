@@ -1,7 +1,7 @@
 package simgsm.station;
 
 /**
- * The cell of a town on which a station is, as a cells program reports it.
+ * The serving cell of a station in a town, reported by a cells program.
  *
  * @param identity CI, 0 to 65535
  * @param areaCode LAC
@@ -9,7 +9,7 @@ package simgsm.station;
  */
 public record ServingCell(int identity, int areaCode, int rxlev) {
     private static final int RXLEV_ZERO_DBM = -110;
-    /** RXLEV at which a phone shows its first bar, and how much each further bar needs. */
+    /** RXLEV of a phone's first bar, and step of each further bar. */
     private static final int FIRST_BAR = 3;
 
     private static final int EACH_BAR = 8;
@@ -19,7 +19,7 @@ public record ServingCell(int identity, int areaCode, int rxlev) {
         return rxlev + RXLEV_ZERO_DBM;
     }
 
-    /** The bars that a phone shows, 0 to a number: a bar from -107 dBm on, and one more every 8 dB. */
+    /** The bars on a phone: one from -107 dBm, and one more every 8 dB. */
     public int bars(int most) {
         return rxlev < FIRST_BAR ? 0 : Math.min(most, 1 + (rxlev - FIRST_BAR) / EACH_BAR);
     }

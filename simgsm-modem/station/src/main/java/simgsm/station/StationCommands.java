@@ -7,14 +7,18 @@ import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.context.StationIdentity;
 
-/** What the user of a station can do with it. All but {@link #identity} and {@link #snapshot} are called on the owner thread. */
+/**
+ * A user's commands to a station. All but {@link #identity} and {@link #snapshot} are called on the owner thread.
+ */
 public interface StationCommands {
     void powerOn();
 
     /** Ends a call with cause 16 and detaches. */
     void powerOff();
 
-    /** Calls a number; without service the call waits 5 s for it. @return false if a call is under way or the station is off */
+    /**
+     * Calls a number; without service the call waits 5 s. @return false if a call is under way or the station is off
+     */
     boolean dial(Msisdn number);
 
     /** Answers the ringing call. @return false if there is none */
@@ -24,17 +28,17 @@ public interface StationCommands {
     boolean hangUp();
 
     /**
-     * Queues a key that is signalled to the network, which plays its tone to the far end (START DTMF, STOP DTMF). Before
-     * the call is active it waits.
+     * Queues a key signalled to the network, which plays its tone to the far end (START DTMF, STOP DTMF). It waits
+     * until the call is active.
      *
      * @param millis length of the tone, 70 at least
      */
     void signalKey(DtmfKey key, int millis);
 
-    /** Queues a key that sounds until {@link #releaseKey}; a key that is held is released first. */
+    /** Queues a key that sounds until {@link #releaseKey}; a held key is released first. */
     void holdKey(DtmfKey key);
 
-    /** Releases the key that is held, if there is one. */
+    /** Releases the held key, if any. */
     void releaseKey();
 
     /**
@@ -46,11 +50,12 @@ public interface StationCommands {
     int sendMessage(Msisdn to, String text);
 
     /**
-     * Sends a USSD text: the reply if the network waits for one, else a request such as *100#, which begins a dialogue;
-     * a code of a supplementary service such as *#21# is sent as that.
+     * Sends a USSD text: the reply if the network waits for one, else a request such as *100#, which begins a
+     * dialogue; a code such as *#21# is sent as a supplementary service.
      *
      * @return false if a dialogue is under way and the network has not asked, or the station is off
-     * @throws IllegalArgumentException for an empty text, and for more than 182 characters (80 outside the GSM alphabet)
+     * @throws IllegalArgumentException for an empty text, and for more than 182 characters (80 outside the GSM
+     *     alphabet)
      */
     boolean sendUssd(String text);
 
@@ -58,11 +63,11 @@ public interface StationCommands {
     boolean endUssd();
 
     /**
-     * Queues a transfer unit as it is; only its reference is set here, and TP-RD when it is sent again. Otherwise as
-     * {@link #sendMessage}.
+     * Queues a transfer unit unchanged, except for its reference, and TP-RD of a repetition. Otherwise as {@link
+     * #sendMessage}.
      *
      * @param tpdu SUBMIT or COMMAND (TS 23.040, 9.2.2), 2 to 232 octets
-     * @param to its receiver, for the status report
+     * @param to receiver, for the status report
      */
     int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter);
 
@@ -70,26 +75,26 @@ public interface StationCommands {
     boolean rejectWaiting();
 
     /**
-     * Holds the active call; then the waiting call is answered, or the held one is active again. Without an active call the
-     * held one is.
+     * Holds the active call; then the waiting call is answered, or the held one retrieved. Without an active call the
+     * held one is retrieved.
      *
      * @return false if there is no such call, or the network has still to answer
      */
     boolean hold();
 
     /**
-     * Whether there is room for received messages. Without room the network is refused (RP cause 22) and keeps them; once
-     * there is room again it is notified (RP-SMMA).
+     * Sets if there is room for received messages. Without room the network is refused (RP cause 22) and keeps them;
+     * it is notified once there is room again (RP-SMMA).
      */
     void setMemoryAvailable(boolean available);
 
-    /** Discards broadcasts on other channels; at first all channels are received. */
+    /** Discards broadcasts on other channels; initially all channels are received. */
     void setChannels(ChannelList channels);
 
-    /** Codes speech so from the next call on. */
+    /** Sets the codec of speech from the next call on. */
     void setCodec(SpeechCodec.Kind codec);
 
-    /** What SIM and equipment hold. */
+    /** Data of SIM and equipment. */
     StationIdentity identity();
 
     /** The current state; may be called from any thread. */

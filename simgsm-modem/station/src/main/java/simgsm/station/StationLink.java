@@ -14,10 +14,10 @@ import simgsm.station.context.Uplink;
 import simgsm.timer.RateLimit;
 import simgsm.timer.Timer;
 
-/** One station and its connection to the centre, which is made again whenever it is lost. Belongs to the stations' thread. */
+/** One station and its connection to the centre, renewed whenever it is lost. Belongs to the stations' thread. */
 final class StationLink implements Connector.Listener {
     private static final int MOST_SIGNALLING_FRAMES = 10_000;
-    /** A departing station waits this long for the end of its detach procedure. */
+    /** Longest wait of a departing station for the end of its detach procedure. */
     private static final long DEPARTURE_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private static final long DEPARTURE_CHECK_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
@@ -28,7 +28,7 @@ final class StationLink implements Connector.Listener {
     private final String address;
     private final StationLog log;
     private final DisplacementWatch displacements = new DisplacementWatch();
-    /** Null while there is none. */
+    /** Null without a connection. */
     private Uplinked connection;
 
     private long connectedNanos;
@@ -71,7 +71,7 @@ final class StationLink implements Connector.Listener {
         protected void closing(boolean isByPeer) {
             super.closing(isByPeer);
             connection = null;
-            // Towers end the links of all their terminals when the centre is gone.
+            // Towers end the links of all their terminals when the centre is lost.
             boolean isOfTower = station.snapshot().cell().isPresent();
             if (isByPeer && station.snapshot().registered() && !isOfTower) {
                 connector.postpone(displacements.linkEnded(System.nanoTime() - connectedNanos));
@@ -156,7 +156,7 @@ final class StationLink implements Connector.Listener {
         }
     }
 
-    /** The station has departed when it has detached and all its frames are written, or its time is over. */
+    /** The station has departed when it has detached and all its frames are written, or at the time-out. */
     private void closeIfDeparted() {
         boolean isFlushed = connection == null || !connection.hasOutput();
         if (isFlushed && station.isDetached() || System.nanoTime() - departureNanos >= DEPARTURE_NANOS) {
@@ -166,7 +166,7 @@ final class StationLink implements Connector.Listener {
         }
     }
 
-    /** Makes no further attempt to connect. */
+    /** Stops attempts to connect. */
     void close() {
         station.onEarlierDeadline(() -> {});
         loop.cancel(wake);

@@ -8,8 +8,8 @@ import simgsm.speech.SpeechCodec;
  *
  * @param codec of the speech sent, A-law or GSM full rate; received speech may be either at any time
  * @param recorder receives the speech of all calls
- * @param callWaiting whether a second call may wait; else it is refused as busy
- * @param ignoresSetup a fault: the station answers paging, and leaves calls that are offered unanswered
+ * @param callWaiting true if a second call may wait; else it is refused as busy
+ * @param ignoresSetup a fault: the station answers paging, but not offered calls
  */
 public record StationOptions(
         SpeechCodec.Kind codec, CallAudioListener recorder, boolean callWaiting, boolean ignoresSetup) {

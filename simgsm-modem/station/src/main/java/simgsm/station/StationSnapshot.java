@@ -9,14 +9,14 @@ import simgsm.station.call.MobileCallTable.MobileCallState;
 /**
  * The state of a station, immutable.
  *
- * @param linkUp whether there is a connection to the centre
- * @param rejectCause why the network refused registration, if it did
- * @param cardRefused whether it refused because the SIM failed authentication
+ * @param linkUp true with a connection to the centre
+ * @param rejectCause cause of a refused registration
+ * @param cardRefused true if the SIM failed authentication
  * @param networkName the operator's name for the display, empty until the network sends it
  * @param peer the other party of the current call, if its number is known
- * @param codec of the speech sent; empty where a real modem does not name it
+ * @param codec of the speech sent; empty if a real modem does not name it
  * @param heardCodec of the newest speech frame received in the current call
- * @param cell on which the station is, where a cells program lies between it and the centre; empty in its own small cell
+ * @param cell serving the station through a cells program; empty in its own small cell
  */
 public record StationSnapshot(
         boolean powered,
@@ -56,7 +56,7 @@ public record StationSnapshot(
                 Optional.empty());
     }
 
-    /** The bars that a display shows: all of them in the station's own small cell. */
+    /** The bars of a display; all of them in the station's own small cell. */
     public int signalBars(int most) {
         return registered ? cell.map(serving -> serving.bars(most)).orElse(most) : 0;
     }

@@ -12,8 +12,8 @@ import simgsm.net.ConnectionLimits;
 import simgsm.net.SelectorLoop;
 
 /**
- * The thread that owns one or many stations: it gives them their time and keeps each connected to its centre, at once and
- * then again with pauses that grow from 0.2 s to 5 s. Any thread may call its methods.
+ * The thread that owns one or many stations: it gives them their time and keeps each connected to its centre,
+ * retrying with pauses that grow from 0.2 s to 5 s. Any thread may call its methods.
  */
 public final class StationThread implements AutoCloseable {
     private final SelectorLoop loop;
@@ -22,9 +22,9 @@ public final class StationThread implements AutoCloseable {
     private boolean isClosing;
 
     /**
-     * Not started yet. It is a daemon thread and must be closed.
+     * A daemon thread that is not started and must be closed.
      *
-     * @param onFailure called by this thread when it ends by an error: its stations do nothing any more
+     * @param onFailure called by this thread if it ends by an error, which stops its stations
      */
     public StationThread(String name, Consumer<Throwable> onFailure) {
         loop = new SelectorLoop(name);
@@ -42,23 +42,22 @@ public final class StationThread implements AutoCloseable {
         loop.start(end, onFailure);
     }
 
-    /** Takes over a station and keeps it connected; before or after {@link #start}. */
+    /** Adds a station and keeps it connected; before or after {@link #start}. */
     public void add(MobileStation station, InetSocketAddress center) {
         execute(() -> links.add(new StationLink(loop, station, center)));
     }
 
     /**
-     * Detaches a station, writes its last frames, for at most a second, and disconnects it.
+     * Detaches a station, writes its last frames, for at most a second, and disconnects.
      *
-     * @param gone runs on this thread after the last sign of the station, also when the thread ends before
+     * @param gone runs on this thread after the last sign of the station, or at the thread's end
      */
     public void remove(MobileStation station, Runnable gone) {
         execute(() -> links.stream().filter(link -> link.station() == station).forEach(link -> depart(link, gone)));
     }
 
     /**
-     * Queues an action of this thread; the stations' time is the present when it runs. An action that throws is logged. After
-     * the close it is dropped.
+     * Queues an action of this thread, run at the stations' time. An exception is logged. Dropped after the close.
      */
     public void execute(Runnable action) {
         loop.post(() -> {
@@ -67,7 +66,7 @@ public final class StationThread implements AutoCloseable {
         });
     }
 
-    /** Runs an action of this thread once, after this time. After the close it is dropped. */
+    /** Runs an action of this thread once, after this time. Dropped after the close. */
     public void after(long nanos, Runnable action) {
         loop.post(() -> loop.after(nanos, () -> {
             advanceStations();
@@ -88,7 +87,7 @@ public final class StationThread implements AutoCloseable {
     }
 
     /**
-     * Opens a port whose connections belong to this thread, as the stations do; see {@link SelectorLoop#listen}.
+     * Opens a port with connections owned by this thread, like the stations; see {@link SelectorLoop#listen}.
      *
      * @throws IOException naming address and port
      */

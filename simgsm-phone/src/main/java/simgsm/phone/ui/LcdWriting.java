@@ -130,7 +130,7 @@ final class LcdWriting {
         }
     }
 
-    /** The network's text, as large as it fits; below it the reply, if one is expected. */
+    /** The network's text, as large as it fits, above the reply, if one is expected. */
     void ussd(LcdPen pen, Screen.Ussd ussd) {
         boolean isWaiting = ussd.phase() == Screen.Ussd.Phase.WAITING;
         boolean isAsked = ussd.phase() == Screen.Ussd.Phase.ASKED;

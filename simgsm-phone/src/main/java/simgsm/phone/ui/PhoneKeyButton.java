@@ -93,7 +93,7 @@ final class PhoneKeyButton extends JButton {
         }
     }
 
-    /** Sets what a key under the display does, for screen readers. */
+    /** Sets the function of a key under the display, for screen readers. */
     void setMeaning(String words) {
         getAccessibleContext().setAccessibleDescription(words);
     }

@@ -1,6 +1,6 @@
 package simgsm.modem.at;
 
-/** Type of address, in front of or behind the numbers on an AT line (TS 24.008, 10.5.4.7). */
+/** Type of address, before or after the numbers on an AT line (TS 24.008, 10.5.4.7). */
 public final class AddressType {
     public static final int INTERNATIONAL = 145;
     public static final int UNKNOWN = 129;

@@ -39,7 +39,7 @@ public final class AtCommandTable<C> {
             };
         }
 
-        /** The form without parameters; for a basic command the only one. */
+        /** The form without parameters, the only one of a basic command. */
         public Row<C> executeFor(AtHandler<C> handler) {
             return on(AtCommand.Form.EXECUTE, handler);
         }
@@ -81,17 +81,17 @@ public final class AtCommandTable<C> {
             return name;
         }
 
-        /** The answer to the test form; empty if it has none, or none that is fixed. */
+        /** The answer to the test form; empty if it has none, or depends on the state. */
         public String ranges() {
             return ranges;
         }
 
-        /** The values of a new connection, of a command that only keeps its numbers. */
+        /** Initial values of a command that only stores its numbers. */
         public Optional<String> initial() {
             return initial;
         }
 
-        /** The forms as they are typed, such as {@code AT+CSQ AT+CSQ=?}. */
+        /** The forms as typed, such as {@code AT+CSQ AT+CSQ=?}. */
         String forms() {
             List<String> forms = new ArrayList<>();
             for (AtCommand.Form form : handlers.keySet()) {
@@ -114,8 +114,8 @@ public final class AtCommandTable<C> {
 
     /**
      * A table with a row for each block of text: the name, and the parameters of SET or of a basic command; then
-     * indented {@code test:} with the answer to the test form, {@code kept:} with the initial values of a command that only
-     * keeps its numbers, and the meaning.
+     * indented {@code test:} with the answer to the test form, {@code kept:} with the initial values of a command
+     * that only stores its numbers, and the meaning.
      */
     public AtCommandTable(Stream<String> blocks) {
         blocks.forEach(block -> add(block.strip().split("\n *")));
@@ -142,7 +142,7 @@ public final class AtCommandTable<C> {
                 .findFirst();
     }
 
-    /** Adds a command. @param parameters of SET, or of a basic command, as the manual shows them */
+    /** Adds a command. @param parameters of SET, or of a basic command, as in the manual */
     Row<C> add(String name, String parameters, String meaning) {
         Row<C> row = new Row<>(name, parameters, meaning);
         if (rows.put(name, row) != null) {
@@ -151,7 +151,7 @@ public final class AtCommandTable<C> {
         return row;
     }
 
-    /** The row of a command, which must be there. */
+    /** The row of an existing command. */
     public Row<C> row(String name) {
         return Objects.requireNonNull(rows.get(name), name);
     }

@@ -1,6 +1,6 @@
 package simgsm.modem.at;
 
-/** How answers look (V.250, 6.2). At first with echo, in words and without error numbers. */
+/** The format of answers (V.250, 6.2). Initially with echo, in words and without error numbers. */
 public final class AtFormat {
     private boolean isEchoed = true;
     private boolean isInWords = true;
@@ -37,7 +37,7 @@ public final class AtFormat {
         errorMode = newMode;
     }
 
-    /** The settings as AT&V shows them. */
+    /** The settings in the form of AT&V. */
     public String describe() {
         return "E" + digit(isEchoed) + " V" + digit(isInWords) + " Q" + digit(isQuiet) + " +CMEE: " + errorMode;
     }
@@ -50,7 +50,7 @@ public final class AtFormat {
         return (isInWords ? "\r\n" : "") + information + "\r\n";
     }
 
-    /** Empty where result codes are suppressed. */
+    /** The text of a result; empty if result codes are suppressed. */
     String result(AtResult result) {
         if (isQuiet) {
             return "";

@@ -4,7 +4,7 @@ package simgsm.modem.at;
 @FunctionalInterface
 public interface AtHandler<C> {
     /**
-     * @param client the client's own state
+     * @param client state of the client
      * @return the result; after {@link AtResult#PENDING} the request is finished later
      */
     AtResult perform(C client, AtRequest request) throws AtException;

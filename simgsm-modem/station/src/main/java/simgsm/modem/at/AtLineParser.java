@@ -3,9 +3,9 @@ package simgsm.modem.at;
 import java.util.Locale;
 
 /**
- * Cuts a command line into its commands (V.250, 5.2 to 5.4): basic commands follow each other directly, extended ones end
- * with a semicolon. Blanks count only between quotation marks. A fault ends the line where it stands: the commands before
- * it have been performed by then.
+ * Splits a command line into its commands (V.250, 5.2 to 5.4): basic commands follow each other directly, extended
+ * ones end with a semicolon. Blanks count only between quotation marks. A fault ends the line; earlier commands of
+ * the line have been performed then.
  */
 final class AtLineParser {
     private static final String EXTENDED = "+*^$#%";
@@ -14,7 +14,7 @@ final class AtLineParser {
     private final String line;
     private int at;
 
-    /** @param line what follows the letters AT */
+    /** @param line after the letters AT */
     AtLineParser(String line) {
         this.line = line;
     }
@@ -26,7 +26,7 @@ final class AtLineParser {
         return at < line.length();
     }
 
-    /** @throws AtException with ERROR where no command begins */
+    /** @throws AtException with ERROR if no command follows */
     AtCommand next() throws AtException {
         char first = line.charAt(at);
         if (EXTENDED.indexOf(first) >= 0) {
@@ -52,7 +52,7 @@ final class AtLineParser {
         return new AtCommand(String.valueOf(letter), AtCommand.Form.EXECUTE, parameters);
     }
 
-    /** To the semicolon, which belongs to it, or the end of the line. */
+    /** To the semicolon, which is included, or the end of the line. */
     private String dialString() {
         int start = at;
         at = endOfParameters();

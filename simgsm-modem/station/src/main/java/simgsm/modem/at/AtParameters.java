@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The parameters of a command, separated by commas; texts stand in quotation marks and may be without them. A parameter
- * that is left out is empty. What does not fit ends the command with +CME ERROR: 50, or what {@link #refusing} says.
+ * The parameters of a command, separated by commas; quotation marks around texts are optional. An omitted parameter
+ * is empty. An invalid one ends the command with +CME ERROR: 50, or the result of {@link #refusing}.
  */
 public final class AtParameters {
     private final List<String> values;
@@ -17,7 +17,7 @@ public final class AtParameters {
         this.refusal = refusal;
     }
 
-    /** @throws AtException where a quotation mark has no other, or stands inside a value */
+    /** @throws AtException for an unpaired quotation mark, or one inside a value */
     static AtParameters of(String text) throws AtException {
         AtResult refusal = new AtResult.EquipmentError(CmeError.INCORRECT_PARAMETERS);
         List<String> values = new ArrayList<>();
@@ -27,7 +27,7 @@ public final class AtParameters {
         return new AtParameters(text.isEmpty() ? List.of() : values, refusal);
     }
 
-    /** Cuts at the commas outside quotation marks, which stay; at least one value. */
+    /** Splits at commas outside quotation marks, which are kept; at least one value. */
     public static List<String> split(String text) {
         List<String> values = new ArrayList<>();
         int start = 0;
@@ -54,7 +54,7 @@ public final class AtParameters {
         return raw.substring(1, raw.length() - 1);
     }
 
-    /** The same parameters, which end the command with this result where they do not fit. */
+    /** A copy that ends the command with this result if a parameter is invalid. */
     public AtParameters refusing(AtResult result) {
         return new AtParameters(values, result);
     }
@@ -74,7 +74,7 @@ public final class AtParameters {
         return new AtException(refusal);
     }
 
-    /** A text; empty if it is left out. */
+    /** A text; empty if omitted. */
     public String text(int index) {
         return index < values.size() ? values.get(index) : "";
     }
@@ -83,7 +83,7 @@ public final class AtParameters {
         return text(index).isEmpty() ? Optional.empty() : Optional.of(text(index));
     }
 
-    /** A number that must stand there. */
+    /** A required number. */
     public int number(int index, int least, int most) throws AtException {
         String text = text(index);
         if (text.isEmpty() || text.length() > 9 || !text.chars().allMatch(sign -> sign >= '0' && sign <= '9')) {
@@ -96,7 +96,7 @@ public final class AtParameters {
         return number;
     }
 
-    /** A number that may be left out. */
+    /** An optional number. */
     public int number(int index, int least, int most, int otherwise) throws AtException {
         return text(index).isEmpty() ? otherwise : number(index, least, most);
     }

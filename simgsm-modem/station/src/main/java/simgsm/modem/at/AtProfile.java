@@ -3,11 +3,14 @@ package simgsm.modem.at;
 import java.util.List;
 import java.util.Locale;
 
-/** Forms of answers where TS 27.007 and a module's manual differ, and the names that the modem gives itself. */
+/**
+ * Forms of answers that differ between TS 27.007 and a module's manual, and the names that the modem reports for
+ * itself.
+ */
 public enum AtProfile {
     /** TS 27.007. */
     PLAIN("SimGSM", "", "Revision:1.0", "", "0,100", ",,,,"),
-    /** SIM800 Series AT Command Manual V1.09; clients find the type by the beginning of the answer to ATI. */
+    /** SIM800 Series AT Command Manual V1.09; clients recognise the type by the first line of ATI. */
     SIM800(
             "SIMCOM_Ltd",
             "SIMCOM_SIM800L",
@@ -58,7 +61,7 @@ public enum AtProfile {
         throw new IllegalArgumentException("expected plain or sim800, found " + name);
     }
 
-    /** The model's name; the manual's in place of the terminal's own. */
+    /** The model's name: the manual's, else the terminal's own. */
     public String model(String own) {
         return model.isEmpty() ? own : model;
     }
@@ -68,12 +71,12 @@ public enum AtProfile {
         return information.isEmpty() ? List.of(manufacturer, ownModel, revision) : List.of(information);
     }
 
-    /** The answer to +CCID, which the manual's form gives without name and quotation marks. */
+    /** The answer to +CCID; in the manual's form without name and quotation marks. */
     public String cardNumber(String iccid) {
         return this == SIM800 ? iccid : "+CCID: " + AtRequest.quoted(iccid);
     }
 
-    /** Whether the profile names the codes of a modem that has started. */
+    /** True if the profile has codes of a modem that has started. */
     public boolean boots() {
         return !bootCodes.isEmpty();
     }

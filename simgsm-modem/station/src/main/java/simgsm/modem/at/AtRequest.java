@@ -1,11 +1,11 @@
 package simgsm.modem.at;
 
-/** A command that is being performed. */
+/** A command being performed. */
 public final class AtRequest {
-    /** Takes the text that was entered at a prompt. */
+    /** Receives the text entered at a prompt. */
     @FunctionalInterface
     public interface TextReceiver {
-        /** @param text octets as entered, without the closing Ctrl-Z */
+        /** @param text octets as entered, without the final Ctrl-Z */
         AtResult take(byte[] text) throws AtException;
     }
 
@@ -36,7 +36,7 @@ public final class AtRequest {
         session.line(text);
     }
 
-    /** Sends a line that begins with the command's name and has these values, separated by commas. */
+    /** Sends a line with the command's name and these values, separated by commas. */
     public void answer(Object... values) {
         StringBuilder text = new StringBuilder(command.name()).append(": ");
         for (int i = 0; i < values.length; i++) {
@@ -45,7 +45,7 @@ public final class AtRequest {
         line(text.toString());
     }
 
-    /** Gives the result of a command that was pending; a second result is ignored. */
+    /** Sets the result of a pending command; a second result is ignored. */
     public void finish(AtResult result) {
         if (!finished && result != AtResult.PENDING) {
             finished = true;
@@ -53,16 +53,16 @@ public final class AtRequest {
         }
     }
 
-    /** Whether the result was given, or the client has gone. */
+    /** True if the result was given, or the client has disconnected. */
     public boolean isOver() {
         return finished || !session.isPerforming(this);
     }
 
     /**
-     * Sends the prompt and collects text up to Ctrl-Z; ESC ends the command with OK, and 60 s without a character with
-     * ERROR.
+     * Sends the prompt and collects text up to Ctrl-Z; ESC ends the command with OK, and 60 s without a character
+     * with ERROR.
      *
-     * @param ofLines whether a carriage return begins a new line, with echo after a new prompt; else it is ignored
+     * @param ofLines true if a carriage return begins a new line, with a new prompt; else it is ignored
      * @return PENDING
      */
     public AtResult prompt(boolean ofLines, TextReceiver receiver) {

@@ -1,6 +1,6 @@
 package simgsm.modem.at;
 
-/** The final result of a command, or a code that the modem sends by itself such as RING (V.250, 5.7.1). */
+/** The final result of a command, or an unsolicited code such as RING (V.250, 5.7.1). */
 public sealed interface AtResult {
     Plain OK = new Plain("OK", 0);
     Plain RING = new Plain("RING", 2);
@@ -10,19 +10,19 @@ public sealed interface AtResult {
     Plain NORMAL_POWER_DOWN = new Plain("NORMAL POWER DOWN", 4);
     Plain NO_ANSWER = new Plain("NO ANSWER", 8);
 
-    /** Not a result yet: {@link AtRequest#finish} gives it later. */
+    /** Not a result yet; {@link AtRequest#finish} sets it later. */
     Plain PENDING = new Plain("", -1);
 
     /** @param number the code's short form, for V0 */
     record Plain(String words, int number) implements AtResult {}
 
-    /** How much it says is set by +CMEE. */
+    /** An error in the form set by +CMEE. */
     record EquipmentError(CmeError error) implements AtResult {}
 
     /** @param code a {@link CmsError}, or a cause of TS 24.011 */
     record MessageError(int code) implements AtResult {}
 
-    /** The result as it is sent: in words, or for V0 as a number where it has one. */
+    /** The text of the result: in words, or for V0 as a number if it has one. */
     default String text(boolean inWords, int errorMode) {
         if (this instanceof Plain plain) {
             return inWords ? plain.words() : Integer.toString(plain.number());

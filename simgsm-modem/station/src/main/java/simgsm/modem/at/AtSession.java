@@ -10,16 +10,17 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * The dialogue with one client: octets in, octets out. Command lines are performed one after the other; each ends with one
- * final result. Unsolicited codes are held back from the first character of a line until its final result, at most 2 s
- * while the line is incomplete, and behind an announcement until 500 ms have passed without a command, at most 2 s. Characters stand for octets, as in ISO 8859-1. Owned by one thread.
+ * The dialogue with one client, as octets. Command lines are performed in order; each ends with one final result.
+ * Unsolicited codes are held back from the first character of a line until its final result, at most 2 s while the
+ * line is incomplete, and after an announcement until 500 ms have passed without a command, at most 2 s. Characters
+ * represent octets, as in ISO 8859-1. Owned by one thread.
  */
 public final class AtSession<C> {
     /** A longer line is answered with ERROR. */
     static final int MAX_LINE = 2_048;
-    /** In place of a line that was too long: to repeat it is an error, too. */
+    /** Replaces a too long line; its repetition is an error, too. */
     private static final String TOO_LONG = "too long";
-    /** Longer than any message; a longer text is cut there, and then refused by the command. */
+    /** Longer than any message; a longer text is cut here, and then refused by the command. */
     static final int MAX_TEXT = 4_096;
 
     static final long PROMPT_NANOS = TimeUnit.SECONDS.toNanos(60);
@@ -62,7 +63,7 @@ public final class AtSession<C> {
     private AtRequest.TextReceiver receiver;
     private Timer timer;
 
-    /** @param output receives what is to be sent, at the end of each call */
+    /** @param output receives octets to send, at the end of each call */
     public AtSession(AtCommandTable<C> table, C client, Timers timers, Consumer<byte[]> output) {
         this.table = table;
         this.client = client;
@@ -71,17 +72,17 @@ public final class AtSession<C> {
         held = new HeldCodes(timers, this::send, this::sendOrWait);
     }
 
-    /** How answers look: echo, verbosity, errors. */
+    /** The format of answers: echo, verbosity, errors. */
     public AtFormat format() {
         return format;
     }
 
-    /** Sets the format of the start again. */
+    /** Restores the initial format. */
     public void resetFormat() {
         format = new AtFormat();
     }
 
-    /** Takes what the client has sent. */
+    /** Receives octets from the client. */
     public void received(byte[] octets) {
         for (byte octet : octets) {
             input.add(octet);
@@ -89,17 +90,17 @@ public final class AtSession<C> {
         process();
     }
 
-    /** False while a command is performed and enough waits behind it. */
+    /** False while a command is performed and enough input waits. */
     public boolean wantsInput() {
         return input.size() < INPUT_ENOUGH;
     }
 
-    /** Whether a command has no final result yet. */
+    /** True if a command has no final result yet. */
     public boolean isPerforming() {
         return mode == Mode.PERFORMING;
     }
 
-    /** The client has gone: a command that is pending ends without a trace. */
+    /** The client has disconnected: a pending command is dropped. */
     public void close() {
         isClosed = true;
         request = null;
@@ -127,7 +128,7 @@ public final class AtSession<C> {
         }
     }
 
-    /** A line feed directly after a carriage return belongs to it: some clients end commands with both. */
+    /** A line feed directly after a carriage return is ignored: some clients end commands with both. */
     private void take(char character) {
         boolean isSecond = afterReturn && character == '\n';
         afterReturn = character == '\r';
@@ -236,7 +237,7 @@ public final class AtSession<C> {
         return request == asked;
     }
 
-    /** A pending command has its result, perhaps before its handler has returned. */
+    /** A pending command has its result, possibly before its handler has returned. */
     void finished(AtRequest ended, AtResult result) {
         if (request != ended) {
             return;
@@ -352,7 +353,7 @@ public final class AtSession<C> {
         send(format.result(result));
     }
 
-    /** Sends an unsolicited line of information, now or after the present command. */
+    /** Sends an unsolicited line of information, now or after the current command. */
     public void report(String information) {
         reportFormatted(format.line(information), false);
     }
@@ -367,7 +368,7 @@ public final class AtSession<C> {
         reportFormatted(format.result(code), false);
     }
 
-    /** Sends what is reported meanwhile as one piece: clients read RING and +CLIP as one notification. */
+    /** Sends all reports of a task as one piece: clients read RING and +CLIP as one notification. */
     public void reportTogether(Runnable reports) {
         isGathering = true;
         reports.run();
@@ -382,7 +383,10 @@ public final class AtSession<C> {
         }
     }
 
-    /** Sends what is held between two lines; behind an incomplete line after 2 s; else the end of the command does. */
+    /**
+     * Sends held codes between two lines, or 2 s after the start of an incomplete line; the end of a command sends
+     * them otherwise.
+     */
     private void sendOrWait() {
         if (mode == Mode.COMMAND && line.length() == 0 && !isProcessing) {
             held.send();

@@ -27,7 +27,7 @@ public enum CmeError {
         return code;
     }
 
-    /** As the verbose form has it. */
+    /** In the verbose form. */
     public String words() {
         return words;
     }

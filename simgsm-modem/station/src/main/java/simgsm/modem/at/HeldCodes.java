@@ -8,17 +8,18 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * Unsolicited codes that wait for the end of a command line, or behind an announcement until 500 ms have passed without a
- * command: clients read an announced message at once, and take a code that meets their command for its answer.
+ * Unsolicited codes that wait for the end of a command line, or after an announcement until 500 ms have passed
+ * without a command: clients read an announced message at once, and would take a code received meanwhile for the
+ * answer.
  */
 final class HeldCodes {
-    /** Of more codes the oldest is dropped. */
+    /** If more codes wait, the oldest is dropped. */
     static final int MAX_HELD = 256;
 
     static final long ANNOUNCED_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
     static final long MOST_ANNOUNCED_NANOS = TimeUnit.SECONDS.toNanos(2);
 
-    /** @param isAnnouncement whether a command is expected to follow it */
+    /** @param isAnnouncement true if a command is expected to follow */
     private record Code(String octets, boolean isAnnouncement) {}
 
     private final Timers timers;
@@ -28,7 +29,7 @@ final class HeldCodes {
     private Timer afterAnnouncement;
     private long latestAnnouncedNanos;
 
-    /** @param due is run when no command has followed an announcement */
+    /** @param due runs when no command has followed an announcement */
     HeldCodes(Timers timers, Consumer<String> output, Runnable due) {
         this.timers = timers;
         this.output = output;

@@ -7,9 +7,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simgsm.dtmf.DtmfKey;
 
-/** Keys of +VTS that follow each other and have the same length. */
+/** Consecutive keys of +VTS with the same length. */
 public record KeyRun(List<DtmfKey> keys, int millis) {
-    /** Keys without a length of their own, where +VTD sets none. */
+    /** Length of keys without their own if +VTD sets none. */
     private static final int DEFAULT_MILLIS = 100;
 
     private static final int TENTH_MILLIS = 100;
@@ -24,7 +24,7 @@ public record KeyRun(List<DtmfKey> keys, int millis) {
 
     private static final Pattern LIST = Pattern.compile("(?:%1$s)(?:,(?:%1$s))*".formatted(ELEMENT));
 
-    /** @param tenths length of keys that have none of their own, in 0.1 s; 0 for 100 ms */
+    /** @param tenths default length of keys, in 0.1 s; 0 for 100 ms */
     public static List<KeyRun> parse(String parameters, int tenths) throws AtException {
         String text = parameters.replace(" ", "").toUpperCase(Locale.ROOT);
         if (!LIST.matcher(text).matches()) {

@@ -19,7 +19,7 @@ record AnswerFields(List<String> values) {
         return text(index).matches("[0-9]{1,9}") ? Integer.parseInt(text(index)) : -1;
     }
 
-    /** The value in quotes of this rank; empty if there is none. */
+    /** The quoted value at this index among the quoted ones; empty if there is none. */
     String quoted(int rank) {
         return values.stream()
                 .filter(value -> value.startsWith("\""))

@@ -27,15 +27,15 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * The call of an attached modem; runs by {@link AttachedCallTable}. While it is active the modem is asked for its calls every
- * 0.25 s, which shows that both still are: 0.5 s without an answer are a lost call, so that a robot at full speed stands
- * within 2.5 s of the modem's last sign. A key that is reported while an answer is
- * due waits for it, so that no order is completed by a modem that has just lost a key.
+ * The call of an attached modem; runs by {@link AttachedCallTable}. During a call the modem is asked for its calls
+ * every 0.25 s, which shows that modem and call are alive: after 0.5 s without an answer the call is lost, so that a
+ * robot at full speed stops within 2.5 s of the modem's last sign. A key reported while an answer is due waits for
+ * it, so that no order is completed by a modem that has just lost a key.
  */
 final class AttachedCall {
     static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
     static final int POLL_LIMIT_MILLIS = 500;
-    /** Of a list of calls while one rings, and of a tone. */
+    /** Time-out of a list of calls during ringing, and of a tone. */
     static final int LIMIT_MILLIS = 2_000;
     /** RING is repeated every 3 to 6 s. */
     static final long RING_GUARD_NANOS = TimeUnit.SECONDS.toNanos(7);
@@ -71,7 +71,7 @@ final class AttachedCall {
     private long connectedNanos;
     private final Queue<DtmfKey> tones = new ArrayDeque<>();
     private boolean toneUnderWay;
-    /** What came while a list of calls was due. */
+    /** Events received while a list of calls was due. */
     private final Deque<ModemEvent> held = new ArrayDeque<>();
 
     private boolean pollUnderWay;
@@ -127,7 +127,7 @@ final class AttachedCall {
         clear(CallEvent.CLEARED, Cause.NORMAL_CALL_CLEARING);
     }
 
-    /** Any call has ended. */
+    /** Ends any call. */
     void modemLost() {
         clear(CallEvent.MODEM_LOST, Cause.TEMPORARY_FAILURE);
     }
@@ -147,7 +147,7 @@ final class AttachedCall {
         heard(new ModemEvent.KeyEnded());
     }
 
-    /** A line that could have been the report of a key. */
+    /** A line may have been the report of a key. */
     void unreadable() {
         disturbed = true;
         if (phase() == AttachedCallPhase.ACTIVE && accepted) {
@@ -164,7 +164,7 @@ final class AttachedCall {
         }
     }
 
-    /** The network offers a second call: it is refused as busy. */
+    /** The network offers a second call, which is refused as busy. */
     void secondCallWaits() {
         if (AttachedCallTable.STANDING.contains(phase())) {
             dialogue.send(ModemCommand.of("AT+CHLD=0"), answer -> {});
@@ -210,7 +210,7 @@ final class AttachedCall {
         }
     }
 
-    /** A modem that has confirmed neither command in its set-up may still take the one of V.250. */
+    /** A modem that has confirmed neither command at set-up may still accept the one of V.250. */
     private ModemCommand hangUpCommand() {
         return setup.has(SetupStep.HANG_UP) ? setup.command(SetupStep.HANG_UP) : ModemCommand.ofCall("ATH");
     }
@@ -229,7 +229,7 @@ final class AttachedCall {
             for (String line : answer.lines()) {
                 caller = caller.or(() -> number(AnswerFields.of(line).quoted(0)));
             }
-            // a RING may still be under way when its call has ended; a call that stands rings again
+            // a RING may be under way after its call has ended; a call still up rings again
             boolean ended = answer.isOk() && answer.lines().isEmpty();
             machine.fire(ended ? CallEvent.CLEARED : CallEvent.CALLER_KNOWN);
         });
@@ -326,7 +326,8 @@ final class AttachedCall {
         hangUp();
     }
 
-    // ---- whether the call stands -----------------------------------------------------------------------------------
+    // ---- the call's survival
+    // ----------------------------------------------------------------------------------------
 
     private void poll() {
         pollTimer = timers.start(POLL_NANOS, this::poll);

@@ -26,7 +26,7 @@ final class AttachedCallTable {
             this.shown = shown;
         }
 
-        /** The state of a mobile station's call that snapshots show. */
+        /** The corresponding state of a mobile station's call, for snapshots. */
         MobileCallState shown() {
             return shown;
         }
@@ -42,13 +42,13 @@ final class AttachedCallTable {
         HUNG_UP,
         /** Cleared by the caller or the network. */
         CLEARED,
-        /** The modem is lost, or has started again. */
+        /** The modem is lost, or has restarted. */
         MODEM_LOST
     }
 
     enum CallAction {
         ASK_CALLER,
-        /** Without a further RING the call has ended unseen. */
+        /** The call has ended unseen if no further RING follows. */
         START_RING_GUARD,
         REPORT_RINGING,
         START_ANSWER_TIMER,

@@ -31,27 +31,27 @@ import simgsm.station.context.StationEvent;
 import simgsm.timer.Timers;
 
 /**
- * Short messages of an attached modem. A received message is read twice, because the line may be disturbed, erased, and then
- * reported once, also if it could not be erased; one that waited in the modem from before the start is not reported. A
- * message to be sent waits for the modem for 10 minutes; one that the network refuses is tried three times.
+ * Short messages of an attached modem. A received message is read twice, because the line may be disturbed, erased,
+ * and then reported once, even if erasing failed; messages stored in the modem before the start are not reported. A
+ * message to send waits up to 10 minutes for the modem; one refused by the network is tried three times.
  */
 final class AttachedMessages {
-    /** As M2's replies. */
+    /** As for M2's replies. */
     static final int MAX_KEPT = 20;
 
     static final long MAX_AGE_NANOS = TimeUnit.MINUTES.toNanos(10);
 
     private static final Logger LOG = System.getLogger(AttachedMessages.class.getName());
-    /** RP causes as M2's replies, and "no network service" and "network timeout" (TS 27.005, 3.2.5). */
+    /** RP causes as for M2's replies, and "no network service" and "network timeout" (TS 27.005, 3.2.5). */
     private static final Set<Integer> TEMPORARY = Set.of(38, 42, 47, 331, 332);
 
     private static final int MOST_TRIES = 3;
     private static final int MAX_READINGS = 4;
     private static final int MAX_REMEMBERED = 64;
-    /** While a call stands a modem that is silent for longer is taken for lost. */
+    /** Time-out during a call, after which the modem is taken for lost. */
     private static final long LIMIT_IN_CALL_MILLIS = 10_000;
 
-    /** What is sent in one command. @param next the part, from 0 @param tries of it that were refused */
+    /** The content of one command. @param next the part, from 0; @param tries number of its refusals */
     private record Outgoing(int id, Msisdn to, String text, int next, int tries, long sinceNanos) {
         Outgoing with(int nextPart, int refusedTries) {
             return new Outgoing(id, to, text, nextPart, refusedTries, sinceNanos);
@@ -75,7 +75,7 @@ final class AttachedMessages {
     private boolean inCall;
     private int nextId;
 
-    /** @param start of the program: what the network took before, and the modem has stored, is old */
+    /** @param start of the program: messages accepted by the network before, and stored in the modem, are old */
     AttachedMessages(CommandDialogue dialogue, Timers timers, Instant start, Consumer<StationEvent> listener) {
         this.start = start;
         this.dialogue = dialogue;
@@ -92,7 +92,7 @@ final class AttachedMessages {
         };
     }
 
-    /** The modem is ready: what waits on either side is fetched and sent. */
+    /** The modem is ready: fetches and sends waiting messages. */
     void ready(ModemSetup whatItCan) {
         setup = whatItCan;
         ready = true;
@@ -110,7 +110,7 @@ final class AttachedMessages {
         inCall = active;
     }
 
-    /** Fetches what a lost notice has left in the modem, and sends again what found no service. */
+    /** Fetches messages with a lost notice, and repeats those that failed for lack of service. */
     void lookAgain() {
         fetchAll();
         sendNext();
@@ -131,7 +131,7 @@ final class AttachedMessages {
                         .forEach(fields -> fetch(fields.number(0), true)));
     }
 
-    /** Stored messages to be sent, 2 and 3, are others' business. */
+    /** Stored messages to be sent, 2 and 3, are ignored. */
     private static boolean isReceived(AnswerFields fields) {
         return fields.number(1) == 0 || fields.number(1) == 1 || fields.text(1).startsWith("REC");
     }
@@ -141,7 +141,7 @@ final class AttachedMessages {
         fetch(AnswerFields.of(notice).number(1), false);
     }
 
-    /** @param isListed whether it was stored before its notice could be seen */
+    /** @param isListed true if it was stored before its notice could be seen */
     private void fetch(int index, boolean isListed) {
         if (ready && index >= 0 && setup.has(SetupStep.MESSAGE_FORMAT)) {
             read(index, isListed, "", 1);
@@ -165,7 +165,7 @@ final class AttachedMessages {
         });
     }
 
-    /** All but the status, which the first reading changes. */
+    /** All but the status, which changes with the first reading. */
     private static String content(List<String> lines) {
         return lines.get(0).replaceFirst("^\\+CMGR: *[^,]*", "")
                 + "\n"
@@ -173,7 +173,7 @@ final class AttachedMessages {
     }
 
     private void erase(int index, boolean isListed, List<String> lines) {
-        // whether or not it is erased: one that is read again is not reported again
+        // even if erasing fails: a message read again is not reported again
         dialogue.send(ModemCommand.of("AT+CMGD=" + index), answer -> report(lines, isListed));
     }
 
@@ -189,7 +189,7 @@ final class AttachedMessages {
         }
     }
 
-    /** A message that the modem does not store. */
+    /** A message not stored by the modem. */
     void arrived(String pdu) {
         if (isPduMode() && reported.put(pdu, true) == null) {
             reportPdu(pdu, false);
@@ -227,7 +227,7 @@ final class AttachedMessages {
 
     private void received(String from, String text) {
         if (from.startsWith("+")) {
-            // a damaged number cannot be answered; its message is reported all the same
+            // a damaged number cannot be answered; its message is reported nevertheless
             AttachedCall.number(from).ifPresent(number -> senders.put(number.digits(), SmsAddress.of(number)));
         }
         listener.accept(new StationEvent.ShortMessageReceived(from, text));
@@ -303,7 +303,7 @@ final class AttachedMessages {
         return Optional.ofNullable(senders.get(to.digits())).orElseGet(() -> SmsAddress.of(to));
     }
 
-    /** The service centre is the SIM's; it is not counted (TS 27.005, 3.5.1 and 4.3). */
+    /** The service centre is the SIM's; its octets are not counted (TS 27.005, 3.5.1 and 4.3). */
     private ModemCommand pdu(Outgoing message) {
         SubmitTpdu submit = new SubmitTpdu(
                 false,

@@ -26,24 +26,23 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * A real modem in M2's place, as a deterministic core: octets of its line and time in; octets and events out, the same as
- * M2's. It is prepared by {@link SetupStep} whenever its line comes up and whenever it has started again; runs by
- * {@link ModemServiceTable}. One owner thread calls everything except {@link #snapshot} and
- * {@link #state}.
+ * A real modem instead of M2, as a deterministic core: input is octets of its line and time, output is octets and the
+ * events of M2. It is prepared by {@link SetupStep} whenever its line is opened or it has restarted; runs by {@link
+ * ModemServiceTable}. One owner thread calls everything except {@link #snapshot} and {@link #state}.
  */
 public final class AttachedModem implements AnsweringModem, ModemLine.Party {
-    /** {@link #nextDeadlineNanos} of a modem that waits for nothing. */
+    /** {@link #nextDeadlineNanos} without a deadline. */
     public static final long NO_DEADLINE = Long.MAX_VALUE;
 
-    /** Without an octet for this time, no earlier dialogue is under way. */
+    /** Silence that ends an earlier dialogue. */
     static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
 
     private static final long ATTENTION_MILLIS = 500;
 
-    /** Interval in which stored messages and the registration are looked at, in case a notice was lost. */
+    /** Interval of checks of stored messages and registration, in case a notice was lost. */
     static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(30);
 
-    /** Each comes once after a start. */
+    /** Codes sent once after each start. */
     private static final Set<String> START_CODES = Set.of("+CPIN:", "+CFUN:", "Call Ready", "SMS Ready", "PB DONE");
 
     private static final Logger LOG = System.getLogger(AttachedModem.class.getName());
@@ -56,13 +55,13 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private final AttachedCall call;
     private final AttachedMessages messages;
     private final StateMachine<ServiceState, ServiceEvent, ServiceAction> service;
-    /** Starting codes that are still expected of the last start. */
+    /** Codes of the last start still expected. */
     private final Set<String> expectedCodes = new HashSet<>(START_CODES);
 
     private Timer attentionTimer;
     private Timer lookTimer;
     private boolean registered;
-    /** Since the set-up began. */
+    /** True if a call rang since the set-up began. */
     private boolean rangMeanwhile;
 
     private UnsolicitedCode bodyOf = UnsolicitedCode.NEWS;
@@ -72,10 +71,10 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     /**
      * A modem whose line is down.
      *
-     * @param number the SIM's; modems often do not know it
+     * @param number the SIM's, often unknown to modems
      * @param answerAfterMillis as {@link simgsm.modem.ModemOptions}
-     * @param start of the program; messages that the modem has stored before are not answered
-     * @param output takes what is sent to the modem, in ISO 8859-1
+     * @param start of the program; messages stored in the modem before are not answered
+     * @param output takes text for the modem, in ISO 8859-1
      * @param admission as {@link AnsweringModem.Maker}
      * @param listener as {@link AnsweringModem.Maker}
      */
@@ -108,7 +107,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         publish();
     }
 
-    /** The line is lost: any call has ended. */
+    /** The line is lost, and any call has ended. */
     @Override
     public void lineDown(long nowNanos) {
         timePassed(nowNanos);
@@ -122,7 +121,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         setState(ModemState.SILENT, reason);
     }
 
-    /** Octets have come from the modem. */
+    /** Receives octets from the modem. */
     @Override
     public void received(byte[] octets, long nowNanos) {
         timePassed(nowNanos);
@@ -140,7 +139,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         publish();
     }
 
-    /** When {@link #timePassed} is to be called next, or {@link #NO_DEADLINE}. */
+    /** Time of the next call of {@link #timePassed}, or {@link #NO_DEADLINE}. */
     @Override
     public long nextDeadlineNanos() {
         return timers.nextDeadlineNanos().orElse(NO_DEADLINE);
@@ -212,7 +211,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         attentionTimer = timers.start(QUIET_NANOS, this::callForAttention);
     }
 
-    /** A prompt may be open from before. */
+    /** Leaves a prompt that may be open from before. */
     private void callForAttention() {
         dialogue.escape();
         dialogue.send(ModemSetup.ATTENTION.within(ATTENTION_MILLIS), answer -> {
@@ -224,7 +223,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         });
     }
 
-    /** Without an answer it is asked again at once; a set-up finds that out itself. */
+    /** Asks again at once for an answer; a set-up notices its absence itself. */
     private void stalled(ModemCommand command) {
         setState(ModemState.SILENT, "no answer to " + command.text());
         if (service.state() != ServiceState.PREPARING) {
@@ -285,7 +284,8 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         step.obstacle(answer).ifPresent(obstacle -> setState(obstacle, answer.content()));
     }
 
-    // ---- what the modem says unasked -------------------------------------------------------------------------------
+    // ---- unsolicited codes
+    // -----------------------------------------------------------------------------------------
 
     private final class Codes implements CommandDialogue.Listener {
         @Override
@@ -359,7 +359,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         service.fire(ServiceEvent.BOOTED);
     }
 
-    /** The code of a start that was not seen is a start of its own. */
+    /** The code of an unseen start counts as a start. */
     private void started(String line) {
         if (!expectedCodes.removeIf(line::startsWith)) {
             booted();

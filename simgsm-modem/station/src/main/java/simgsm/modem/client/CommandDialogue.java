@@ -12,23 +12,23 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * The dialogue with a modem: one command at a time, the next after its final result (TS 27.007, 4). Echo is dropped,
- * unsolicited codes go to the listener, and so does a line that belongs to nothing. A command without a final result in time
- * ends the dialogue: what comes late could be taken for the answer to another command.
+ * The dialogue with a modem: one command at a time, the next after its final result (TS 27.007, 4). Echo is dropped;
+ * unsolicited codes and unknown lines are passed to the listener. A command without a final result in time ends the
+ * dialogue, because a late result could be taken for the answer to another command.
  */
 final class CommandDialogue {
-    /** Receives what no command has asked for. */
+    /** Receives lines that are no answers. */
     interface Listener {
         /** A code of {@link UnsolicitedCode} or a {@link DtmfDialect}. */
         default void unsolicited(String line) {}
 
-        /** The line after a code that has one, whatever it looks like. */
+        /** The line after a code that has one, whatever its content. */
         default void body(String line) {}
 
-        /** Neither an answer, nor echo, nor a known code. */
+        /** A line that is no answer, echo or known code. */
         default void unreadable(String line) {}
 
-        /** A command has had no final result in time; the others have been dropped. Its receiver learns of it next. */
+        /** A command had no final result in time; the others have been dropped. Its receiver is called next. */
         default void stalled(ModemCommand command) {}
     }
 
@@ -52,14 +52,14 @@ final class CommandDialogue {
     private final Listener listener;
     private final LineFramer framer = new LineFramer(this::line, this::prompted);
     private final Deque<Pending> queue = new ArrayDeque<>();
-    /** The command that waits for its final result; null if none. */
+    /** The command without final result; null if none. */
     private Pending current;
 
     private final List<String> lines = new ArrayList<>();
     private Timer limit;
     private boolean bodyFollows;
 
-    /** @param output takes what is sent, in ISO 8859-1 */
+    /** @param output takes text to send, in ISO 8859-1 */
     CommandDialogue(Timers timers, Consumer<String> output, Listener listener) {
         this.timers = timers;
         this.output = output;
@@ -72,7 +72,7 @@ final class CommandDialogue {
         next();
     }
 
-    /** Queues a command before those that wait. */
+    /** Queues a command before the waiting ones. */
     void sendFirst(ModemCommand command, Consumer<ModemAnswer> receiver) {
         queue.addFirst(new Pending(command, receiver));
         next();

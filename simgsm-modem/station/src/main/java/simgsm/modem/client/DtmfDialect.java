@@ -9,11 +9,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simgsm.dtmf.DtmfKey;
 
-/** How families of modems report the keys that they hear, from the modules' manuals. */
+/** The forms of DTMF reports by families of modems, from the modules' manuals. */
 public enum DtmfDialect {
     /**
-     * SIM800 and SIM900. The interval, the least time between two equal keys, must be 0, or the second star of an order's
-     * opening is lost; the report has the duration if the modem can.
+     * SIM800 and SIM900. The interval, the least time between two equal keys, must be 0, or the second star of an
+     * order's opening is lost; the report includes the duration if the modem supports it.
      */
     SIM800("SIMCOM", "+DTMF:", true, false, "AT+DDET=1,0,1", "AT+DDET=1,0", "AT+DDET=1"),
     /** SIM7100 to SIM7600; enabled by the commands of SIM800. */
@@ -23,11 +23,11 @@ public enum DtmfDialect {
     QUECTEL("QUECTEL", "+QTONEDET:", false, true, "AT+QTONEDET=1"),
     U_BLOX("U-BLOX", "+UUDTMFD:", false, false, "AT+UDTMFD=1,2");
 
-    /** A key, and a further number that is the duration in some dialects. */
+    /** A key, and a further number, the duration in some dialects. */
     private static final Pattern KEY = Pattern.compile("\\s*([0-9A-Da-d*#])\\s*(?:,\\s*([0-9]{1,5})\\s*)?");
 
     private static final Pattern ASCII = Pattern.compile("\\s*([0-9]{2,3})\\s*");
-    /** Single tones that SIM800 reports when asked to detect them. */
+    /** Single tones reported by SIM800 when asked to detect them. */
     private static final Pattern SINGLE_TONE = Pattern.compile("\\s*(1400|2300)\\s*");
 
     private final String manufacturer;
@@ -48,21 +48,21 @@ public enum DtmfDialect {
      * A report.
      *
      * @param key empty for a single tone
-     * @param millis how long the key sounded, if the modem says so
+     * @param millis duration of the key, if given
      */
     record Report(Optional<DtmfKey> key, OptionalInt millis) {}
 
-    /** The beginning of its reports. */
+    /** Prefix of the reports. */
     public String prefix() {
         return prefix;
     }
 
-    /** The commands that enable its reports, the best first; the first that is accepted counts. */
+    /** The commands that enable reports, the best first; the first accepted one is used. */
     public List<String> enablers() {
         return enablers;
     }
 
-    /** Whether a modem with this manufacturer's name is of the family. */
+    /** True if a modem with this manufacturer's name is of the family. */
     boolean isOf(String manufacturerText) {
         return manufacturerText.toUpperCase(Locale.ROOT).contains(manufacturer);
     }

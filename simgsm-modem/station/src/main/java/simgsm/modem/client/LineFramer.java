@@ -3,15 +3,15 @@ package simgsm.modem.client;
 import java.util.function.Consumer;
 
 /**
- * Cuts the octets of a modem into lines, as they come: CR, LF or both end a line, empty lines are dropped, and halves of a
- * line wait for the rest. An octet that is not printable becomes {@link #NOISE}. The prompt is recognised only while it is
- * expected, because it does not end like a line.
+ * Splits the octets of a modem into lines: CR, LF or both end a line, empty lines are dropped, and partial lines wait
+ * for the rest. An octet that is not printable becomes {@link #NOISE}. The prompt, which has no line end, is
+ * recognised only while it is expected.
  */
 final class LineFramer {
-    /** A PDU of the greatest length has 352 digits; of longer lines the rest is dropped. */
+    /** The longest PDU has 352 digits; the rest of longer lines is dropped. */
     static final int MAX_CHARACTERS = 1024;
 
-    /** In place of an octet that is not printable. */
+    /** Replaces an octet that is not printable. */
     static final char NOISE = '\ufffd';
 
     private static final String PROMPT = "> ";
@@ -58,7 +58,7 @@ final class LineFramer {
         promptExpected = expected;
     }
 
-    /** Drops the half line that waits. @return whether there was one */
+    /** Drops the partial line. @return true if there was one */
     boolean drop() {
         boolean waited = line.length() > 0;
         line.setLength(0);

@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * How a command ended.
+ * The end of a command.
  *
  * @param lines before the final result
  * @param result the final result as received; empty if there was none
@@ -18,7 +18,7 @@ record ModemAnswer(Ending ending, List<String> lines, String result) {
         REFUSED,
         /** No final result in time. */
         TIMED_OUT,
-        /** The modem was lost or has started again. */
+        /** The modem was lost or has restarted. */
         LOST
     }
 
@@ -34,12 +34,12 @@ record ModemAnswer(Ending ending, List<String> lines, String result) {
         return number.matches("[0-9]{1,4}") ? OptionalInt.of(Integer.parseInt(number)) : OptionalInt.empty();
     }
 
-    /** The lines in one; without lines the final result. */
+    /** The joined lines; without lines the final result. */
     String content() {
         return lines.isEmpty() ? result : String.join(" ", lines);
     }
 
-    /** All lines in one, as a report shows them; without an answer, what happened. */
+    /** All lines joined, for a report; without an answer, the kind of ending. */
     String text() {
         return switch (ending) {
             case TIMED_OUT -> lines.isEmpty() ? "no answer" : String.join(" ", lines) + " without a result";

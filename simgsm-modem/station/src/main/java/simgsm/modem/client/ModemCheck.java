@@ -6,17 +6,19 @@ import simgsm.event.EventLine;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
-/** Tries a modem with the commands of {@link SetupStep}, one by one, and reports each answer. A deterministic core. */
+/**
+ * Tests a modem with the commands of {@link SetupStep}, one by one, and reports each answer. A deterministic core.
+ */
 public final class ModemCheck implements ModemLine.Party {
     /**
      * Answer to {@code --modem-check}: ok, missing or unexpected.
      *
-     * @param answer its lines and its final result in one line, or why there is none
+     * @param answer its lines and its final result in one line, or the reason for its absence
      */
     @EventLine("check command= answer= verdict=verdict.word")
     public record Result(String command, String answer, SetupVerdict verdict) {}
 
-    /** 5 s of a modem that is not registered or whose SIM is not ready. */
+    /** 5 s of a modem that is not registered or has a SIM that is not ready. */
     private static final int MOST_TRIES = 10;
 
     private static final int MOST_CALLS_FOR_ATTENTION = 5;
@@ -32,10 +34,10 @@ public final class ModemCheck implements ModemLine.Party {
     private boolean ended;
 
     /**
-     * A check that begins when the line is up.
+     * A check that begins when the line is open.
      *
-     * @param output takes what is sent to the modem, in ISO 8859-1
-     * @param done called once: whether the modem can take M2's place
+     * @param output takes text for the modem, in ISO 8859-1
+     * @param done called once, with true if the modem can replace M2
      */
     public ModemCheck(Consumer<String> output, Consumer<Result> results, Consumer<Boolean> done) {
         this.results = results;
@@ -83,7 +85,7 @@ public final class ModemCheck implements ModemLine.Party {
         }
     }
 
-    /** A check is not begun again. */
+    /** A check is not restarted. */
     @Override
     public void lineDown(long nowNanos) {
         timers.cancel(pause);

@@ -4,12 +4,12 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A command to a modem and what belongs to its answer.
+ * A command to a modem and the form of its answer.
  *
  * @param text the command line without its end
- * @param payload what the prompt asks for, as of {@code +CMGS}
- * @param prefix the beginning of the answer's lines, such as {@code +CLCC:}; empty if any line belongs to it
- * @param shape which lines belong to the answer
+ * @param payload text for the prompt, as of {@code +CMGS}
+ * @param prefix of the answer's lines, such as {@code +CLCC:}; empty for any line
+ * @param shape form of the answer's lines
  * @param timeoutNanos from the sending to the final result
  */
 record ModemCommand(String text, Optional<String> payload, String prefix, Shape shape, long timeoutNanos) {
@@ -48,7 +48,7 @@ record ModemCommand(String text, Optional<String> payload, String prefix, Shape 
         return new ModemCommand(text, Optional.empty(), "", Shape.FREE, (int) USUAL_MILLIS);
     }
 
-    /** Answered by lines with this prefix, each with lines of text after it. */
+    /** Answered by lines with this prefix, each followed by lines of text. */
     static ModemCommand listing(String text, String prefix) {
         return new ModemCommand(text, Optional.empty(), prefix, Shape.PREFIXED_WITH_BODY, 20_000);
     }
@@ -58,12 +58,12 @@ record ModemCommand(String text, Optional<String> payload, String prefix, Shape 
         return new ModemCommand(text, Optional.empty(), "", Shape.CALL, 20_000);
     }
 
-    /** Followed by more at a prompt; a network may take a minute to accept a short message. */
+    /** Followed by a text at a prompt; a network may take a minute to accept a short message. */
     static ModemCommand prompting(String text, String payload, String prefix) {
         return new ModemCommand(text, Optional.of(payload), prefix, Shape.PREFIXED, 60_000);
     }
 
-    /** Whether a line repeats the command's name, as some modems do that are asked for nothing. */
+    /** True if a line repeats the command's name, as some modems do in answers to a command without lines. */
     boolean isNamedIn(String line) {
         String name = text.replaceFirst("^AT", "").replaceFirst("[^+A-Z0-9].*$", "");
         return name.startsWith("+") && line.startsWith(name + ":");

@@ -18,12 +18,12 @@ import simgsm.net.LineAddress;
 import simgsm.net.SelectorLoop;
 
 /**
- * Line and clock of a modem's core. Serial lines block, so one thread connects and reads, and one writes; a third owns the
- * core and runs its timers. A line that is lost or cannot be opened is opened again after 1 s. Any thread may call its
- * methods.
+ * Line and clock of a modem's core. Serial lines block, so one thread connects and reads, and one writes; a third
+ * owns the core and runs its timers. A line that is lost or cannot be opened is reopened after 1 s. Any thread may
+ * call its methods.
  */
 public final class ModemLine implements AutoCloseable {
-    /** The core; called by its owner thread. Time is in nanoseconds since the line was made. */
+    /** The core; called by its owner thread. Time is in nanoseconds since the line's creation. */
     public interface Party {
         void lineUp(long nowNanos);
 
@@ -35,10 +35,10 @@ public final class ModemLine implements AutoCloseable {
 
         long nextDeadlineNanos();
 
-        /** The line cannot be opened; it is tried again. */
+        /** The line cannot be opened; further attempts follow. */
         default void lineFailed(String reason) {}
 
-        /** The last call while the line stands. */
+        /** The last call while the line is open. */
         default void closing() {}
     }
 
@@ -46,7 +46,7 @@ public final class ModemLine implements AutoCloseable {
     private static final long PAUSE_MILLIS = 1_000;
     private static final long GOODBYE_MILLIS = 1_000;
     private static final int CHUNK_OCTETS = 1_024;
-    /** Closes the line after what was written before. */
+    /** Closes the line after the text written before. */
     private static final byte[] END = {};
 
     private final LineAddress address;
@@ -63,10 +63,10 @@ public final class ModemLine implements AutoCloseable {
     private boolean failureLogged;
 
     /**
-     * Not started yet.
+     * A line that is not started.
      *
      * @param name of its threads
-     * @param onFailure called when the owner thread ends by an error
+     * @param onFailure called if the owner thread ends by an error
      */
     public ModemLine(String name, LineAddress address, Consumer<Throwable> onFailure) {
         this.address = address;
@@ -76,7 +76,7 @@ public final class ModemLine implements AutoCloseable {
         writer = thread(name + " writer", this::write);
     }
 
-    /** Sets the core, before the start. @return the same */
+    /** Sets the core, before the start. @return the core */
     public <P extends Party> P attach(P core) {
         party = core;
         return core;
@@ -119,7 +119,7 @@ public final class ModemLine implements AutoCloseable {
         writer.start();
     }
 
-    /** Queues an action of the owner thread; the core's time is the present when it runs. */
+    /** Queues an action of the owner thread, run at the core's time. */
     public void execute(Runnable action) {
         loop.post(() -> {
             party.timePassed(now());
@@ -221,7 +221,7 @@ public final class ModemLine implements AutoCloseable {
 
     // ---- the end ---------------------------------------------------------------------------------------------------
 
-    /** Ends any call and the line, without waiting for that. */
+    /** Ends any call and the line, without waiting. */
     public void end() {
         execute(() -> {
             party.closing();
@@ -230,7 +230,7 @@ public final class ModemLine implements AutoCloseable {
         });
     }
 
-    /** Ends any call, the line and the threads, and waits for that for at most a second. */
+    /** Ends any call, the line and the threads, and waits for at most a second. */
     @Override
     public void close() {
         end();

@@ -8,11 +8,11 @@ import java.util.EnumSet;
 import java.util.Set;
 import simgsm.state.StateTable;
 
-/** How an attached modem comes into service, and back after it was lost or has started again. */
+/** The set-up of an attached modem, and its repetition after a loss or restart. */
 final class ModemServiceTable {
     enum ServiceState {
         NO_LINE,
-        /** Asked for attention until it answers. */
+        /** Sends AT until the modem answers. */
         STARTING,
         PREPARING,
         READY
@@ -23,9 +23,9 @@ final class ModemServiceTable {
         LINE_DOWN,
         ATTENTIVE,
         PREPARED,
-        /** It has started again: its settings and its call are gone. */
+        /** The modem has restarted: its settings and its call are lost. */
         BOOTED,
-        /** A command has had no answer, or the set-up cannot be completed. */
+        /** A command was not answered, or the set-up cannot be completed. */
         STALLED
     }
 

@@ -11,15 +11,15 @@ import java.util.function.Consumer;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
-/** Walks a modem through {@link SetupStep}, and keeps what it can. */
+/** Leads a modem through {@link SetupStep}, and stores the accepted commands. */
 final class ModemSetup {
-    /** Pause before a step that is awaited is tried again. */
+    /** Pause before an awaited step is repeated. */
     static final long AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
-    /** Asks for nothing but an answer. */
+    /** Tests only if the modem answers. */
     static final ModemCommand ATTENTION = ModemCommand.of("AT").within(1_000);
 
-    /** Learns of each command, as it is answered. */
+    /** Receives each command with its answer. */
     interface Observer {
         void answered(SetupStep step, ModemCommand command, ModemAnswer answer, SetupVerdict verdict);
     }
@@ -30,7 +30,7 @@ final class ModemSetup {
     private final int mostTries;
     private final Deque<SetupStep> steps = new ArrayDeque<>();
     private final Deque<ModemCommand> alternatives = new ArrayDeque<>();
-    /** The command of each step that was accepted with the expected answer. */
+    /** The accepted command of each step, with the expected answer. */
     private final Map<SetupStep, ModemCommand> accepted = new EnumMap<>(SetupStep.class);
 
     private final Map<SetupStep, ModemAnswer> answers = new EnumMap<>(SetupStep.class);
@@ -40,7 +40,7 @@ final class ModemSetup {
     private Timer again;
     private Consumer<ModemSetup> done;
 
-    /** @param mostTries of a step that is awaited; then the set-up goes on without it */
+    /** @param mostTries of an awaited step; the set-up then continues without it */
     ModemSetup(CommandDialogue dialogue, Timers timers, int mostTries, Observer observer) {
         this.dialogue = dialogue;
         this.timers = timers;
@@ -48,7 +48,7 @@ final class ModemSetup {
         this.observer = observer;
     }
 
-    /** Begins anew. @param whenDone is called once, unless {@link #stop} is called before */
+    /** Starts from the first step. @param whenDone called once, unless {@link #stop} is called before */
     void start(Consumer<ModemSetup> whenDone) {
         stop();
         done = whenDone;
@@ -113,7 +113,7 @@ final class ModemSetup {
         }
     }
 
-    /** A modem that answers nothing at all need not be asked the rest. */
+    /** A modem that does not answer at all is not asked the rest. */
     private void askWhetherItAnswers(ModemCommand command, SetupVerdict verdict) {
         SetupStep late = step;
         Consumer<ModemSetup> run = done;
@@ -143,7 +143,7 @@ final class ModemSetup {
         }
     }
 
-    /** Whether a call rings already: it is not hung up, as an earlier one is. */
+    /** True if a call rings, which is not hung up, unlike an earlier one. */
     boolean isRinging() {
         return answers.containsKey(SetupStep.CALL_LIST)
                 && answers.get(SetupStep.CALL_LIST).lines().stream()
@@ -154,12 +154,12 @@ final class ModemSetup {
         return accepted.containsKey(wanted);
     }
 
-    /** The command that a step has ended with; only after {@link #has}. */
+    /** The successful command of a step; only after {@link #has}. */
     ModemCommand command(SetupStep of) {
         return accepted.get(of);
     }
 
-    /** Whether each step that is needed for this, and all that are awaited, have succeeded. */
+    /** True if all steps needed for this, and all awaited steps, have succeeded. */
     boolean hasAll(SetupStep.Need need) {
         for (SetupStep each : SetupStep.values()) {
             if ((each.need() == need || each.need() == SetupStep.Need.AWAITED) && !has(each)) {
@@ -169,12 +169,12 @@ final class ModemSetup {
         return need != SetupStep.Need.FOR_CALLS || !losesEqualKeys();
     }
 
-    /** Whether the modem says that the second of two equal keys is dropped: its orders could be read wrong. */
+    /** True if the modem drops the second of two equal keys: its orders could be misread. */
     boolean losesEqualKeys() {
         return verdicts.get(SetupStep.KEY_INTERVAL) == SetupVerdict.UNEXPECTED;
     }
 
-    /** What the modem cannot do, in words that follow "the modem". */
+    /** The missing abilities of the modem, in words that follow "the modem". */
     List<String> shortcomings() {
         List<String> all = new ArrayList<>();
         if (losesEqualKeys()) {
@@ -190,7 +190,7 @@ final class ModemSetup {
         return all;
     }
 
-    /** The answer's lines of a step, in one; empty before the step. */
+    /** The joined lines of a step's answer; empty before the step. */
     String text(SetupStep of) {
         return answers.containsKey(of) ? String.join(" ", answers.get(of).lines()) : "";
     }

@@ -7,7 +7,7 @@ import simgsm.modem.ModemEvent;
 import simgsm.modem.ModemState;
 import simgsm.station.context.StationEvent;
 
-/** The state of an attached modem; each change is logged and reported, a new text alone is only kept. */
+/** The state of an attached modem; each change is logged and reported, a new text alone is only stored. */
 final class ReportedState {
     private static final Logger LOG = System.getLogger(ReportedState.class.getName());
     private static final ModemEvent.StateChanged NOT_ASKED =
@@ -17,7 +17,7 @@ final class ReportedState {
     private final Consumer<StationEvent> listener;
     private volatile ModemEvent.StateChanged newest = NOT_ASKED;
 
-    /** @param modem its name in the log */
+    /** @param modem name for the log */
     ReportedState(String modem, Consumer<StationEvent> listener) {
         this.modem = modem;
         this.listener = listener;
@@ -28,7 +28,7 @@ final class ReportedState {
         return newest;
     }
 
-    /** @param isLogged whether the log has a warning of the line already */
+    /** @param isLogged true if the log already has a warning of the line */
     void set(ModemState now, String text, boolean isLogged) {
         boolean isNews = newest == NOT_ASKED || newest.state() != now;
         newest = new ModemEvent.StateChanged(now, text);

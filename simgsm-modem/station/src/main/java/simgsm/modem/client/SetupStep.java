@@ -9,8 +9,8 @@ import java.util.stream.Stream;
 import simgsm.modem.ModemState;
 
 /**
- * How a modem is prepared, in this order (TS 27.007, TS 27.005): the commands of each step, of which the first that is
- * accepted counts, and the answer that is expected.
+ * The steps of preparing a modem, in this order (TS 27.007, TS 27.005): the commands of each, tried until one is
+ * accepted, and the expected answer.
  */
 enum SetupStep {
     ECHO_OFF(Need.USEFUL, "", command("ATE0")),
@@ -22,7 +22,7 @@ enum SetupStep {
             Need.AWAITED,
             "\\+CPIN: ?READY",
             ModemCommand.query("AT+CPIN?", "+CPIN:").within(2_000)),
-    /** {@code ATH} ends voice calls, too. */
+    /** {@code ATH} also ends voice calls. */
     VOICE_HANG_UP(Need.USEFUL, "", command("AT+CVHU=0")),
     CALLER(Need.USEFUL, "", command("AT+CLIP=1")),
     KEYS(Need.FOR_CALLS, "", enablers()),
@@ -41,7 +41,7 @@ enum SetupStep {
             ModemCommand.query("AT+CPMS=\"SM\",\"SM\",\"SM\"", "+CPMS:"),
             ModemCommand.query("AT+CPMS=\"ME\",\"ME\",\"ME\"", "+CPMS:")),
     MESSAGE_NOTICE(Need.USEFUL, "", command("AT+CNMI=2,1,0,0,0"), command("AT+CNMI=2,1"), command("AT+CNMI=1,1")),
-    /** In text mode the second. */
+    /** In text mode the second command. */
     MESSAGE_LIST(
             Need.FOR_MESSAGES,
             "",
@@ -53,13 +53,13 @@ enum SetupStep {
     /** At home or roaming. */
     REGISTRATION(Need.AWAITED, "\\+CREG: ?[0-9], ?[15](,.*)?", ModemCommand.query("AT+CREG?", "+CREG:"));
 
-    /** What a modem cannot do without the step. */
+    /** The modem's ability that depends on the step. */
     enum Need {
-        /** Anything; it is repeated until it succeeds. */
+        /** All abilities; the step is repeated until it succeeds. */
         AWAITED,
         FOR_CALLS,
         FOR_MESSAGES,
-        /** Nothing is missing, or it is done in another way. */
+        /** None, or there is another way. */
         USEFUL
     }
 
@@ -67,7 +67,7 @@ enum SetupStep {
     private final Pattern expected;
     private final List<ModemCommand> alternatives;
 
-    /** @param expected of the answer's lines together; empty if they do not matter */
+    /** @param expected pattern of the answer's joined lines; empty for any */
     SetupStep(Need need, String expected, ModemCommand... alternatives) {
         this.need = need;
         this.expected = Pattern.compile(expected.isEmpty() ? ".*" : expected);
@@ -89,7 +89,7 @@ enum SetupStep {
         return need;
     }
 
-    /** @param manufacturer as the modem has named it; its dialect is tried first */
+    /** @param manufacturer as named by the modem; its dialect is tried first */
     List<ModemCommand> alternatives(String manufacturer) {
         if (this != KEYS) {
             return alternatives;
@@ -103,7 +103,7 @@ enum SetupStep {
         return Stream.concat(ofOwn.apply(true), ofOwn.apply(false)).toList();
     }
 
-    /** The state of a modem that has given this answer; empty if the answer names no obstacle. */
+    /** The state of a modem with this answer; empty if the answer names no obstacle. */
     Optional<ModemState> obstacle(ModemAnswer answer) {
         SetupVerdict verdict = verdict(answer);
         boolean isRefused = answer.ending() == ModemAnswer.Ending.REFUSED;
@@ -129,7 +129,7 @@ enum SetupStep {
         };
     }
 
-    /** An answer that says all counts without its final result, too: Wavecom's to {@code +CPIN?} has none. */
+    /** A complete answer counts without its final result, too: Wavecom's to {@code +CPIN?} has none. */
     SetupVerdict verdict(ModemAnswer answer) {
         boolean fits = expected.matcher(String.join(" ", answer.lines())).matches();
         boolean isWhole = answer.isOk()

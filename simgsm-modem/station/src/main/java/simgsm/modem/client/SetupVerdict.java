@@ -2,15 +2,15 @@ package simgsm.modem.client;
 
 import java.util.Locale;
 
-/** What the answer to a command of the set-up says about a modem. */
+/** The verdict on a modem by its answer to a set-up command. */
 public enum SetupVerdict {
     OK,
-    /** The command is refused, or has no answer. */
+    /** The command is refused, or not answered. */
     MISSING,
-    /** The command is accepted, with an answer that does not fit. */
+    /** The command is accepted, with an unexpected answer. */
     UNEXPECTED;
 
-    /** As reports have it. */
+    /** For reports. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }

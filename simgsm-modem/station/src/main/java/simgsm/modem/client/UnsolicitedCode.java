@@ -3,7 +3,7 @@ package simgsm.modem.client;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** What a modem says without being asked (TS 27.005, TS 27.007, and modules' manuals). Keys are in {@link DtmfDialect}. */
+/** Unsolicited codes of modems (TS 27.005, TS 27.007, and modules' manuals). Keys are in {@link DtmfDialect}. */
 enum UnsolicitedCode {
     /** An incoming call, repeated while it rings; {@code +CRING} after {@code +CRC=1}. */
     RING("RING", "+CRING:"),
@@ -13,14 +13,14 @@ enum UnsolicitedCode {
     CALL_WAITS("+CCWA:"),
     /** A short message is in memory at this index. */
     MESSAGE_STORED("+CMTI:"),
-    /** A message, a status report or a broadcast itself: a line of text follows. */
+    /** A message, a status report or a broadcast: a line of text follows. */
     MESSAGE_BODY("+CMT:", "+CDS:", "+CBM:"),
     REGISTRATION("+CREG:"),
-    /** The modem has started, or stops: a call has ended, and its settings are gone. */
+    /** The modem has started or stops: a call has ended, and its settings are lost. */
     BOOT("RDY", "^SYSSTART", "NORMAL POWER DOWN", "UNDER-VOLTAGE POWER DOWN", "OVER-VOLTAGE POWER DOWN"),
-    /** Follows a start within seconds; if no start was seen, there was one. */
+    /** Follows a start within seconds; implies one if none was seen. */
     STARTED("Call Ready", "SMS Ready", "+CPIN:", "+CFUN:", "PB DONE"),
-    /** Changes nothing here. */
+    /** Ignored. */
     NEWS(
             "+CGREG:",
             "+CEREG:",
@@ -46,12 +46,12 @@ enum UnsolicitedCode {
         this.beginnings = beginnings;
     }
 
-    /** Whether the line after it belongs to it, whatever it looks like. */
+    /** True if the next line belongs to the code, whatever its content. */
     boolean hasBody() {
         return this == MESSAGE_BODY;
     }
 
-    /** The code with which a line begins; a code without a colon is the whole line, or its first word. */
+    /** The code at a line's beginning; a code without a colon is the whole line, or its first word. */
     static Optional<UnsolicitedCode> of(String line) {
         return Arrays.stream(values())
                 .filter(code -> Arrays.stream(code.beginnings).anyMatch(beginning -> begins(line, beginning)))

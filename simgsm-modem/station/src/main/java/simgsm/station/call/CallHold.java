@@ -13,7 +13,7 @@ import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationTimer;
 
-/** Holds the current call of a station and gives the held one back; runs by {@link CallHoldTable}. */
+/** Holds and retrieves calls of a station; runs by {@link CallHoldTable}. */
 final class CallHold {
     private static final Map<Class<? extends CallControl>, CallHoldEvent> ANSWERS = Map.of(
             CallControl.HoldAcknowledge.class, CallHoldEvent.HOLD_ACKNOWLEDGE,
@@ -25,9 +25,9 @@ final class CallHold {
     private final MobileCall call;
     private final SecondCall second;
     private final StateMachine<CallHoldState, CallHoldEvent, CallHoldAction> machine;
-    /** The waiting call, by its transaction as in the messages sent, that the user answers by holding the active one. */
+    /** Waiting call to be answered after the hold of the active one, by its transaction as in the messages sent. */
     private Optional<TransactionIdentifier> toAnswer = Optional.empty();
-    /** Whether the held call follows the one that is being cleared. */
+    /** True if the held call follows the one being cleared. */
     private boolean retrievesNext;
 
     CallHold(StationContext context, MobileCall call, SecondCall second) {
@@ -61,7 +61,7 @@ final class CallHold {
         return machine.accepts(event) && machine.fire(event);
     }
 
-    /** A message of one of the calls has arrived. @return whether it answers HOLD or RETRIEVE */
+    /** A message of one of the calls has arrived. @return true if it answers HOLD or RETRIEVE */
     boolean answered(CallControl message) {
         CallHoldEvent event = ANSWERS.get(message.getClass());
         if (event != null) {
@@ -70,7 +70,7 @@ final class CallHold {
         return event != null;
     }
 
-    /** What an answer means for which nothing waits any more. */
+    /** The event of an answer that arrives after its time-out. */
     private CallHoldEvent late(CallHoldEvent event, TransactionIdentifier received) {
         if (event == CallHoldEvent.HOLD_ACKNOWLEDGE && call.state() == MobileCallState.ACTIVE && call.has(received)) {
             return second.isHeld() ? CallHoldEvent.SWAP_HELD_LATE : CallHoldEvent.HELD_LATE;
@@ -86,7 +86,7 @@ final class CallHold {
         return event;
     }
 
-    /** While the held call is given back another cannot take its place. */
+    /** While the held call is being retrieved, no other call can be held. */
     boolean isRetrieving() {
         return machine.state() == CallHoldState.RETRIEVE_REQUEST;
     }
@@ -100,7 +100,7 @@ final class CallHold {
         machine.fire(CallHoldEvent.HELD_ENDED);
     }
 
-    /** The current call has ended; another may have taken its place. */
+    /** The current call has ended; another may have replaced it. */
     void retrieveIfAsked() {
         if (retrievesNext && second.isHeld() && call.state() == MobileCallState.NULL) {
             fire(CallHoldEvent.USER_RETRIEVES);
@@ -125,7 +125,7 @@ final class CallHold {
         }
     }
 
-    /** The active call becomes the held one; the one beside it, if there is one, becomes the current call. */
+    /** The active call becomes the held one; the second call, if any, becomes the current one. */
     private void park() {
         SecondCall.Party active = new SecondCall.Party(call.transaction().answered(), call.peer(), true);
         Optional<SecondCall.Party> other = second.take();

@@ -8,9 +8,9 @@ import java.util.EnumSet;
 import java.util.Set;
 import simgsm.state.StateTable;
 
-/** Call hold of the mobile (TS 24.083, 2): the active call, and the one that is held. */
+/** Call hold of the mobile (TS 24.083, 2): the active call and the held one. */
 public final class CallHoldTable {
-    /** States: which request the network has still to answer. */
+    /** States: the request not yet answered by the network. */
     public enum CallHoldState {
         IDLE,
         HOLD_REQUEST,
@@ -36,13 +36,13 @@ public final class CallHoldTable {
         ACTIVE_ENDED,
         /** The held call has ended. */
         HELD_ENDED,
-        /** The network holds the active call after all; none is beside it, or one waits. */
+        /** The network holds the active call after the time-out; there is no other call, or one waits. */
         HELD_LATE,
-        /** The same, while the calls were to change places. */
+        /** As before, while the calls were being swapped. */
         SWAP_HELD_LATE,
-        /** The network gives the held call back after all. */
+        /** The network retrieves the held call after the time-out. */
         RETRIEVED_LATE,
-        /** The same, while there is another call. */
+        /** As before, while there is another call. */
         RETRIEVED_IN_VAIN
     }
 
@@ -52,13 +52,15 @@ public final class CallHoldTable {
         SEND_RETRIEVE,
         START_TIMER,
         STOP_TIMER,
-        /** The active call becomes the held one; a waiting call is answered if the user has asked for it, else it rings. */
+        /**
+         * The active call becomes the held one; a waiting call rings, or is answered if the user has asked for it.
+         */
         PARK,
         /** The held call becomes the active one. */
         RESUME,
-        /** The two calls change places. */
+        /** Swaps the two calls. */
         EXCHANGE,
-        /** Ends the held call, which the network does not give back. */
+        /** Ends the held call, which the network does not retrieve. */
         CLEAR_HELD,
         REPORT_REFUSED
     }
@@ -92,7 +94,7 @@ public final class CallHoldTable {
                 .on(SWAP_HELD, EXPIRED, IDLE, CLEAR_HELD, PARK, REPORT_REFUSED)
                 .stay(EnumSet.of(IDLE), ACTIVE_ENDED)
                 .stay(EnumSet.of(IDLE), HELD_ENDED)
-                // Late answers: the network has done what was reported to the user as failed.
+                // Late answers: the network has performed the request that was reported as failed.
                 .on(IDLE, HELD_LATE, IDLE, PARK)
                 .on(IDLE, SWAP_HELD_LATE, SWAP_HELD, START_TIMER)
                 .on(IDLE, RETRIEVED_LATE, IDLE, RESUME)

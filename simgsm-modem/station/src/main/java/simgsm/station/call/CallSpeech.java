@@ -4,7 +4,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 
-/** Speech and keys of the current call, and the tones that the network plays before or after them. */
+/** Speech and keys of the current call, and the network's tones before or after them. */
 final class CallSpeech {
     private final StationContext context;
     private final SpeechPath path;

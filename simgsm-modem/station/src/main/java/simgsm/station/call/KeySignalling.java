@@ -18,7 +18,7 @@ import simgsm.station.context.StationTimer;
 
 /**
  * Sends keys as START DTMF and STOP DTMF, one after the other, paced by the network's acknowledgements; runs by
- * {@link KeySignallingTable}. Keys that come before the call is active wait for it.
+ * {@link KeySignallingTable}. Keys wait until the call is active.
  */
 public final class KeySignalling {
     private static final class Press {
@@ -35,7 +35,7 @@ public final class KeySignalling {
 
     private final StationContext context;
     private final StateMachine<KeySignallingState, KeySignallingEvent, KeySignallingAction> machine;
-    /** The first is being sent, unless the state is IDLE or PAUSING. */
+    /** The first key is being sent, unless the state is IDLE or PAUSING. */
     private final Deque<Press> queue = new ArrayDeque<>();
 
     /** Transaction of the active call; null without one. */
@@ -66,13 +66,13 @@ public final class KeySignalling {
         add(new Press(key, millis, false));
     }
 
-    /** Queues a key that sounds until {@link #letGo}; a key that is held is released first. */
+    /** Queues a key that sounds until {@link #letGo}; a held key is released first. */
     public void hold(DtmfKey key) {
         letGo();
         add(new Press(key, 0, true));
     }
 
-    /** Releases the key that is held, if there is one. */
+    /** Releases the held key, if any. */
     public void letGo() {
         if (!queue.isEmpty() && queue.getLast().held) {
             queue.getLast().held = false;
@@ -91,7 +91,7 @@ public final class KeySignalling {
         }
     }
 
-    /** @return whether the message answers START DTMF or STOP DTMF; a late answer is ignored */
+    /** @return true if the message answers START DTMF or STOP DTMF; a late answer is ignored */
     boolean arrived(CallControl message) {
         if (message instanceof CallControl.StartDtmfAcknowledge) {
             machine.fire(KeySignallingEvent.START_ACKNOWLEDGED);

@@ -7,9 +7,11 @@ import static simgsm.station.call.KeySignallingTable.KeySignallingState.*;
 import java.util.EnumSet;
 import simgsm.state.StateTable;
 
-/** Signalling of keys by the mobile (TS 24.008, 5.5.7). A refused key makes those after it meaningless: all are dropped. */
+/**
+ * Signalling of keys by the mobile (TS 24.008, 5.5.7). A refused key makes later ones meaningless: all are dropped.
+ */
 public final class KeySignallingTable {
-    /** How far the signalling of one key is (TS 24.008, 5.5.7); independent of the call's state. */
+    /** The progress of signalling one key (TS 24.008, 5.5.7), independent of the call's state. */
     public enum KeySignallingState {
         IDLE,
         /** START DTMF is sent. */
@@ -27,7 +29,7 @@ public final class KeySignallingTable {
         NEXT,
         START_ACKNOWLEDGED,
         START_REJECTED,
-        /** The tone has had its length and the key is not held. */
+        /** The tone has had its length, and the key is not held. */
         RELEASED,
         STOP_ACKNOWLEDGED,
         PAUSE_ENDED,
@@ -36,7 +38,7 @@ public final class KeySignallingTable {
         CALL_ENDED
     }
 
-    /** What {@link KeySignalling} does on a transition. */
+    /** Actions of {@link KeySignalling}. */
     public enum KeySignallingAction {
         SEND_START,
         SEND_STOP,

@@ -8,7 +8,7 @@ import simgsm.abis.MgcpMessage.Head;
 import simgsm.air.ProtocolViolation;
 import simgsm.station.context.StationContext;
 
-/** Answers the centre that asks for speech as RTP over UDP (MGCP, RFC 3435). */
+/** Answers a centre that requests speech as RTP over UDP (MGCP, RFC 3435). */
 public final class MediaControl {
     private final StationContext context;
     private int connections;
@@ -27,7 +27,7 @@ public final class MediaControl {
         }
     }
 
-    /** @return empty for what is no command */
+    /** @return empty if the message is no command */
     private Optional<MgcpMessage> answer(MgcpMessage command) {
         return switch (command.head()) {
             case CREATE_CONNECTION -> {

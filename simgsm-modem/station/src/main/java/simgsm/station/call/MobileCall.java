@@ -49,8 +49,8 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private Optional<Msisdn> next = Optional.empty();
 
     /**
-     * @param callWaiting whether a second call may wait; else its caller is told that the user is busy
-     * @param ignoresSetup a fault: calls that are offered are left unanswered
+     * @param callWaiting true if a second call may wait; else its caller is told that the user is busy
+     * @param ignoresSetup a fault: offered calls are left unanswered
      */
     public MobileCall(
             StationContext context,
@@ -85,7 +85,10 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         return transaction;
     }
 
-    /** Begins a call, or lets it follow the one that is being cleared. @return false if a call is under way or given back */
+    /**
+     * Begins a call, or queues it after the one being cleared. @return false if a call is under way or being
+     * retrieved
+     */
     public boolean dial(Msisdn number) {
         if (MobileCallTable.CLEARING.contains(state()) && next.isEmpty()) {
             next = Optional.of(number);
@@ -111,7 +114,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         return second.has(free.answered()) ? freeTransaction() : free;
     }
 
-    /** Lets a call that waits for service go on or end once registration has succeeded or was refused. */
+    /** Continues or ends a call that waits for service once registration has succeeded or was refused. */
     public void checkService() {
         serviceWait.check();
     }
@@ -120,7 +123,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         return fire(MobileCallEvent.ANSWER);
     }
 
-    /** Reports that the answer is due after this time, unless the call is answered or ends before. */
+    /** Reports after this time that the answer is due, unless the call is answered or ends before. */
     public void remindToAnswer(long nanos) {
         if (state() == MobileCallState.CALL_RECEIVED) {
             context.timers().start(StationTimer.ANSWER, nanos, () -> report(new StationEvent.AnswerDue()));
@@ -160,8 +163,8 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     }
 
     /**
-     * Holds the active call; the waiting call is then answered, the held one is given back. While the current call is being
-     * cleared, the held one is given back after it.
+     * Holds the active call; the waiting call is then answered, or the held one retrieved. While the current call is
+     * being cleared, the held one is retrieved after it.
      *
      * @return false if there is neither an active call nor a held one, or the network has still to answer
      */
@@ -173,7 +176,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         return hold;
     }
 
-    /** The network has told whether the other party of one of the calls holds it. */
+    /** The other party of one of the calls holds it or has retrieved it. */
     void heldByPeer(TransactionIdentifier received, boolean onHold) {
         TransactionIdentifier own = received.answered();
         if (has(received) || second.isPresent() && second.transaction().equals(own)) {
@@ -234,7 +237,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
                 });
     }
 
-    /** A call that still waits for service requests it again; any other ends. */
+    /** A call that waits for service requests it again; any other ends. */
     @Override
     public void lost() {
         if (serviceWait.isRunning()) {
@@ -245,7 +248,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         fire(MobileCallEvent.RADIO_LOST, Cause.TEMPORARY_FAILURE);
     }
 
-    /** Ends a call without received speech; before the call is active there need not be any. */
+    /** Ends a call without received speech; none is required before the call is active. */
     private void farEndSilent() {
         if (state() == MobileCallState.ACTIVE || state() == MobileCallState.DISCONNECT_INDICATION) {
             clear(Cause.TEMPORARY_FAILURE);
@@ -271,7 +274,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         fire(event);
     }
 
-    /** The network names the number that answers: another one than was dialled after forwarding. */
+    /** The network names the answering number, which differs from the dialled one after forwarding. */
     void connectedTo(Msisdn number) {
         peer = peer.filter(dialled -> dialled.plain().equals(number.plain())).or(() -> Optional.of(number));
     }
@@ -280,7 +283,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         send(new CallControl.Status(transaction, cause, state().code()));
     }
 
-    /** A message has arrived. @return whether the current state accepts it */
+    /** A message has arrived. @return true if the current state accepts it */
     boolean arrived(MobileCallEvent event, Cause cause, boolean inBand) {
         tonesAnnounced = inBand;
         boolean accepted = fire(event, cause);

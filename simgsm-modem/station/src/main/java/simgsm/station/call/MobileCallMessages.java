@@ -17,7 +17,7 @@ import simgsm.station.context.StationContext;
 
 /** Passes the network's call control messages to the call or the waiting call; answers those of other transactions. */
 public final class MobileCallMessages {
-    /** Messages that are an event of the state table. */
+    /** Messages that are events of the state table. */
     private static final Map<Class<? extends CallControl>, MobileCallEvent> EVENTS = Map.of(
             CallControl.CallProceeding.class, MobileCallEvent.CALL_PROCEEDING,
             CallControl.Progress.class, MobileCallEvent.PROGRESS,

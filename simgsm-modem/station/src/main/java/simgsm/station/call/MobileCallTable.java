@@ -11,7 +11,7 @@ import simgsm.station.context.StationTimer;
 
 /** Call control of the mobile (TS 24.008, 5.2 and 5.4). */
 public final class MobileCallTable {
-    /** The mobile's call states (TS 24.008, 5.1.2.1), with the codes that STATUS carries (10.5.4.6). */
+    /** The mobile's call states (TS 24.008, 5.1.2.1), with the codes of STATUS (10.5.4.6). */
     public enum MobileCallState {
         NULL("U0", 0),
         MM_CONNECTION_PENDING("U0.1", 0),
@@ -35,7 +35,7 @@ public final class MobileCallTable {
             this.code = code;
         }
 
-        /** As the standard's tables write it, "U10". */
+        /** In the form of the standard's tables, "U10". */
         public String shortName() {
             return shortName;
         }
@@ -58,15 +58,15 @@ public final class MobileCallTable {
         RADIO_LOST,
 
         SETUP,
-        /** A waiting call, already alerted, becomes the call. */
+        /** A waiting call, already alerted, becomes the current call. */
         TAKE_WAITING,
-        /** A waiting call becomes the call and is answered at once. */
+        /** A waiting call becomes the current call and is answered at once. */
         ANSWER_WAITING,
-        /** The network holds the active call: another one may be the current one now. */
+        /** The network holds the active call; another one may become the current one. */
         CALL_HELD,
-        /** The network gives the held call back. */
+        /** The network retrieves the held call. */
         CALL_RETRIEVED,
-        /** The offered call is for speech, as all are here. */
+        /** The offered call is a speech call, like all calls here. */
         COMPATIBLE,
         /** The terminal rings. */
         USER_ALERTED,
@@ -78,7 +78,7 @@ public final class MobileCallTable {
         DISCONNECT,
         /** DISCONNECT without in-band tones: the call is released at once. */
         NO_TONES_ANNOUNCED,
-        /** DISCONNECT with in-band tones: they are heard first. */
+        /** DISCONNECT with in-band tones, which are heard first. */
         TONES_ANNOUNCED,
         RELEASE,
         RELEASE_COMPLETE,
@@ -88,13 +88,13 @@ public final class MobileCallTable {
         T303_EXPIRED,
         T305_EXPIRED,
         T308_EXPIRED,
-        /** The second time. */
+        /** The second expiry. */
         T308_EXPIRED_AGAIN,
         T310_EXPIRED,
         T313_EXPIRED
     }
 
-    /** What {@link MobileCall} does on a transition. */
+    /** Actions of {@link MobileCall}. */
     public enum MobileCallAction {
         REQUEST_CONNECTION,
         RELEASE_CONNECTION,
@@ -141,7 +141,7 @@ public final class MobileCallTable {
             MT_CALL_CONFIRMED,
             ACTIVE);
 
-    /** The call has ended for the user and not yet for the network. */
+    /** The call has ended for the user, but not yet for the network. */
     static final Set<MobileCallState> CLEARING = EnumSet.of(DISCONNECT_REQUEST, DISCONNECT_INDICATION, RELEASE_REQUEST);
 
     /** Timers of a call, and of the wait for service before it. */
@@ -187,7 +187,7 @@ public final class MobileCallTable {
     /** 5.2.2. */
     private static void terminating() {
         TABLE.on(NULL, SETUP, CALL_PRESENT, CHECK_COMPATIBILITY)
-                // TS 24.083, 1: it was confirmed and alerted while the call before was active.
+                // TS 24.083, 1: the call was confirmed and alerted while the previous one was active.
                 .on(NULL, TAKE_WAITING, CALL_RECEIVED, REPORT_RINGING)
                 .on(CALL_PRESENT, COMPATIBLE, MT_CALL_CONFIRMED, SEND_CALL_CONFIRMED, ALERT_USER)
                 .on(MT_CALL_CONFIRMED, USER_ALERTED, CALL_RECEIVED, SEND_ALERTING, REPORT_RINGING)
@@ -195,7 +195,7 @@ public final class MobileCallTable {
                 .on(CONNECT_REQUEST, CONNECT_ACKNOWLEDGE, ACTIVE, STOP_TIMERS, REPORT_CONNECTED, START_SPEECH);
     }
 
-    /** TS 24.083, 1 and 2: the held call waits elsewhere, see {@link CallHoldTable}. */
+    /** TS 24.083, 1 and 2: the held call is kept by {@link CallHoldTable}. */
     private static void hold() {
         TABLE.on(ACTIVE, CALL_HELD, NULL, STOP_TIMERS, STOP_SPEECH, REPORT_HELD)
                 .on(NULL, CALL_RETRIEVED, ACTIVE, REPORT_RETRIEVED, START_SPEECH)

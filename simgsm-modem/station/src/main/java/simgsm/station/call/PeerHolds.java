@@ -6,7 +6,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 
-/** The calls that the other party holds, by their transactions as in the messages sent. */
+/** Calls held by the other party, by their transactions as in the messages sent. */
 final class PeerHolds {
     private final StationContext context;
     private final Set<TransactionIdentifier> held = new HashSet<>();
@@ -15,7 +15,7 @@ final class PeerHolds {
         this.context = context;
     }
 
-    /** The network has told that the other party holds or retrieves a call; a change of the current call is reported. */
+    /** The other party holds or retrieves a call; a change of the current call is reported. */
     void told(TransactionIdentifier transaction, boolean onHold, boolean isCurrent) {
         boolean isNew = onHold ? held.add(transaction) : held.remove(transaction);
         if (isNew && isCurrent) {

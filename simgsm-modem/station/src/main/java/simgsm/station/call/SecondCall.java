@@ -11,8 +11,8 @@ import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 
 /**
- * A second call, in addition to the current one: it waits (TS 24.083, 1: confirmed with cause 17, alerted, and kept in U7 until the first
- * has ended, is held, or the caller hangs up), or it is held (TS 24.083, 2).
+ * A second call besides the current one: waiting (TS 24.083, 1: confirmed with cause 17, alerted, and in U7 until the
+ * first has ended or is held, or the caller hangs up), or held (TS 24.083, 2).
  */
 final class SecondCall {
     /** @param received the transaction as in the messages received */
@@ -25,10 +25,10 @@ final class SecondCall {
     private final Consumer<TransactionIdentifier> over;
 
     private Optional<Party> party = Optional.empty();
-    /** The transaction, as received, of a call that was cleared here and that the network has not released yet. */
+    /** The transaction, as received, of a call that was cleared here and not yet released by the network. */
     private Optional<TransactionIdentifier> cleared = Optional.empty();
 
-    /** @param over is given the transaction, as sent, of each call that has ended */
+    /** @param over receives the transaction, as sent, of each call that has ended */
     SecondCall(StationContext context, Runnable heldEnded, Consumer<TransactionIdentifier> over) {
         this.context = context;
         this.heldEnded = heldEnded;
@@ -65,12 +65,12 @@ final class SecondCall {
         context.events().add(new StationEvent.CallWaits(setup.calling()));
     }
 
-    /** The call that was active is held from now on. */
+    /** Holds the call that was active. */
     void hold(Party active) {
         party = Optional.of(active);
     }
 
-    /** Clears the call; a waiting one with user determined user busy (TS 22.030, 6.5.5.1). @return false if there is none */
+    /** Clears the call; a waiting one with cause "user busy" (TS 22.030, 6.5.5.1). @return false if there is none */
     boolean clear() {
         if (party.isEmpty()) {
             return false;
@@ -120,7 +120,7 @@ final class SecondCall {
         }
     }
 
-    /** The call is over: the far end has hung up, or the radio connection is lost. */
+    /** The call has ended: the far end has hung up, or the radio connection is lost. */
     void end(Cause cause) {
         Optional<Party> ended = party;
         party = Optional.empty();
@@ -133,7 +133,7 @@ final class SecondCall {
         }
     }
 
-    /** Removes the call: it becomes the current one. */
+    /** Removes the call, which becomes the current one. */
     Optional<Party> take() {
         Optional<Party> taken = party;
         party = Optional.empty();

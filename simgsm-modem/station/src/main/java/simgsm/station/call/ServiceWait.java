@@ -4,7 +4,7 @@ import simgsm.station.context.StationContext;
 import simgsm.station.context.StationTimer;
 import simgsm.station.mobility.ServiceRequests;
 
-/** A dialled call that waits until the network serves the mobile, as after it is switched on. */
+/** Delays a dialled call until the network serves the mobile, as after it is switched on. */
 final class ServiceWait {
     private final StationContext context;
     private final ServiceRequests services;

@@ -13,15 +13,15 @@ import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
 import simgsm.station.context.StationTimer;
 
-/** The speech of a call: sends a frame every 20 ms of the station's time and puts received frames into RTP's order. */
+/** The speech of a call: sends a frame every 20 ms of the station's time and orders received frames by RTP. */
 public final class SpeechPath {
-    /** Frames of a stall up to this long are sent late; after a longer stall they are left out. */
+    /** Frames of a stall up to this length are sent late; those of a longer one are dropped. */
     private static final long MAX_CATCH_UP_NANOS = 200_000_000L;
 
-    /** A larger jump of the sequence numbers is a new stream, not a loss: 1 s. */
+    /** 1 s; a larger jump of the sequence numbers is a new stream, not a loss. */
     private static final int MAX_LOSS_FRAMES = 50;
 
-    /** 10 s, counted in frames sent, so that a stall of the owner does not count. */
+    /** 10 s, counted in sent frames, so that a stall of the owner does not count. */
     private static final int MAX_SILENCE_FRAMES = 500;
 
     private static final int SEQUENCE_MASK = 0xffff;
@@ -32,7 +32,7 @@ public final class SpeechPath {
     private final CallAudioListener recorder;
     private SpeechCodec.Kind codec;
     private SpeechCodec.Kind nextCodec;
-    /** Opened for each call, as the decoders are: a codec may have a state. */
+    /** Opened for each call, like the decoders: a codec may have a state. */
     private SpeechCodec coder;
     /** By payload type. */
     private Map<Integer, SubstitutingDecoder> decoders = Map.of();
@@ -65,7 +65,7 @@ public final class SpeechPath {
         this.synchronizationSource = synchronizationSource & TIMESTAMP_MASK;
     }
 
-    /** Sets the codec of the calls that begin from now on. */
+    /** Sets the codec of later calls. */
     public void setCodec(SpeechCodec.Kind next) {
         nextCodec = next;
         codec = active ? codec : next;
@@ -82,7 +82,7 @@ public final class SpeechPath {
     }
 
     /**
-     * Opens the path; if it is open, only the wait for received speech starts again.
+     * Opens the path; if it is open, only the wait for received speech restarts.
      *
      * @param farEndSilent runs every 20 ms while no frame has been received for 10 s
      */
@@ -179,7 +179,7 @@ public final class SpeechPath {
         expectedSequence = packet.sequence() + 1 & SEQUENCE_MASK;
     }
 
-    /** The number of frames missing before this one; negative if it comes too late. */
+    /** The number of frames missing before this one; negative if it is late. */
     private int framesLostBefore(RtpPacket packet) {
         if (!heard || packet.source() != heardSource) {
             return 0;

@@ -15,13 +15,13 @@ import simgsm.air.ShortMessageControl;
 import simgsm.air.SupplementaryService;
 import simgsm.octets.OctetString;
 
-/** The one radio connection that calls, short messages and registration share. The first message sent opens it. */
+/** The one radio connection shared by calls, short messages and registration. The first message sent opens it. */
 public final class MobileRadioConnection {
     private final StationLog log;
     private final PendingEvents events;
     private Uplink uplink = Uplink.DISCONNECTED;
     private boolean open;
-    /** Whether the centre has ended the media: the call it was for ends, and its last speech has no place to go. */
+    /** True if the centre has ended the media: the call is ending, and its last speech is dropped. */
     private boolean isMediaEnded;
     /** N(SD) of the next message that carries one (TS 24.007, 11.2.3.2.3). */
     private int sendSequence;
@@ -31,7 +31,7 @@ public final class MobileRadioConnection {
         this.events = events;
     }
 
-    /** @param newUplink the connection to the centre from now on */
+    /** @param newUplink the new connection to the centre */
     public void setUplink(Uplink newUplink) {
         uplink = newUplink;
         open = false;
@@ -52,8 +52,8 @@ public final class MobileRadioConnection {
     }
 
     /**
-     * Sends a frame on a stream that needs no radio connection; speech by the media that is open, if there is, and not at all
-     * once the centre has ended the media.
+     * Sends a frame on a stream that needs no radio connection; speech by the open media, if any, and not at all once
+     * the centre has ended them.
      */
     public void send(int stream, byte[] payload) {
         boolean isSpeech = stream == IpaFrame.SPEECH;
@@ -63,7 +63,7 @@ public final class MobileRadioConnection {
         uplink.send(new IpaFrame(stream, payload));
     }
 
-    /** Opens media towards the centre. @return where it is received; empty if that is not possible */
+    /** Opens media to the centre. @return address of reception; empty if impossible */
     public Optional<MediaAddress> openMedia(MediaAddress center) {
         isMediaEnded = false;
         Optional<MediaAddress> own = uplink.openMedia();
@@ -79,7 +79,7 @@ public final class MobileRadioConnection {
         uplink.closeMedia();
     }
 
-    /** Leaves the channel, if there is one. */
+    /** Leaves the channel, if any. */
     public void release() {
         if (open) {
             open = false;

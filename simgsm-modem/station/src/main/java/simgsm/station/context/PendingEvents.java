@@ -5,7 +5,7 @@ import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.function.Consumer;
 
-/** The events of one station that are delivered, in order, once its state is settled. */
+/** Events of one station, delivered in order once its state is settled. */
 public final class PendingEvents {
     private final Consumer<StationEvent> listener;
     private final StationLog log;
@@ -21,7 +21,7 @@ public final class PendingEvents {
         queue.add(event);
     }
 
-    /** Delivers all events, also those that are added meanwhile; a call from within a delivery does nothing. */
+    /** Delivers all events, including those added meanwhile; a call from within a delivery has no effect. */
     public void deliver() {
         if (delivering) {
             return;

@@ -2,7 +2,7 @@ package simgsm.station.context;
 
 import java.util.function.Consumer;
 
-/** What all machines of one station share. */
+/** The objects shared by all machines of one station. */
 public record StationContext(
         StationIdentity identity,
         StationLog log,

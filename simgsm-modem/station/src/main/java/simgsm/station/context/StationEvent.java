@@ -16,11 +16,11 @@ import simgsm.ss.SsError;
 import simgsm.ss.SsOperation;
 
 /**
- * What a station reports, and what a terminal built on it adds. Events are delivered on the owner thread once the
- * station's state is settled, so the receiver may call every command of the station.
+ * Reports of a station, and of a terminal built on it. Events are delivered on the owner thread once the station's
+ * state is settled, so the receiver may call every command of the station.
  */
 public sealed interface StationEvent {
-    /** An event that a phone or a modem adds to those of its station. */
+    /** An event of a phone or a modem besides its station's. */
     non-sealed interface OfTerminal extends StationEvent {}
 
     /** Registration is accepted. */
@@ -40,13 +40,16 @@ public sealed interface StationEvent {
     /** 30 s have passed since the station was asked for a reminder. */
     record ReminderDue() implements StationEvent {}
 
-    /** This number of speech frames in a row did not arrive; as many {@link SpeechReceived} with substitutes follow. */
+    /**
+     * This number of consecutive speech frames did not arrive; as many {@link SpeechReceived} with substitutes
+     * follow.
+     */
     record SpeechLost(int frames) implements StationEvent {}
 
     /**
      * The next 20 ms from the far end or the network.
      *
-     * @param samples 160, 8 kHz, 16 bit; 0 where a frame was lost
+     * @param samples 160, 8 kHz, 16 bit; 0 for a lost frame
      */
     record SpeechReceived(short[] samples) implements StationEvent {}
 
@@ -61,22 +64,22 @@ public sealed interface StationEvent {
     @EventLine("alerting")
     record CalledPartyAlerted() implements OfCall {}
 
-    /** A call rings. @param from empty if the network does not say */
+    /** A call rings. @param from empty if the network does not give it */
     @EventLine("ringing from=")
     record Ringing(Optional<Msisdn> from) implements OfCall {}
 
-    /** A time that was requested with {@link simgsm.station.MobileStation#remindToAnswer} is over; the call still rings. */
+    /** A time requested by {@link simgsm.station.MobileStation#remindToAnswer} is over; the call still rings. */
     record AnswerDue() implements OfCall {}
 
-    /** A second call waits. @param from empty if the network does not say */
+    /** A second call waits. @param from empty if the network does not give it */
     @EventLine("waiting from=")
     record CallWaits(Optional<Msisdn> from) implements OfCall {}
 
-    /** The active call is held. @param peer empty if the network does not say */
+    /** The active call is held. @param peer empty if the network does not give it */
     @EventLine("held number=peer")
     record CallHeld(Optional<Msisdn> peer) implements OfCall {}
 
-    /** The held call is active again. @param peer empty if the network does not say */
+    /** The held call is active again. @param peer empty if the network does not give it */
     @EventLine("retrieved number=peer")
     record CallRetrieved(Optional<Msisdn> peer) implements OfCall {}
 
@@ -92,14 +95,14 @@ public sealed interface StationEvent {
     @EventLine("on-hold-over")
     record RetrievedByPeer() implements OfCall {}
 
-    /** The network does not hold the call, or does not give it back. */
+    /** The network does not hold the call, or does not retrieve it. */
     record HoldRefused() implements OfCall {}
 
     /** The waiting call has ended. */
     @EventLine("waiting-over")
     record WaitingCallEnded() implements OfCall {}
 
-    /** A call is answered. @param peer empty if the network does not say */
+    /** A call is answered. @param peer empty if the network does not give it */
     @EventLine("connected number=peer")
     record Connected(Optional<Msisdn> peer) implements OfCall {}
 
@@ -108,12 +111,12 @@ public sealed interface StationEvent {
     record Released(Cause cause) implements OfCall {}
 
     /**
-     * Whether the network plays tones in place of the terminal (TS 24.008, 5.5.1 and 5.4.4.1.1.1). While it does,
-     * {@link SpeechReceived} carries them, also before the call is connected and after its release.
+     * The network starts or stops playing tones instead of the terminal (TS 24.008, 5.5.1 and 5.4.4.1.1.1). {@link
+     * SpeechReceived} contains them, also before the call is connected and after its release.
      */
     record NetworkPlaysTones(boolean playing) implements OfCall {}
 
-    /** A key that is signalled to the network; of each key, in this order, the first three or {@link KeysRefused}. */
+    /** A key signalled to the network; for each key, in this order, the first three or {@link KeysRefused}. */
     sealed interface OfKey extends StationEvent {}
 
     /** The network plays the key's tone from now on. */
@@ -125,13 +128,13 @@ public sealed interface StationEvent {
     /** The tone has ended. */
     record KeyCompleted(DtmfKey key) implements OfKey {}
 
-    /** The network has refused a key or has not answered; the keys queued after it are dropped as well. */
+    /** The network has refused a key or has not answered; the keys queued after it are dropped, too. */
     record KeysRefused(Cause cause) implements OfKey {}
 
     /** A short message or a broadcast. */
     sealed interface OfMessage extends StationEvent {}
 
-    /** A message that was submitted here. */
+    /** A message submitted here. */
     sealed interface OfSubmittedMessage extends OfMessage {
         /** The number that identifies the message at this station. */
         int id();
@@ -181,7 +184,8 @@ public sealed interface StationEvent {
     /**
      * A text of the network. With {@code reply=expected} the next {@code ussd TEXT} is the reply.
      *
-     * @param replyExpected whether the network waits for a reply; else the dialogue is over, or the text is for information
+     * @param replyExpected true if the network waits for a reply; else the dialogue is over, or the text is for
+     *     information
      */
     @EventLine("ussd text= [reply=]")
     record UssdReceived(String text, boolean replyExpected) implements OfUssd {
@@ -191,22 +195,26 @@ public sealed interface StationEvent {
         }
     }
 
-    /** A service code such as {@code **21*NUMBER#} is performed: active, registered or inactive. @param status how the service stands now */
+    /**
+     * A service code such as {@code **21*NUMBER#} is performed: active, registered or inactive. @param status current
+     * state of the service
+     */
     @EventLine(
             "service code=status.service.typed state=status.state [to=status.forwardedTo] [seconds=status.noReplySeconds]")
     record ServiceAnswered(SsOperation operation, ServiceStatus status) implements OfUssd {}
 
-    /** No text: the error of TS 24.080, or the reason. @param error if the network refused with one that is known */
+    /** No text: the error of TS 24.080, or the reason. @param error if the network refused with a known one */
     @EventLine("ussd-failed [cause=error] text=")
     record UssdEnded(UssdEnding how, Optional<SsError> error) implements OfUssd {
-        /** The error's name, or the way in which the dialogue has ended. */
+        /** The error's name, or the way the dialogue has ended. */
         public String text() {
             return error.map(SsError::title).orElse(how.title());
         }
     }
 
     /**
-     * What the network has delivered, part by part as it came and without duplicates; the events above follow from it.
+     * A delivery of the network, part by part in order of arrival and without duplicates; the events above follow
+     * from it.
      *
      * @param tpdu DELIVER or STATUS-REPORT (TS 23.040, 9.2.2)
      */

@@ -6,7 +6,7 @@ import simgsm.air.Msisdn;
 import simgsm.sim.SimCard;
 
 /**
- * The identity of a station: what its SIM and its equipment hold.
+ * The identity of a station, from its SIM and its equipment.
  *
  * @param unitName the equipment's name in CCM, such as "SimGSM phone"
  * @param serviceCenter the SMSC's address on the SIM
@@ -20,7 +20,7 @@ public record StationIdentity(Imsi imsi, Imei imei, Msisdn number, String unitNa
         return new StationIdentity(card.imsi(), imei, card.number(), unitName, TEST_SERVICE_CENTER);
     }
 
-    /** The identity of a subscriber of an open network, where the number gives the IMSI. */
+    /** The identity of a subscriber of an open network, which derives the IMSI from the number. */
     public static StationIdentity ofOpenNumber(Msisdn number, Imei imei, String unitName) {
         return new StationIdentity(Imsi.ofOpenNumber(number), imei, number, unitName, TEST_SERVICE_CENTER);
     }

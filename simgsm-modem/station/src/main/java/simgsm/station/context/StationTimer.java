@@ -2,13 +2,13 @@ package simgsm.station.context;
 
 import java.util.concurrent.TimeUnit;
 
-/** The timers of the mobile side: their names and values in the specifications; those without a clause are ours. */
+/** The timers of the mobile side, named and valued as in the specifications; those without a clause are ours. */
 public enum StationTimer {
     /** LOCATION UPDATING REQUEST is answered (TS 24.008, table 11.1). */
     T3210(20_000),
     /** Pause before the next location updating (TS 24.008, table 11.1); over the link to our own centre it begins at 1 s and doubles. */
     T3211(15_000),
-    /** Periodic location updating (TS 24.008, table 11.1); the cell names the time, in steps of 6 minutes. */
+    /** Periodic location updating (TS 24.008, table 11.1); the cell gives the time, in steps of 6 minutes. */
     T3212(360_000),
     /** The network releases the connection after IMSI DETACH INDICATION (TS 24.008, table 11.1). */
     T3220(5_000),
@@ -42,19 +42,19 @@ public enum StationTimer {
     TR1M(40_000),
     /** Interval of speech frames. */
     SPEECH(20),
-    /** A message waits for registration at most this long. */
+    /** Longest wait of a message for registration. */
     MESSAGE_WAIT(40_000),
-    /** Delay of a reminder that the user of the station has asked for. */
+    /** Delay of a reminder requested by the station's user. */
     REMINDER(30_000),
-    /** An incoming call rings this long before its user is reminded to answer; the user names the time. */
+    /** Ringing time of an incoming call before its user is reminded to answer; the user sets it. */
     ANSWER(1_500),
-    /** A call waits for registration at most this long: the caller hears nothing meanwhile. */
+    /** Longest wait of a call for registration: the caller hears nothing meanwhile. */
     CALL_WAIT(5_000),
-    /** A USSD request waits for registration at most this long: its user looks at the display meanwhile. */
+    /** Longest wait of a USSD request for registration: its user looks at the display meanwhile. */
     SERVICE_WAIT(5_000),
-    /** The network answers a USSD request or reply within this time; ours, above the network's own limits. */
+    /** Time-out of the network's answer to a USSD request or reply; ours, above the network's own limits. */
     SERVICE_ANSWER(120_000),
-    /** After this time without IDENTITY REQUEST the station registers unasked. */
+    /** Time without IDENTITY REQUEST after which the station registers unasked. */
     IDENTITY(2_000);
 
     private final long nanos;

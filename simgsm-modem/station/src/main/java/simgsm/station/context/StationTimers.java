@@ -7,8 +7,8 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * The timers of one station by name; of each name one runs at a time. A timer that is started late, because the owner was
- * held up, counts from the owner's time and not from the deadline that was missed.
+ * The timers of one station by name; one of each name runs at a time. A timer started late, because the owner was
+ * delayed, counts from the owner's time and not from the missed deadline.
  */
 public final class StationTimers {
     private final Timers timers = new Timers();
@@ -20,7 +20,7 @@ public final class StationTimers {
         this.settle = settle;
     }
 
-    /** The same clock, for parts that keep their own timers. */
+    /** The same clock, for parts with their own timers. */
     public Timers unnamed() {
         return timers;
     }
@@ -30,7 +30,7 @@ public final class StationTimers {
         return nowNanos;
     }
 
-    /** Runs the actions of all timers that have expired by then. */
+    /** Runs the actions of all timers that expire up to this time. */
     public void advanceTo(long nanos) {
         nowNanos = nanos;
         timers.advance(nanos);
@@ -40,7 +40,7 @@ public final class StationTimers {
         start(timer, timer.nanos(), expired);
     }
 
-    /** Starts a timer with a duration of its own; one of that name that runs is stopped. */
+    /** Starts a timer with its own duration; a running one of that name is stopped. */
     public void start(StationTimer timer, long nanos, Runnable expired) {
         stop(timer);
         running.put(timer, timers.start(nowNanos + nanos - timers.nowNanos(), () -> {
@@ -60,7 +60,7 @@ public final class StationTimers {
         return started != null && started.isRunning();
     }
 
-    /** Of a timer that runs. */
+    /** Rest of a running timer. */
     public long remainingNanos(StationTimer timer) {
         return Math.max(0, running.get(timer).deadlineNanos() - nowNanos);
     }

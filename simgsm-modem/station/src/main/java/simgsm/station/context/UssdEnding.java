@@ -1,8 +1,8 @@
 package simgsm.station.context;
 
-/** How a USSD dialogue ended that brought no last text. */
+/** The endings of a USSD dialogue without a last text. */
 public enum UssdEnding {
-    /** The network has taken the reply, or the user has read its text. */
+    /** The network has accepted the reply, or the user has read its text. */
     COMPLETED("completed"),
     /** The network has refused the request. */
     REFUSED("refused by the network"),

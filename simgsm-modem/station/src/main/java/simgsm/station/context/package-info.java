@@ -1,2 +1,5 @@
-/** What all machines of one station share: identity, log, timers, radio connection, and the events that they report. Read first: {@link simgsm.station.context.StationContext}. */
+/**
+ * Objects shared by all machines of one station: identity, log, timers, radio connection, and their events. Read
+ * first: {@link simgsm.station.context.StationContext}.
+ */
 package simgsm.station.context;

@@ -29,8 +29,8 @@ public final class MobileRegistration {
     private static final int NO_KEY = 7;
 
     /**
-     * Pause after the first failure on a link to our own centre, without towers; it doubles up to 16 s. Cause 3 means there that
-     * the number is in use, which may pass, so it is not final.
+     * First pause after a failure on a link to our own centre, without towers; it doubles up to 16 s. There cause 3
+     * means that the number is in use, which may pass, so it is not final.
      */
     private static final long QUICK_NANOS = 1_000_000_000L;
 
@@ -87,7 +87,7 @@ public final class MobileRegistration {
         fire(MobileRegistrationEvent.POWER_ON);
     }
 
-    /** An event that carries nothing: power on, channel released. */
+    /** Fires an event without data: power on, channel released. */
     public void fire(MobileRegistrationEvent event) {
         machine.fire(event);
     }
@@ -162,8 +162,8 @@ public final class MobileRegistration {
     }
 
     /**
-     * The cell has sent its identity. A registration that got no answer, as without a cell, is tried again in it at once (TS 24.008,
-     * 4.2.2.2); one that was refused keeps its pause.
+     * The cell has sent its identity. A registration without an answer, as without a cell, is repeated in it at once
+     * (TS 24.008, 4.2.2.2); a refused one keeps its pause.
      *
      * @param periodicUpdatingSteps T3212, of 6 minutes; 0 for none
      */
@@ -181,8 +181,8 @@ public final class MobileRegistration {
     }
 
     /**
-     * Updates the location if the cell belongs to another area or T3212 has expired (TS 24.008, 4.4.1 and 4.4.2). To be called
-     * on no radio connection.
+     * Updates the location if the cell belongs to another area or T3212 has expired (TS 24.008, 4.4.1 and 4.4.2).
+     * Call it without a radio connection.
      */
     public void keepLocation() {
         if (!isRegistered()) {
@@ -196,7 +196,7 @@ public final class MobileRegistration {
         }
     }
 
-    /** The network has sent a message of layer 3 above radio resources: it knows where the mobile is. */
+    /** The network has sent a layer 3 message above radio resources, so it knows the mobile's place. */
     public void contacted() {
         if (isRegistered()) {
             periodic.contacted();
@@ -278,7 +278,7 @@ public final class MobileRegistration {
         context.timers().start(timer, nanos, () -> fire(expired));
     }
 
-    /** The first message of a radio connection, so an open connection is released first. */
+    /** Sent as the first message of a radio connection, so an open one is released first. */
     private void sendLocationUpdatingRequest() {
         context.radio().release();
         context.radio().send(new LocationUpdatingRequest(updatingType, keySequence, area, identity()));
@@ -301,7 +301,7 @@ public final class MobileRegistration {
         keySequence = NO_KEY;
     }
 
-    /** On a connection of its own: the network no longer reads one that it is about to release. */
+    /** Sent on its own connection: the network no longer reads one that it is about to release. */
     private void sendImsiDetach() {
         context.radio().release();
         context.radio().send(new ImsiDetachIndication(identity()));

@@ -7,18 +7,18 @@ import static simgsm.station.mobility.MobileRegistrationTable.MobileRegistration
 import java.util.EnumSet;
 import simgsm.state.StateTable;
 
-/** How a mobile registers, stays registered and leaves (TS 24.008, 4.4.4, 4.3.4 and 4.2.2). */
+/** Registration of a mobile, its updates and its detach (TS 24.008, 4.4.4, 4.3.4 and 4.2.2). */
 public final class MobileRegistrationTable {
-    /** Mobility management states of a mobile, as far as one cell needs them (TS 24.008, 4.1.2.1). */
+    /** Mobility management states of a mobile needed for one cell (TS 24.008, 4.1.2.1). */
     public enum MobileRegistrationState {
         /** Switched off. */
         NULL,
-        /** No link to a centre, or to one that has not identified itself. */
+        /** No link to a centre, or the centre has not identified itself. */
         NO_CELL_AVAILABLE,
         LOCATION_UPDATING_INITIATED,
         /** Refused or not answered; the next attempt follows after a pause. */
         ATTEMPTING_TO_UPDATE,
-        /** Refused for good: the next attempt follows only after power on or with another cell. */
+        /** Refused for good: the next attempt follows only after power on or in another cell. */
         LIMITED_SERVICE,
         /** Registered. */
         NORMAL_SERVICE,
@@ -33,7 +33,7 @@ public final class MobileRegistrationTable {
         LINK_LOST,
         LOCATION_UPDATING_ACCEPTED,
         LOCATION_UPDATING_REJECTED,
-        /** As before, with a cause that a further attempt would meet again. */
+        /** As before, with a cause that another attempt would meet again. */
         LOCATION_UPDATING_FORBIDDEN,
         AUTHENTICATION_REJECTED,
         /** A service was refused because the network has lost the registration. */
@@ -47,7 +47,7 @@ public final class MobileRegistrationTable {
         T3220_EXPIRED
     }
 
-    /** What {@link MobileRegistration} does on a transition. */
+    /** Actions of {@link MobileRegistration}. */
     public enum MobileRegistrationAction {
         SEARCH_CELL,
         SEND_LOCATION_UPDATING_REQUEST,
@@ -128,7 +128,7 @@ public final class MobileRegistrationTable {
                         LOCATION_UPDATING_INITIATED,
                         SEND_LOCATION_UPDATING_REQUEST)
                 .stay(EnumSet.of(ATTEMPTING_TO_UPDATE, LIMITED_SERVICE, NORMAL_SERVICE), CHANNEL_RELEASED)
-                // The answer to a request that was sent twice: the network pages by the identity that it gave last.
+                // The answer to a request sent twice: the network pages by the identity that it gave last.
                 .stay(EnumSet.of(NORMAL_SERVICE), LOCATION_UPDATING_ACCEPTED, TAKE_NEW_IDENTITY);
     }
 

@@ -18,7 +18,7 @@ import simgsm.air.MobilityManagement.MmStatus;
 import simgsm.air.RejectCause;
 import simgsm.station.context.StationContext;
 
-/** Passes the network's mobility management messages on; answers those that need only an answer. */
+/** Passes the network's mobility management messages on; answers those that only need an answer. */
 public final class MobilityMessages {
     private final StationContext context;
     private final MobileRegistration registration;

@@ -4,7 +4,7 @@ import java.util.random.RandomGenerator;
 import simgsm.station.context.StationTimer;
 import simgsm.station.context.StationTimers;
 
-/** T3212: when the location has to be updated although the area is the same (TS 24.008, 4.4.2). */
+/** T3212, after which the location is updated even in the same area (TS 24.008, 4.4.2). */
 final class PeriodicUpdating {
     private final StationTimers timers;
     private final RandomGenerator random;
@@ -17,8 +17,8 @@ final class PeriodicUpdating {
     }
 
     /**
-     * The cell has told its value. Of a timer that runs the rest of the time, modulo the new value, is kept; without one the
-     * mobile, which has been registered without periodic updating, draws the time of its first update.
+     * The cell has sent its value. A running timer keeps its remaining time, modulo the new value; a mobile
+     * registered without periodic updating draws the time of its first update.
      *
      * @param steps of 6 minutes; 0 for no periodic updating
      */
@@ -37,7 +37,7 @@ final class PeriodicUpdating {
         }
     }
 
-    /** T3212 of the cell; one step if it names none. */
+    /** T3212 of the cell; one step if it gives none. */
     long nanos() {
         return Math.max(periodNanos, StationTimer.T3212.nanos());
     }
@@ -46,7 +46,10 @@ final class PeriodicUpdating {
         timers.start(StationTimer.T3212, nanos, () -> isDue = true);
     }
 
-    /** The network has answered on a connection: the period begins anew with idle mode. An update that is due stays so. */
+    /**
+     * The network has answered on a connection: the period restarts with idle mode. An update that is due remains
+     * due.
+     */
     void contacted() {
         timers.stop(StationTimer.T3212);
     }

@@ -27,7 +27,7 @@ public final class ServiceRequests {
         void lost();
     }
 
-    /** Repetitions of a request that a channel release has crossed. */
+    /** Most repetitions of a request that crossed a channel release. */
     private static final int MAX_REPEATS = 3;
 
     private final StationContext context;
@@ -35,10 +35,10 @@ public final class ServiceRequests {
     private final Map<ServiceType, ServiceUser> users = new EnumMap<>(ServiceType.class);
     private final Deque<ServiceType> waiting = new ArrayDeque<>();
     private final Set<ServiceType> active = EnumSet.noneOf(ServiceType.class);
-    /** The request that the network has not answered yet, or null. */
+    /** The request not yet answered by the network, or null. */
     private ServiceType pending;
 
-    /** Whether the user of the pending request no longer needs it. */
+    /** True if the user of the pending request no longer needs it. */
     private boolean pendingReleased;
 
     private int repeats;
@@ -76,7 +76,7 @@ public final class ServiceRequests {
         }
     }
 
-    /** Withdraws a request; a connection of this kind stays. */
+    /** Withdraws a request; a connection of this kind is kept. */
     public void withdraw(ServiceType service) {
         waiting.remove(service);
         pendingReleased |= service == pending;
@@ -92,22 +92,22 @@ public final class ServiceRequests {
         }
     }
 
-    /** Ends a connection; a request that was made since stays. */
+    /** Ends a connection; a later request is kept. */
     public void complete(ServiceType service) {
         active.remove(service);
     }
 
-    /** The network has opened this connection by itself. */
+    /** The network has opened this connection. */
     public void adopt(ServiceType service) {
         active.add(service);
     }
 
-    /** Whether the station is registered; until then requests wait. */
+    /** True if the station is registered; until then requests wait. */
     public boolean isAvailable() {
         return registration.isRegistered();
     }
 
-    /** Whether the network has refused the station, so that a request would wait in vain. */
+    /** True if the network has refused the station, so that a request would wait in vain. */
     public boolean isRefused() {
         return registration.isRefused();
     }
@@ -116,7 +116,7 @@ public final class ServiceRequests {
         return active.isEmpty() && waiting.isEmpty() && pending == null;
     }
 
-    /** Whether the network has to release the unused channel before anything else. */
+    /** True if the network must release the unused channel before anything else. */
     public boolean isAborting() {
         return aborting;
     }

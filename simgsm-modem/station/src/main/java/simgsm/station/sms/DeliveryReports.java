@@ -12,10 +12,10 @@ import simgsm.sms.StatusReportTpdu;
 import simgsm.station.context.StationLog;
 
 /**
- * The parts whose status report is outstanding, by message reference. A reference has one octet (TS 23.040, 9.2.3.6), so
- * two of more than 256 parts share one. The receiver's number distinguishes them; of two for one receiver the older is taken,
- * because a service centre delivers in order. After the loss of a report this may be wrong. Of one reference the newest
- * {@value #MAX_OF_ONE_REFERENCE} parts are kept.
+ * The parts without their status report, by message reference. A reference has one octet (TS 23.040, 9.2.3.6), so two
+ * of more than 256 parts share one. The receiver's number distinguishes them; of two to one receiver the older is
+ * taken, because a service centre delivers in order. After the loss of a report this may be wrong. The newest {@value
+ * #MAX_OF_ONE_REFERENCE} parts of a reference are kept.
  */
 final class DeliveryReports {
     static final int MAX_OF_ONE_REFERENCE = 16;

@@ -5,9 +5,9 @@ import java.util.Deque;
 import simgsm.octets.OctetString;
 
 /**
- * Recognises a message that the centre delivers again because the acknowledgement was lost: the same octets, so the same
- * originator, time stamp and part. Another centre than ours may give two messages the same time stamp; therefore only a
- * message from an earlier link, or one whose acknowledgement was not confirmed, can have a duplicate.
+ * Recognises a message that the centre delivers again because the acknowledgement was lost: the same octets, so the
+ * same originator, time stamp and part. Other centres may give two messages the same time stamp; therefore only a
+ * message from an earlier link, or one with an unconfirmed acknowledgement, can have a duplicate.
  */
 final class DuplicateFilter {
     private static final int MAX_REMEMBERED = 1000;
@@ -17,12 +17,12 @@ final class DuplicateFilter {
     private final Deque<OctetString> repeatable = new ArrayDeque<>();
     private final Deque<OctetString> confirmed = new ArrayDeque<>();
 
-    /** Whether a message with these octets may be a duplicate; changes nothing. */
+    /** True if a message with these octets may be a duplicate; changes nothing. */
     boolean mayBeDuplicate(OctetString received) {
         return repeatable.contains(withoutMoreMessages(received));
     }
 
-    /** Whether the message is a duplicate; called once for each message received. */
+    /** True if the message is a duplicate; called once for each message received. */
     boolean isDuplicate(OctetString received) {
         OctetString tpdu = withoutMoreMessages(received);
         if (repeatable.removeFirstOccurrence(tpdu)) {
@@ -47,7 +47,7 @@ final class DuplicateFilter {
         confirmed.clear();
     }
 
-    /** Without TP-MMS: whether more messages wait may have changed by the second delivery. */
+    /** Without TP-MMS, which may differ in the second delivery. */
     private static OctetString withoutMoreMessages(OctetString tpdu) {
         byte[] octets = tpdu.toArray();
         if (octets.length > 0) {

@@ -7,7 +7,7 @@ import static simgsm.station.sms.IncomingMessageTable.IncomingMessageState.*;
 import java.util.EnumSet;
 import simgsm.state.StateTable;
 
-/** How a mobile takes what the network delivers (TS 24.011, 5.3 and 6.3): each CP-DATA is answered at once. */
+/** Reception of messages by a mobile (TS 24.011, 5.3 and 6.3): each CP-DATA is answered at once. */
 public final class IncomingMessageTable {
     /** SMC of the mobile for the answer to one incoming message (TS 24.011, 5.2). */
     public enum IncomingMessageState {
@@ -19,7 +19,7 @@ public final class IncomingMessageTable {
     /** Events of {@link IncomingMessageTable}. */
     public enum IncomingMessageEvent {
         CP_DATA,
-        /** The CP-DATA that has been answered already. */
+        /** The CP-DATA was answered before. */
         CP_DATA_REPEATED,
         CP_ACK,
         CP_ERROR,
@@ -29,15 +29,15 @@ public final class IncomingMessageTable {
         RADIO_LOST
     }
 
-    /** What {@link MessageReceiver} does on a transition. */
+    /** Actions of {@link MessageReceiver}. */
     public enum IncomingMessageAction {
         SEND_CP_ACK,
-        /** Takes or refuses the message and prepares the answer. */
+        /** Accepts or refuses the message and prepares the answer. */
         TAKE_MESSAGE,
         SEND_ANSWER,
         START_TC1,
         STOP_TC1,
-        /** The network may not have the answer: it may deliver the message again. */
+        /** The network may lack the answer and deliver the message again. */
         EXPECT_DUPLICATE
     }
 
@@ -49,7 +49,7 @@ public final class IncomingMessageTable {
         TABLE.on(IDLE, CP_DATA, waiting, SEND_CP_ACK, TAKE_MESSAGE, START_TC1, SEND_ANSWER)
                 .stay(EnumSet.of(IDLE), RADIO_LOST)
                 .stay(EnumSet.of(waiting), CP_DATA_REPEATED, SEND_CP_ACK)
-                // The next message without CP-ACK: the network has not received the answer to the last one.
+                // The next message without CP-ACK: the network has not received the last answer.
                 .on(waiting, CP_DATA, waiting, SEND_CP_ACK, EXPECT_DUPLICATE, TAKE_MESSAGE, START_TC1, SEND_ANSWER)
                 .on(waiting, CP_ACK, IDLE, STOP_TC1)
                 // The network has given the transaction up.

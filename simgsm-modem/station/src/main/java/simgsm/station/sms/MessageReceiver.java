@@ -26,7 +26,7 @@ import simgsm.station.sms.IncomingMessageTable.IncomingMessageAction;
 import simgsm.station.sms.IncomingMessageTable.IncomingMessageEvent;
 import simgsm.station.sms.IncomingMessageTable.IncomingMessageState;
 
-/** Takes what the network delivers; runs by {@link IncomingMessageTable}. */
+/** Receives the network's deliveries; runs by {@link IncomingMessageTable}. */
 final class MessageReceiver {
     private static final int MAX_RETRANSMISSIONS = 3;
 
@@ -35,7 +35,7 @@ final class MessageReceiver {
     private final StateMachine<IncomingMessageState, IncomingMessageEvent, IncomingMessageAction> machine;
     private final Reassembler reassembler = new Reassembler();
     private final DuplicateFilter duplicates = new DuplicateFilter();
-    /** The CP-DATA that is answered; null before the first. */
+    /** The CP-DATA being answered; null before the first. */
     private CpData received;
 
     private CpData answer;
@@ -61,7 +61,7 @@ final class MessageReceiver {
         memoryFull = true;
     }
 
-    /** @return whether the network waits for RP-SMMA */
+    /** @return true if the network waits for RP-SMMA */
     boolean memoryAvailable() {
         boolean report = memoryFull && networkWaits;
         memoryFull = false;

@@ -34,7 +34,7 @@ final class MessageSender implements ServiceRequests.ServiceUser {
 
     private static final int TRANSACTIONS = 7;
     private static final int MAX_RETRANSMISSIONS = 3;
-    /** Losses of the radio connection during one message, after which it fails. */
+    /** Losses of the radio connection that make a message fail. */
     private static final int MAX_LOSSES = 3;
 
     private static final int CP_CONGESTION = 22;
@@ -50,7 +50,7 @@ final class MessageSender implements ServiceRequests.ServiceUser {
         int reference();
     }
 
-    /** @param tpdu SUBMIT or COMMAND, whose reference and duplicate bit are set when it is sent */
+    /** @param tpdu SUBMIT or COMMAND; reference and duplicate bit are set at submission */
     private record Part(OutgoingMessage message, int reference, OctetString tpdu, Msisdn serviceCenter)
             implements Item {}
 
@@ -244,7 +244,7 @@ final class MessageSender implements ServiceRequests.ServiceUser {
                 : new RelayMessage.RpSmma(item.reference());
     }
 
-    /** With TP-MR in its second octet and, for a SUBMIT that is sent again, TP-RD (TS 23.040, 9.2.2.2). */
+    /** With TP-MR in the second octet and, for a repeated SUBMIT, TP-RD (TS 23.040, 9.2.2.2). */
     private OctetString numbered(Part part) {
         byte[] octets = part.tpdu().toArray();
         octets[1] = (byte) part.reference();
@@ -260,7 +260,9 @@ final class MessageSender implements ServiceRequests.ServiceUser {
         }
     }
 
-    /** A message fails with its first part. RP-SMMA is not repeated: the network tries again by its own schedule. */
+    /**
+     * A message fails with its first failing part. RP-SMMA is not repeated: the network retries by its own schedule.
+     */
     private void itemFailed() {
         if (removeItem() instanceof Part part) {
             reports.cancel(part.reference(), part.message());

@@ -5,7 +5,7 @@ import simgsm.air.RpCause;
 import simgsm.station.context.PendingEvents;
 import simgsm.station.context.StationEvent;
 
-/** One text in all its parts; reports each step once and in order. */
+/** One text with all its parts; reports each step once and in order. */
 final class OutgoingMessage {
     private final int id;
     private final Msisdn to;
@@ -34,7 +34,7 @@ final class OutgoingMessage {
         }
     }
 
-    /** A status report may come before the last acknowledgement. */
+    /** A status report may precede the last acknowledgement. */
     void partDelivered() {
         delivered++;
         if (acknowledged == parts) {

@@ -8,7 +8,7 @@ import java.util.EnumSet;
 import java.util.Set;
 import simgsm.state.StateTable;
 
-/** How a mobile sends one short message (TS 24.011, 5.3 and 6.3). */
+/** Submission of one short message by a mobile (TS 24.011, 5.3 and 6.3). */
 public final class OutgoingMessageTable {
     /** SMC and SMR of the mobile for one outgoing message, in one machine (TS 24.011, 5.2 and 6.2). */
     public enum OutgoingMessageState {
@@ -40,11 +40,11 @@ public final class OutgoingMessageTable {
         POWER_OFF
     }
 
-    /** What {@link MessageSender} does on a transition. */
+    /** Actions of {@link MessageSender}. */
     public enum OutgoingMessageAction {
         REQUEST_CONNECTION,
         RELEASE_CONNECTION,
-        /** Ends the current connection; a request for the next one stays. */
+        /** Ends the current connection; a request for the next one is kept. */
         COMPLETE_CONNECTION,
         SEND_CP_DATA,
         SEND_CP_ACK,

@@ -33,7 +33,7 @@ public final class ShortMessages {
         receiver = new MessageReceiver(context, reports);
     }
 
-    /** The machine that needs connections for outgoing messages. */
+    /** The user of connections for outgoing messages. */
     public ServiceRequests.ServiceUser sender() {
         return sender;
     }
@@ -43,7 +43,7 @@ public final class ShortMessages {
         return sender.send(to, text);
     }
 
-    /** Queues a transfer unit of the terminal's own making. @return the message's id */
+    /** Queues a transfer unit made by the terminal. @return the message's id */
     public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
         return sender.submit(tpdu, to, serviceCenter);
     }
@@ -73,7 +73,7 @@ public final class ShortMessages {
         receiver.linkLost();
     }
 
-    /** Whether a received message needs the radio connection; the sender requests its own. */
+    /** True if a received message needs the radio connection; the sender requests its own. */
     public boolean isBusy() {
         return receiver.isBusy();
     }

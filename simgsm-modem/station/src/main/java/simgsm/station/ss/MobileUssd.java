@@ -39,8 +39,8 @@ import simgsm.station.ss.MobileUssdTable.MobileUssdEvent;
 import simgsm.station.ss.MobileUssdTable.MobileUssdState;
 
 /**
- * USSD of a station: one dialogue at a time, begun by the user or by the network; runs by {@link MobileUssdTable}. A second
- * one that the network begins is refused with the error "USSD busy".
+ * USSD of a station: one dialogue at a time, begun by the user or by the network; runs by {@link MobileUssdTable}. A
+ * second one begun by the network is refused with the error "USSD busy".
  */
 public final class MobileUssd implements ServiceRequests.ServiceUser {
     private static final int TRANSACTIONS = 7;
@@ -53,14 +53,14 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
     private int nextTransaction;
     /** As in messages sent: the flag is set if the network began the dialogue. */
     private TransactionIdentifier transaction = new TransactionIdentifier(0, false);
-    /** What the user has sent last: a request, or the result of the network's question. */
+    /** The user's last component: a request, or the result of the network's question. */
     private Component typed;
     /** The network's latest text. */
     private String shown = "";
-    /** The network's latest operation, which is answered. */
+    /** The network's latest operation, to be answered. */
     private Invoke asked;
 
-    /** What the network's last component says. */
+    /** The report of the network's last component. */
     private Optional<StationEvent> lastWord = Optional.empty();
 
     private UssdEnding ending = UssdEnding.COMPLETED;
@@ -72,18 +72,18 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
         machine = new StateMachine<>(MobileUssdTable.TABLE, context.identity().number(), this::perform);
     }
 
-    /** Whether the network waits for the user's reply. */
+    /** True if the network waits for the user's reply. */
     private boolean awaitsReply() {
         return machine.state() == MobileUssdState.WAIT_FOR_USER;
     }
 
-    /** Whether the network has begun the dialogue and waits for the user's reply. */
+    /** True if the network has begun the dialogue and waits for the user's reply. */
     public boolean isAskedByNetwork() {
         return awaitsReply() && transaction.fromOtherSide();
     }
 
     /**
-     * Sends what the user has typed: the reply to the network, or else a request, which may be a supplementary service.
+     * Sends the user's text: the reply to the network, or else a request, possibly of a supplementary service.
      *
      * @return false if a dialogue is under way and the network has not asked
      * @throws IllegalArgumentException for a text that is empty or too long
@@ -168,7 +168,7 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
         }
     }
 
-    /** @return what the refused dialogue ends with; null if it has begun */
+    /** @return the final component of a refused dialogue; null if it has begun */
     private Component begin(SsRegister register, TransactionIdentifier answered) {
         try {
             Component component = ComponentCodec.decode(register.facility());
@@ -249,7 +249,7 @@ public final class MobileUssd implements ServiceRequests.ServiceUser {
         }
     }
 
-    /** A text, or how the supplementary service stands for which the user has asked. */
+    /** A text, or the state of the supplementary service that the user asked about. */
     private StationEvent wordOf(OctetString result) throws ProtocolViolation {
         if (!(typed instanceof Invoke request) || request.is(SsOperation.PROCESS_UNSTRUCTURED_SS_REQUEST)) {
             return new StationEvent.UssdReceived(UssdText.decode(result).text(), false);

@@ -48,7 +48,7 @@ public final class MobileUssdTable {
         RELEASE_CONNECTION,
         SEND_REQUEST,
         SEND_REPLY,
-        /** The user has been shown a text. */
+        /** The user has seen a text. */
         SEND_CONFIRMATION,
         SEND_RELEASE_COMPLETE,
         START_WAIT,
@@ -56,7 +56,7 @@ public final class MobileUssdTable {
         STOP_TIMERS,
         /** Shows the network's text. */
         SHOW_TEXT,
-        /** Shows the last text, or how the dialogue ended without one. */
+        /** Shows the last text, or the dialogue's ending without one. */
         REPORT_END
     }
 

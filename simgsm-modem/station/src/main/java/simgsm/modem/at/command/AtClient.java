@@ -5,7 +5,7 @@ import simgsm.modem.at.AtResult;
 import simgsm.modem.at.AtSession;
 import simgsm.modem.at.state.ClientSettings;
 
-/** One connected client: its dialogue and what it has set. */
+/** One connected client: its dialogue and settings. */
 public final class AtClient {
     private final AtModem modem;
     private final AtSession<AtClient> session;
@@ -17,17 +17,17 @@ public final class AtClient {
         session = new AtSession<>(AtCommands.TABLE, this, modem.timers(), output);
     }
 
-    /** Takes what the client has sent. */
+    /** Receives octets from the client. */
     public void received(byte[] octets) {
         session.received(octets);
     }
 
-    /** False while the client is to be held back. */
+    /** False while the client must be held back. */
     public boolean wantsInput() {
         return session.wantsInput();
     }
 
-    /** Whether a command has no final result yet. */
+    /** True if a command has no final result yet. */
     public boolean isPerforming() {
         return session.isPerforming();
     }
@@ -50,14 +50,14 @@ public final class AtClient {
         return settings;
     }
 
-    /** ATZ and AT&F. */
+    /** Performs ATZ and AT&F. */
     void reset() {
         settings = new ClientSettings();
         session.resetFormat();
         modem.settingsChanged();
     }
 
-    /** Reports what a modem reports after power-on; the rest follows once it is registered. */
+    /** Reports the codes after power-on; the rest follows after registration. */
     void boot() {
         modem.profile().bootCodes.forEach(this::report);
         isBooting = modem.profile().boots();

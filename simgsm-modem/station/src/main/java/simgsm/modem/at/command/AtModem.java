@@ -11,8 +11,8 @@ import simgsm.station.context.StationEvent;
 import simgsm.timer.Timers;
 
 /**
- * The AT side of one terminal: what all its clients share. Clients come and go; the terminal's events go to the clients as
- * unsolicited codes. Time is given by advancing {@link #timers}. Owned by the thread that owns the station.
+ * The AT side of one terminal, shared by all its clients, which receive the terminal's events as unsolicited codes.
+ * Time is given by advancing {@link #timers}. Owned by the thread that owns the station.
  */
 public final class AtModem {
     private final AtTerminal terminal;
@@ -44,7 +44,7 @@ public final class AtModem {
         submissions = new Submissions(terminal);
     }
 
-    /** A client connects. @param output receives what is to be sent to it */
+    /** Connects a client. @param output receives octets to send to it */
     public AtClient connect(Consumer<byte[]> output) {
         AtClient client = new AtClient(this, output);
         clients.add(client);

@@ -7,7 +7,7 @@ import simgsm.sim.SimPhoneBook;
 import simgsm.station.MobileStation;
 import simgsm.station.context.StationEvent;
 
-/** The terminal that is commanded: a phone or M2. All methods belong to the thread that owns its station. */
+/** The commanded terminal: a phone or M2. All methods belong to the thread that owns its station. */
 public interface AtTerminal {
     /** The model's name, such as M1. */
     String model();
@@ -40,14 +40,14 @@ public interface AtTerminal {
         return false;
     }
 
-    /** Whether a second call may wait. */
+    /** True if a second call may wait. */
     boolean hasCallWaiting();
 
     /**
      * Sends keys in the active call.
      *
      * @param toneMillis length of each tone, 70 at least
-     * @param sent runs when the last has been sent; never if the call ends before
+     * @param sent runs after the last tone; never if the call ends before
      */
     void sendKeys(List<DtmfKey> keys, int toneMillis, Runnable sent);
 
@@ -59,7 +59,9 @@ public interface AtTerminal {
         return station().sendUssd(text);
     }
 
-    /** Whether there is room for received messages; see {@link simgsm.station.StationCommands#setMemoryAvailable}. */
+    /**
+     * Sets if there is room for received messages; see {@link simgsm.station.StationCommands#setMemoryAvailable}.
+     */
     default void setMemoryAvailable(boolean available) {
         station().setMemoryAvailable(available);
     }

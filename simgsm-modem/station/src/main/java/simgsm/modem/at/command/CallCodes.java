@@ -15,9 +15,11 @@ import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationEvent;
 import simgsm.timer.Timer;
 
-/** The terminal's call as clients see it, and its unsolicited codes: RING, +CLIP, +CCWA, NO CARRIER and the like. */
+/**
+ * The terminal's call as seen by clients, and its unsolicited codes: RING, +CLIP, +CCWA, NO CARRIER and the like.
+ */
 final class CallCodes {
-    /** Between two RINGs. */
+    /** Interval of RING. */
     static final long RING_NANOS = TimeUnit.SECONDS.toNanos(3);
 
     /** Voice, in +CLCC and +CCWA. */
@@ -29,22 +31,22 @@ final class CallCodes {
     private boolean isPresent;
     private boolean isIncoming;
     private boolean isConnected;
-    /** As dialled, or as the network gave it; empty if unknown. */
+    /** As dialled, or as given by the network; empty if unknown. */
     private String number = "";
 
     private Optional<StationEvent.CallWaits> waiting = Optional.empty();
     private boolean answersWaiting;
-    /** The held call; it comes back when the active one has ended, if +CHLD=1 asked for that. */
+    /** The held call; retrieved at the end of the active one if +CHLD=1 asked for that. */
     private Optional<HeldParty> held = Optional.empty();
 
-    /** The call that was held when another was parked: the two change places. */
+    /** The call held when another was parked: the two are being swapped. */
     private Optional<HeldParty> beingRetrieved = Optional.empty();
 
     private boolean retrieves;
     private Timer ringTimer;
     private int rings;
     private Optional<Cause> lastCause = Optional.empty();
-    /** The client that has hung up reads OK, and no code after it. */
+    /** The client that has hung up; it reads OK, and no code after it. */
     private AtClient hangingUp;
 
     private AtRequest answering;
@@ -198,7 +200,7 @@ final class CallCodes {
         }
     }
 
-    /** A waiting call is answered next: it is the current one from now on. */
+    /** A waiting call is answered next and is the current one from now on. */
     private void held() {
         HeldParty parked = new HeldParty(number, isIncoming);
         beingRetrieved = held;
@@ -320,7 +322,7 @@ final class CallCodes {
         }
     }
 
-    /** The keys that are being sent will not be. */
+    /** The queued keys will not be sent. */
     void keysRefused() {
         List<AtRequest> unsent = List.copyOf(sendingKeys);
         sendingKeys.clear();

@@ -17,7 +17,7 @@ import simgsm.ss.ServiceCode;
 
 /** Calls and keys (V.250, 6.3; TS 27.007, 6, 7 and C.2). */
 final class CallCommands {
-    /** Signs that only structure a dial string, and modifiers of lines that are not GSM. */
+    /** Signs that only structure a dial string, and modifiers for lines other than GSM. */
     private static final String IGNORED_IN_NUMBERS = " -()/.TPWtpw,!@";
 
     private CallCommands() {}

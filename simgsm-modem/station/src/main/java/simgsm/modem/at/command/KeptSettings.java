@@ -8,11 +8,11 @@ import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 
-/** Commands that only keep their numbers: the read form answers what the client has set. */
+/** Commands that only store their numbers: the read form answers the client's values. */
 final class KeptSettings {
     private KeptSettings() {}
 
-    /** Serves all rows that have initial values; a set command must lie in the ranges of the test form. */
+    /** Serves all rows with initial values; a set command must be in the ranges of the test form. */
     static void addTo(AtCommandTable<AtClient> table) {
         for (AtCommandTable.Row<AtClient> row : table.rows()) {
             if (row.initial().isPresent()) {
@@ -22,14 +22,14 @@ final class KeptSettings {
         }
     }
 
-    /** The values that a client has set, else the initial ones. */
+    /** The values set by a client, else the initial ones. */
     static String kept(AtClient client, String name) {
         return client.settings()
                 .kept
                 .getOrDefault(name, AtCommands.TABLE.row(name).initial().orElseThrow());
     }
 
-    /** Keeps what a set command gives; what it leaves out stays. */
+    /** Stores the values of a set command; omitted ones do not change. */
     static void keep(AtClient client, AtRequest request) throws AtException {
         String name = request.command().name();
         String ranges = AtCommands.TABLE.row(name).ranges();

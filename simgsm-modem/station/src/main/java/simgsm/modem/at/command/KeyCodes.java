@@ -7,9 +7,9 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
 
-/** +DTMF: the far end's keys, for clients that have set +DDET. Without such a client nothing is decoded. */
+/** +DTMF: the far end's keys, for clients that have set +DDET. Keys are decoded only if there is such a client. */
 final class KeyCodes implements DtmfListener {
-    /** The key last reported to a client, and when it began. */
+    /** The key last reported to a client, and its start. */
     private record Reported(DtmfKey key, long sample, boolean isReported) {}
 
     private static final int SAMPLES_PER_MILLI = 8;
@@ -28,7 +28,7 @@ final class KeyCodes implements DtmfListener {
         }
     }
 
-    /** A call begins. */
+    /** Starts a call. */
     void reset() {
         receiver.reset();
         last.clear();

@@ -25,10 +25,10 @@ import simgsm.sms.Tpdu;
 import simgsm.station.context.StationEvent;
 
 /**
- * Received messages: stored on the SIM or passed to clients as +CNMI says, with +CMTI, +CMT, +CDS, +CDSI and +CBM.
+ * Received messages: stored on the SIM or passed to clients, as set by +CNMI, with +CMTI, +CMT, +CDS, +CDSI and +CBM.
  *
- * <p>Until the first client has connected no program reads the memory, so a message that finds it full replaces the oldest.
- * From then on a full memory refuses messages (RP cause 22), and the network keeps them until there is room.
+ * <p>Before the first client connects, no program reads the memory, so a message replaces the oldest if it is full.
+ * Later a full memory refuses messages (RP cause 22), and the network keeps them until there is room.
  */
 final class MessageCodes {
     private static final int MOST_BUFFERED = 50;
@@ -47,10 +47,10 @@ final class MessageCodes {
     private boolean isServed;
     private boolean isRefusing;
     private final Map<AtClient, Deque<String>> buffered = new HashMap<>();
-    /** Messages passed directly that a client of phase 2+ has not acknowledged. */
+    /** Messages passed directly and not yet acknowledged by a client of phase 2+. */
     private final Map<AtClient, Integer> unacknowledged = new HashMap<>();
 
-    /** Pages are repeated by the cell; each is reported once. */
+    /** The cell repeats pages; each is reported once. */
     private final Map<OctetString, Boolean> pages = new LinkedHashMap<>() {
         private static final long serialVersionUID = 1;
 
@@ -96,7 +96,7 @@ final class MessageCodes {
         return false;
     }
 
-    /** Clients have come, gone, or set something. */
+    /** Clients have connected, disconnected, or changed settings. */
     void settingsChanged() {
         isServed |= !modem.clients().isEmpty();
         buffered.keySet().retainAll(modem.clients());
@@ -104,7 +104,7 @@ final class MessageCodes {
         memoryChanged();
     }
 
-    /** Notifies the network when the memory has become full, and when there is room again. */
+    /** Notifies the network when the memory becomes full, and when it has room again. */
     void memoryChanged() {
         boolean refuses =
                 isServed && memory.isFull() && modem.clients().stream().noneMatch(this::isDirect);
@@ -173,7 +173,7 @@ final class MessageCodes {
         return place;
     }
 
-    /** A report that is to be stored and finds no room is dropped: it must not displace a message. */
+    /** A report to be stored is dropped if there is no room: it must not replace a message. */
     private void reported(OctetString octets, StatusReportTpdu report) {
         PduText pdu = new PduText(serviceCenter, octets);
         to(
@@ -236,7 +236,7 @@ final class MessageCodes {
         codes.add(text);
     }
 
-    /** +CNMI has been set: kept codes are sent, or dropped for bfr 1. */
+    /** +CNMI was set: kept codes are sent, or dropped for bfr 1. */
     void indicationsSet(AtClient client) {
         if (client.settings().indicationMode > 0) {
             Deque<String> codes = Optional.ofNullable(buffered.remove(client)).orElseGet(ArrayDeque::new);

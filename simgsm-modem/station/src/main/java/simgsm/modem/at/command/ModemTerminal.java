@@ -10,8 +10,8 @@ import simgsm.station.MobileStation;
 import simgsm.station.context.StationEvent;
 
 /**
- * M2 as a modem for AT commands, beside the robot that it serves. Keys are signalled, as by real modems: the network makes
- * the tones.
+ * M2 as a modem for AT commands, besides its robot. Keys are signalled, as by real modems: the network makes the
+ * tones.
  */
 public final class ModemTerminal implements AtTerminal {
     private static final class Keys {

@@ -15,12 +15,12 @@ final class NetworkCodes {
     static final String INDICATORS = "(\"battchg\",(0-5)),(\"signal\",(0-5)),(\"service\",(0,1)),(\"message\",(0,1)),"
             + "(\"call\",(0,1)),(\"roam\",(0,1)),(\"smsfull\",(0,1)),(\"callsetup\",(0-3))";
 
-    /** Of the test network's one cell. */
+    /** Identity of the test network's one cell. */
     private static final int OWN_CELL = 1;
 
     private static final String DEFAULT_NAME = "SimGSM";
     private static final int FULL = 5;
-    /** +CSQ: -63 dBm of a terminal that has a link; the suite without cells simulates no radio. */
+    /** +CSQ of a terminal with a link, -63 dBm; without cells no radio is simulated. */
     private static final int SIGNAL_WITH_LINK = 25;
 
     private static final int SIGNAL_UNKNOWN = 99;
@@ -41,13 +41,13 @@ final class NetworkCodes {
         return modem.terminal().station().snapshot();
     }
 
-    /** Registers, or detaches. @param function what +CFUN tells from now on */
+    /** Registers or detaches. @param function answer of +CFUN from now on */
     void setPower(boolean on, int function) {
         functionWhenOff = on ? 0 : function;
         modem.terminal().setPower(on);
     }
 
-    /** As +CFUN has set it; a terminal that its user has switched off has 0. */
+    /** The value set by +CFUN; 0 for a terminal switched off by its user. */
     int function() {
         return station().powered() ? 1 : functionWhenOff;
     }
@@ -63,7 +63,7 @@ final class NetworkCodes {
         return station().rejectCause().isPresent() ? 3 : 2;
     }
 
-    /** State, and for mode 2 the place where the terminal is registered. */
+    /** State, and for mode 2 the place of registration. */
     String registration(int mode) {
         int state = registration();
         int area = station().cell().map(ServingCell::areaCode).orElse(LocationArea.TEST.areaCode());
@@ -78,7 +78,7 @@ final class NetworkCodes {
         return Integer.parseInt(KeptSettings.kept(client, command));
     }
 
-    /** As above; there is no packet service, so +CGREG follows +CREG while the client wants to be attached. */
+    /** As above; there is no packet service, so +CGREG equals +CREG while the client wants to be attached. */
     String registration(AtClient client, String command) {
         return command.equals("+CREG") || isAttached(client) ? registration(mode(client, command)) : "0";
     }
@@ -87,7 +87,7 @@ final class NetworkCodes {
         return registration() == 1 && KeptSettings.kept(client, "+CGATT").equals("1");
     }
 
-    /** 0 to 31, -113 dBm and 2 dB a step, or 99. */
+    /** 0 to 31, from -113 dBm in steps of 2 dB, or 99. */
     int signal() {
         if (!station().powered() || !station().linkUp()) {
             return SIGNAL_UNKNOWN;
@@ -123,7 +123,7 @@ final class NetworkCodes {
         return values;
     }
 
-    /** Reports what has changed. */
+    /** Reports changes. */
     void check() {
         // mode 2 also reports another cell (TS 27.007, 7.2)
         if (!registration(2).equals(lastPlace)) {

@@ -10,7 +10,9 @@ import simgsm.ss.ServiceStatus;
 import simgsm.ss.SsError;
 import simgsm.station.context.StationEvent;
 
-/** The command that waits for the network's answer about a supplementary service; one at a time, as the network has it. */
+/**
+ * The command that waits for the network's answer about a supplementary service; one at a time, as in the network.
+ */
 final class ServiceAnswers {
     private final AtTerminal terminal;
     private Optional<AtRequest> asking = Optional.empty();
@@ -23,7 +25,7 @@ final class ServiceAnswers {
     /**
      * Asks the network.
      *
-     * @param code as a user types it, {@code *#21#}
+     * @param code as typed by a user, {@code *#21#}
      * @param told takes the service's status; OK follows
      */
     AtResult ask(AtRequest request, String code, Consumer<ServiceStatus> told) throws AtException {
@@ -36,7 +38,7 @@ final class ServiceAnswers {
         return AtResult.PENDING;
     }
 
-    /** @return whether the event answers a command */
+    /** @return true if the event answers a command */
     boolean accept(StationEvent.OfUssd event) {
         if (asking.isEmpty()) {
             return false;

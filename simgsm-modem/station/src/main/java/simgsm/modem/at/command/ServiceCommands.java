@@ -12,7 +12,7 @@ import simgsm.modem.at.CmeError;
 import simgsm.ss.ServiceStatus;
 import simgsm.ss.SsCode;
 
-/** Supplementary services that the network keeps: forwarding, call waiting, hidden numbers (TS 27.007, 7.7, 7.11, 7.12). */
+/** Supplementary services of the network: forwarding, call waiting, hidden numbers (TS 27.007, 7.7, 7.11, 7.12). */
 final class ServiceCommands {
     /** By the reason's number. */
     private static final List<SsCode> REASONS = List.of(
@@ -23,13 +23,13 @@ final class ServiceCommands {
             SsCode.ALL_FORWARDING,
             SsCode.ALL_CONDITIONAL_FORWARDING);
 
-    /** How a user types the procedures 0 to 4: deactivate, activate, ask, register, erase. */
+    /** Codes typed for the procedures 0 to 4: deactivate, activate, ask, register, erase. */
     private static final List<String> PROCEDURES = List.of("#", "*", "*#", "**", "##");
 
     private static final int QUERY = 2;
     private static final int REGISTER = 3;
     private static final int VOICE = 1;
-    /** Voice, data and fax: what a command without a class means. */
+    /** Voice, data and fax: the class of a command without one. */
     private static final int ALL_CLASSES = 7;
 
     private static final int MOST_CLASSES = 255;
@@ -122,7 +122,7 @@ final class ServiceCommands {
         });
     }
 
-    /** A terminal that takes one call has nothing to ask the network for. */
+    /** A terminal without call waiting has nothing to ask the network for. */
     private static AtResult withoutWaiting(AtRequest request, int mode) throws AtException {
         if (mode == QUERY) {
             request.answer(0, ALL_CLASSES);

@@ -13,14 +13,14 @@ import simgsm.modem.at.CmsError;
 import simgsm.octets.OctetString;
 import simgsm.station.context.StationEvent;
 
-/** Messages that were submitted and are not acknowledged yet. */
+/** Submitted messages without acknowledgement. */
 final class Submissions {
     private record Submitted(AtRequest request, IntConsumer acknowledged) {}
 
     private final AtTerminal terminal;
     private final Map<Integer, Submitted> waiting = new HashMap<>();
     private boolean isSubmitting;
-    /** Outcomes that come before the submission has returned. */
+    /** Outcomes received before the submission has returned. */
     private final List<StationEvent.OfSubmittedMessage> early = new ArrayList<>();
 
     Submissions(AtTerminal terminal) {

@@ -10,7 +10,7 @@ import simgsm.ss.ServiceCode;
 import simgsm.ss.ServiceStatus;
 import simgsm.station.context.StationEvent;
 
-/** +CUSD: what the network says in a USSD dialogue (TS 27.007, 7.15). */
+/** +CUSD: the network's part of a USSD dialogue (TS 27.007, 7.15). */
 final class UssdCodes {
     private static final int OVER = 0;
     private static final int REPLY_EXPECTED = 1;
@@ -24,7 +24,7 @@ final class UssdCodes {
     private static final int UCS2 = 72;
 
     private final AtModem modem;
-    /** The client that has dialled a code by ATD: it is answered whatever its +CUSD is. */
+    /** The client that has dialled a code by ATD, answered regardless of its +CUSD. */
     private Optional<AtClient> dialling = Optional.empty();
 
     UssdCodes(AtModem modem) {
@@ -69,7 +69,7 @@ final class UssdCodes {
         return state + "," + encoded + "," + (GsmAlphabet.encodes(text) ? GSM : UCS2);
     }
 
-    /** The service and how it stands, such as {@code forwarding unconditional: active, +5550299}. */
+    /** The service and its state, such as {@code forwarding unconditional: active, +5550299}. */
     private static String words(ServiceStatus status) {
         String service = status.service().name().toLowerCase(Locale.ROOT).replace('_', ' ');
         return service + ": " + status.state()

@@ -22,17 +22,17 @@ import simgsm.station.context.StationEvent;
 import simgsm.timer.Timers;
 
 /**
- * A TCP port where clients give AT commands to one terminal; up to 8 at a time, each with settings of its own. It belongs
- * to the thread of the terminal's station, and is its clock as well.
+ * A TCP port for AT commands to one terminal; up to 8 clients at a time, each with its own settings. It belongs to
+ * the thread of the terminal's station, and is also its clock.
  */
 public final class AtPort implements AutoCloseable {
     private static final int MOST_CLIENTS = 8;
-    /** Answers and codes that wait for a client; one that reads nothing loses its connection. */
+    /** Most answers and codes waiting for a client; one that does not read loses its connection. */
     private static final int MOST_WAITING = 10_000;
 
-    /** A timer that starts between two ticks is late by at most this. */
+    /** Most delay of a timer started between two ticks. */
     private static final long MOST_WAIT_NANOS = 250_000_000;
-    /** How long a client that has sent its last command may wait for the result. */
+    /** Longest wait of a client for the result of its last command. */
     private static final long LAST_RESULT_NANOS = 10_000_000_000L;
 
     private final AtModem modem;
@@ -66,7 +66,7 @@ public final class AtPort implements AutoCloseable {
             endAfterLastResult();
         }
 
-        /** A client such as {@code printf ... | socat} sends its last command and reads on. */
+        /** A client such as {@code printf ... | socat} ends its output and then reads the result. */
         @Override
         protected boolean outlivesInput() {
             isInputEnded = client.isPerforming();
@@ -155,7 +155,7 @@ public final class AtPort implements AutoCloseable {
         modem.accept(event);
     }
 
-    /** Commands act at the station's time, which may be that of its last frame. */
+    /** Commands act at the station's time, possibly that of its last frame. */
     private void advanceAll() {
         station.timePassed(System.nanoTime());
         advance();

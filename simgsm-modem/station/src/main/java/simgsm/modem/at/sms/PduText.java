@@ -17,9 +17,10 @@ import simgsm.sms.Tpdu;
 import simgsm.sms.TpduCodec;
 
 /**
- * A message in PDU mode: the service centre's address, then the transfer unit, as hexadecimal digits (TS 27.005, 3.1).
+ * A message in PDU mode: the service centre's address, then the transfer unit, as hexadecimal digits (TS 27.005,
+ * 3.1).
  *
- * @param serviceCenter as written, or the modem's own
+ * @param serviceCenter as written, or the modem's
  */
 public record PduText(Msisdn serviceCenter, OctetString tpdu) {
     private static final int TYPE_MASK = 0x03;
@@ -30,7 +31,7 @@ public record PduText(Msisdn serviceCenter, OctetString tpdu) {
     private static final int COMMAND_ADDRESS = 5;
 
     /**
-     * Reads what a client has entered.
+     * Reads a client's input.
      *
      * @param length octets of the transfer unit, as announced in the command
      * @throws AtException with 304 for digits that are no message

@@ -65,7 +65,7 @@ public final class TextMode {
         return begin + report(octets, (StatusReportTpdu) tpdu);
     }
 
-    /** A message as +CMT has it, and +CMGR after the status. */
+    /** A message of +CMT, and of +CMGR after the status. */
     public String delivered(OctetString octets, DeliverTpdu deliver) {
         String more = settings.showsHeader
                 ? "," + type(deliver.originator()) + "," + octets.octet(0) + "," + deliver.protocolIdentifier() + ","
@@ -75,14 +75,14 @@ public final class TextMode {
                 + text(deliver.userData());
     }
 
-    /** A status report as +CDS has it. */
+    /** A status report of +CDS. */
     public String report(OctetString octets, StatusReportTpdu report) {
         return octets.octet(0) + "," + report.reference() + "," + address(report.recipient()) + ","
                 + type(report.recipient()) + "," + stamp(report.timestamp()) + "," + stamp(report.discharged()) + ","
                 + report.status();
     }
 
-    /** A page as +CBM has it. */
+    /** A page of +CBM. */
     public String page(CellBroadcastPage page) {
         return page.serial().value() + "," + page.messageIdentifier() + ","
                 + page.coding().octet() + ","
@@ -120,7 +120,7 @@ public final class TextMode {
         return quoted(ModemClock.format(time.toOffsetDateTime()));
     }
 
-    /** GSM text in the client's set, all else as hexadecimal digits. */
+    /** GSM text in the client's character set, all else as hexadecimal digits. */
     private String text(UserData data) {
         return data.coding().alphabet() == Alphabet.GSM_7BIT
                 ? settings.characterSet.encode(data.text())

@@ -19,7 +19,7 @@ import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
 
-/** A message that is entered in text mode: its receiver, and what +CSMP says about the rest. */
+/** A message entered in text mode: its receiver, and the other fields by +CSMP. */
 public final class TextSubmit {
     private static final int ISDN = 1;
     private static final int REJECT_DUPLICATES = 0x04;
@@ -73,7 +73,7 @@ public final class TextSubmit {
         }
     }
 
-    /** The message with this text; its reference is set when it is sent. */
+    /** The message with this text; its reference is set at submission. */
     public SubmitTpdu message(byte[] entered) throws AtException {
         int first = settings.submitFirstOctet;
         boolean hasValidity = (first & VALIDITY_RELATIVE) != 0;
@@ -93,9 +93,9 @@ public final class TextSubmit {
     }
 
     /**
-     * The user data; IllegalArgumentException for a text that does not fit. For octets and, unless the character set is
-     * UCS2, for UCS2 the entered text is hexadecimal (TS 27.005, 3.1, data). A text for the GSM alphabet that has other
-     * characters is sent as UCS2.
+     * The user data; IllegalArgumentException for a text that does not fit. For octets and, unless the character set
+     * is UCS2, for UCS2 the entered text is hexadecimal (TS 27.005, 3.1, data). Text outside the GSM alphabet is sent
+     * as UCS2.
      */
     private UserData userData(String entered) {
         DataCodingScheme coding = new DataCodingScheme(settings.submitCoding);

@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import simgsm.sms.GsmAlphabet;
 
-/** Character sets between client and modem (TS 27.007, 5.5). In a line each character stands for an octet. */
+/** Character sets between client and modem (TS 27.007, 5.5). Each character of a line represents an octet. */
 public enum CharacterSet {
     /** The GSM default alphabet, one septet an octet. */
     GSM,
@@ -12,12 +12,12 @@ public enum CharacterSet {
     IRA,
     /** Four hexadecimal digits for each unit of UTF-16. */
     UCS2,
-    /** Two hexadecimal digits for each octet: of the GSM default alphabet, or of UTF-16 for a text that has others. */
+    /** Two hexadecimal digits for each octet of the GSM default alphabet; of UTF-16 for a text outside it. */
     HEX;
 
     private static final char UNKNOWN = '?';
 
-    /** The text that a client has written; IllegalArgumentException for what is not of the set. */
+    /** The text of a client's line; IllegalArgumentException for characters outside the set. */
     public String decode(String line) {
         return switch (this) {
             case GSM -> GsmAlphabet.decode(line.getBytes(StandardCharsets.ISO_8859_1));
@@ -33,7 +33,7 @@ public enum CharacterSet {
         };
     }
 
-    /** The text as the client reads it; a question mark for what the set does not have. */
+    /** The text in this set; a question mark for characters outside it. */
     public String encode(String text) {
         if (this == HEX && GsmAlphabet.encodes(text)) {
             return HexFormat.of().withUpperCase().formatHex(GsmAlphabet.encode(text));
@@ -54,7 +54,7 @@ public enum CharacterSet {
         return line.toString();
     }
 
-    /** A USSD text: in this set; what cannot be UCS2, or in HEX is no digits, is taken as it is. */
+    /** A USSD text in this set; unchanged if it cannot be UCS2, or in HEX is not hexadecimal. */
     public String decodeUssd(String line) {
         if (this == HEX) {
             return decodeNumber(line);
@@ -66,7 +66,7 @@ public enum CharacterSet {
         }
     }
 
-    /** A number, or a code of the keys: as it is, or in this set. */
+    /** A number, or a code of the keys: unchanged, or in this set. */
     public String decodeNumber(String line) {
         try {
             String decoded = decode(line);

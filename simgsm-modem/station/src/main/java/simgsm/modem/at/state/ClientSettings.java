@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import simgsm.sms.ChannelList;
 
-/** What one client has set; each connection begins with these values, and ATZ and AT&F restore them. */
+/** Settings of one client; each connection begins with these values, and ATZ and AT&F restore them. */
 public final class ClientSettings {
     public CharacterSet characterSet = CharacterSet.IRA;
 
@@ -46,6 +46,6 @@ public final class ClientSettings {
 
     public String phoneBook = "SM";
 
-    /** Values of commands that only keep them, by the command's name. */
+    /** Values of commands that only store them, by the command's name. */
     public final Map<String, String> kept = new HashMap<>();
 }

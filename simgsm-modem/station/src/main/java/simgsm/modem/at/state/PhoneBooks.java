@@ -12,7 +12,7 @@ import simgsm.air.Msisdn;
 import simgsm.sim.SimPhoneBook;
 import simgsm.sim.SimPhoneBook.Entry;
 
-/** The phone books: the SIM's, which clients write, and those that the modem keeps. Their places are counted from 1. */
+/** The phone books: the SIM's, written by clients, and those of the modem. Their places are counted from 1. */
 public final class PhoneBooks {
     public static final String SIM = "SM";
     static final int LOG_CAPACITY = 10;

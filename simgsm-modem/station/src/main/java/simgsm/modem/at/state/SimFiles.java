@@ -9,7 +9,7 @@ import simgsm.octets.Octets;
 import simgsm.sms.GsmAlphabet;
 import simgsm.station.context.StationIdentity;
 
-/** The elementary files of the SIM that clients read (TS 51.011, 10), made from the terminal's identity. */
+/** The elementary files of the SIM read by clients (TS 51.011, 10), made from the terminal's identity. */
 public final class SimFiles {
     /** Status words and the data read, as hexadecimal digits (TS 27.007, 8.18; TS 51.011, 9.4). */
     public record Answer(int status1, int status2, String data) {}
@@ -95,7 +95,7 @@ public final class SimFiles {
         return octets;
     }
 
-    /** Length, type and digits of a number at the end of a record whose name is empty. */
+    /** Length, type and digits of a number at the end of a record with an empty name. */
     private static byte[] number(String number, int fromEnd) {
         byte[] record = filled(fromEnd);
         record[0] = (byte) ((number.length() + 1) / 2 + 1);
@@ -104,7 +104,7 @@ public final class SimFiles {
         return record;
     }
 
-    /** Only the service centre's number is there (TS 51.011, 10.5.6). */
+    /** Contains only the service centre's number (TS 51.011, 10.5.6). */
     private static byte[] smsParameters(StationIdentity identity) {
         byte[] record = filled(28);
         record[0] = (byte) 0xfd;
@@ -120,7 +120,7 @@ public final class SimFiles {
         return octets;
     }
 
-    /** ITU-T E.118: the last digit is that of Luhn. */
+    /** The last digit is Luhn's (ITU-T E.118). */
     private static String withCheckDigit(String digits) {
         int sum = 0;
         for (int i = 0; i < digits.length(); i++) {
@@ -163,7 +163,7 @@ public final class SimFiles {
         return new Answer(144, 0, HexFormat.of().withUpperCase().formatHex(data));
     }
 
-    /** What describes an elementary file (TS 51.011, 9.2.1). */
+    /** The description of an elementary file (TS 51.011, 9.2.1). */
     private static byte[] header(int identifier, File file) {
         OctetWriter out = new OctetWriter().twoOctets(0).twoOctets(file.content().length);
         out.twoOctets(identifier)

@@ -35,15 +35,14 @@ public final class SimMemory {
     /**
      * A message.
      *
-     * @param tpdu DELIVER or STATUS-REPORT of a received one, SUBMIT of a stored one
-     * @param order when it was stored, counted
+     * @param tpdu DELIVER or STATUS-REPORT if received, SUBMIT if stored
+     * @param order serial number of storing
      */
     public record Entry(Status status, OctetString tpdu, long order) {}
 
     private final Entry[] places = new Entry[CAPACITY + 1];
     private long stored;
 
-    /** An empty memory. */
     public SimMemory() {}
 
     public static boolean isPlace(int index) {
@@ -62,7 +61,7 @@ public final class SimMemory {
         return used() == CAPACITY;
     }
 
-    /** @return the place, or nothing if the memory is full */
+    /** @return the place; empty if the memory is full */
     public OptionalInt add(Status status, OctetString tpdu) {
         for (int index = 1; index <= CAPACITY; index++) {
             if (places[index] == null) {
@@ -81,7 +80,7 @@ public final class SimMemory {
         places[index] = null;
     }
 
-    /** Removes the message that was stored first. */
+    /** Removes the message stored first. */
     public void removeOldest() {
         int oldest = 0;
         for (int index = 1; index <= CAPACITY; index++) {

@@ -1,2 +1,2 @@
-/** What a modem keeps: its SIM's messages, files and phone book, and its clock. */
+/** Stored data of a modem: its SIM's messages, files and phone book, and its clock. */
 package simgsm.modem.at.state;
