@@ -1,4 +1,4 @@
-/** The air interface: layer 3 messages, the Abis link that carries them, short messages, and the SIM. */
+/** The air interface: layer 3 messages, the Abis link, short messages, and the SIM. */
 module simgsm.air {
     requires transitive simgsm.base;
 

@@ -6,7 +6,7 @@ import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetWriter;
 
-/** Connection control messages to the payload of an {@link IpaFrame#CCM} frame and back. */
+/** Converts connection control messages to payloads of {@link IpaFrame#CCM} frames and back. */
 public final class CcmCodec {
     private static final int PING = 0x00;
     private static final int PONG = 0x01;
@@ -84,7 +84,9 @@ public final class CcmCodec {
         return new CcmMessage.IdentityResponse(unitName, serialNumber, unitId);
     }
 
-    /** The text up to a zero octet or the end. Control characters are refused, because names are shown in logs and windows. */
+    /**
+     * The text up to a zero octet or the end. Control characters are refused, because logs and windows show names.
+     */
     private static String text(MessageReader element) throws ProtocolViolation {
         String text = new String(element.rest().toArray(), StandardCharsets.UTF_8);
         int zero = text.indexOf('\0');

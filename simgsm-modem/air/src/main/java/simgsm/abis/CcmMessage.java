@@ -10,19 +10,19 @@ public sealed interface CcmMessage {
     record IdentityRequest() implements CcmMessage {}
 
     /**
-     * Who the peer is.
+     * Identity of the peer.
      *
-     * @param unitName the kind of terminal, as "SimGSM phone"
-     * @param serialNumber of a terminal its IMEI
+     * @param unitName kind of terminal, as "SimGSM phone"
+     * @param serialNumber IMEI of a terminal
      * @param unitId of a tower site, BTS and transceiver, as "6969/0/0"; empty for a terminal
      */
     record IdentityResponse(String unitName, String serialNumber, String unitId) implements CcmMessage {
-        /** That of a terminal. */
+        /** Identity of a terminal. */
         public IdentityResponse(String unitName, String serialNumber) {
             this(unitName, serialNumber, "");
         }
 
-        /** Whether the peer is a tower. */
+        /** True if the peer is a tower. */
         public boolean isTower() {
             return !unitId.isEmpty();
         }

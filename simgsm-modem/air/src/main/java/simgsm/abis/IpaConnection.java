@@ -16,14 +16,14 @@ import simgsm.net.QueuedConnection;
 import simgsm.timer.RateLimit;
 
 /**
- * A connection that carries IPA frames, at a station's end or at the centre's. While the peer keeps up, each frame leaves in
- * a write of its own; else signalling waits in order, and of the speech the last 200 ms. Speech may go as RTP over UDP beside it,
- * to the host of the peer only.
+ * A connection with IPA frames, at a station's or the centre's end. While the peer keeps up, each frame is written
+ * separately; else signalling waits in order, and only the last 200 ms of speech are kept. Speech can be sent as RTP
+ * over UDP, to the peer's host only.
  */
 public abstract class IpaConnection extends QueuedConnection implements MediaPort {
     /** 200 ms of speech at 20 ms a frame. */
     private static final int MOST_SPEECH_FRAMES = 10;
-    /** After a portion that was too fast; at 1 000 frames/s ten frames are due again then. */
+    /** Pause after a portion above the rate; ten frames at 1 000 frames/s. */
     private static final long PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private static final System.Logger LOG = System.getLogger(IpaConnection.class.getName());
@@ -33,8 +33,8 @@ public abstract class IpaConnection extends QueuedConnection implements MediaPor
     private final List<MediaSocket> further = new ArrayList<>();
 
     /**
-     * @param rate at which frames are read
-     * @param mostSignallingFrames a peer that leaves more than these untaken is disconnected
+     * @param rate limit of reading frames
+     * @param mostSignallingFrames limit of untaken frames, above which the peer is disconnected
      * @param written called with each frame, as it is on the wire, after its last octet has been written
      */
     protected IpaConnection(Endpoint endpoint, RateLimit rate, int mostSignallingFrames, Consumer<byte[]> written) {
@@ -44,7 +44,7 @@ public abstract class IpaConnection extends QueuedConnection implements MediaPor
 
     protected abstract void frameArrived(IpaFrame frame);
 
-    /** Sends or queues a frame; on a connection that is not open the frame is lost. */
+    /** Sends or queues a frame; it is lost if the connection is not open. */
     public final void send(IpaFrame frame) {
         if (isOpen() && !write(IpaFramer.encode(frame), frame.stream() == IpaFrame.SPEECH)) {
             fail(output().size() + " frames not taken");
@@ -71,7 +71,7 @@ public abstract class IpaConnection extends QueuedConnection implements MediaPor
         media.closeMedia();
     }
 
-    /** A further socket for speech; it ends with this connection. @param received is given each packet */
+    /** A further socket for speech, which ends with this connection. @param received receives each packet */
     protected final MediaPort furtherMedia(Consumer<byte[]> received) {
         further.removeIf(MediaSocket::isClosed);
         MediaSocket socket = new MediaSocket(this, received);
@@ -88,12 +88,12 @@ public abstract class IpaConnection extends QueuedConnection implements MediaPor
         speechArrived(new IpaFrame(IpaFrame.SPEECH, rtp));
     }
 
-    /** A datagram of speech has arrived, as a frame. */
+    /** A speech frame was received as a datagram. */
     protected void speechArrived(IpaFrame frame) {
         frameArrived(frame);
     }
 
-    /** A datagram of speech has been sent or has arrived. */
+    /** A speech datagram was sent or received. */
     protected void mediaPassed(boolean isFromPeer, int peerPort, int ownPort, byte[] rtp) {}
 
     @Override

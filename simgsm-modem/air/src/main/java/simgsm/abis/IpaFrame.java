@@ -13,13 +13,13 @@ public record IpaFrame(int stream, byte[] payload) {
     public static final int RSL = 0x00;
     /** Connection control: identity and keep-alive, {@link CcmMessage}. */
     public static final int CCM = 0xfe;
-    /** Where the speech of a call goes as RTP over UDP: {@link MgcpMessage}. */
+    /** Media control, the addresses of speech as RTP over UDP: {@link MgcpMessage}. */
     public static final int MGCP = 0xfc;
-    /** Speech, the suite's own stream: one RTP packet a frame. */
+    /** Speech, the suite's own stream: one RTP packet per frame. */
     public static final int SPEECH = 0xe1;
 
     public static final int HEADER_LENGTH = 3;
-    /** Longest payload sent or accepted, octets. The longest one in use, an RP-DATA of 248 octets in RSL, has 260. */
+    /** Longest payload sent or accepted, octets. The longest in use, an RP-DATA of 248 octets in RSL, has 260. */
     public static final int MAX_PAYLOAD = 1024;
 
     public IpaFrame {

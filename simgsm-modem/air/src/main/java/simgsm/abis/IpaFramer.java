@@ -7,8 +7,8 @@ import simgsm.air.ProtocolViolation;
 import simgsm.octets.Octets;
 
 /**
- * Cuts a stream of octets into IPA frames; one framer per connection. With {@link #next} called until it is empty after
- * each {@link #accept}, less than one frame stays buffered, and each octet is copied twice at most.
+ * Splits a stream of octets into IPA frames; one framer per connection. If {@link #next} is called until it is empty
+ * after each {@link #accept}, less than one frame is buffered, and each octet is copied twice at most.
  */
 public final class IpaFramer {
     private static final int INITIAL_CAPACITY = 4096;
@@ -20,7 +20,7 @@ public final class IpaFramer {
     /** A framer for a new connection. */
     public IpaFramer() {}
 
-    /** The frame as it goes on the wire. */
+    /** The frame on the wire. */
     public static byte[] encode(IpaFrame frame) {
         byte[] payload = frame.payload();
         return ByteBuffer.allocate(IpaFrame.HEADER_LENGTH + payload.length)
@@ -30,7 +30,7 @@ public final class IpaFramer {
                 .array();
     }
 
-    /** Takes all octets that the buffer holds. */
+    /** Takes all octets of the buffer. */
     public void accept(ByteBuffer source) {
         int count = source.remaining();
         makeRoomFor(count);
@@ -42,7 +42,7 @@ public final class IpaFramer {
      * The next whole frame, if one has arrived.
      *
      * @throws ProtocolViolation for a frame longer than {@link IpaFrame#MAX_PAYLOAD}, and at every further call: the
-     *     connection has to be closed
+     *     connection must be closed
      */
     public Optional<IpaFrame> next() throws ProtocolViolation {
         int available = end - start;

@@ -6,8 +6,8 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * Keep-alive of one link by either side (CCM): sends a PING every 30 s, answers the peer's, and gives the link up when
- * three are unanswered as the next falls due.
+ * Keep-alive of one link by either side (CCM): sends a PING every 30 s, answers the peer's, and drops the link if
+ * three are unanswered when the next is due.
  */
 public final class KeepAlive {
     public static final long PERIOD_NANOS = TimeUnit.SECONDS.toNanos(30);
@@ -42,17 +42,17 @@ public final class KeepAlive {
         timers.cancel(next);
     }
 
-    /** Something arrived from the peer: no PING counts as unanswered. */
+    /** The peer has sent something: no PING counts as unanswered. */
     public void heard() {
         unanswered = 0;
     }
 
-    /** Whether the peer has left a PING unanswered for a whole period. */
+    /** True if the peer has left a PING unanswered for a whole period. */
     public boolean isSilent() {
         return unanswered > 1;
     }
 
-    /** Answers a PING and takes note of a PONG; other messages are ignored. */
+    /** Answers a PING and counts a PONG; other messages are ignored. */
     public void receive(CcmMessage message) {
         if (message instanceof CcmMessage.Ping) {
             output.accept(new CcmMessage.Pong());

@@ -3,14 +3,14 @@ package simgsm.abis;
 import java.util.Optional;
 import simgsm.abis.MgcpMessage.MediaAddress;
 
-/** RTP over UDP beside a connection; by default there is none. */
+/** RTP over UDP in addition to a connection; unsupported by default. */
 public interface MediaPort {
-    /** Opens a socket, in place of an older one. @return where it receives; empty if it cannot be opened */
+    /** Opens a socket and closes an older one. @return its address; empty if it cannot be opened */
     default Optional<MediaAddress> openMedia() {
         return Optional.empty();
     }
 
-    /** Sends to this address and receives from it only. @return false if it is not on the host of the connection's peer */
+    /** Sends to this address and receives from it only. @return false if it is not on the peer's host */
     default boolean connectMedia(MediaAddress peer) {
         return false;
     }
@@ -20,6 +20,6 @@ public interface MediaPort {
         return false;
     }
 
-    /** Closes the socket, if there is one. */
+    /** Closes the socket, if any. */
     default void closeMedia() {}
 }

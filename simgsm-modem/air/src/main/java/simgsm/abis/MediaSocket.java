@@ -10,11 +10,11 @@ import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.net.Datagrams;
 import simgsm.timer.RateLimit;
 
-/** One UDP socket for RTP beside a connection, to the host of the connection's peer only. */
+/** One UDP socket for RTP in addition to a connection, to the peer's host only. */
 final class MediaSocket implements MediaPort {
     /** Datagrams of speech: twice a call's rate. */
     private static final int MEDIA_PER_SECOND = 100;
-    /** What a peer sends at once after a stall of 4 s. */
+    /** The speech sent by a peer at once after a stall of 4 s. */
     private static final int MEDIA_BURST = 200;
 
     private static final System.Logger LOG = System.getLogger(IpaConnection.class.getName());
@@ -22,7 +22,7 @@ final class MediaSocket implements MediaPort {
     private final IpaConnection connection;
     private final Consumer<byte[]> received;
     private final RateLimit rate = new RateLimit(MEDIA_PER_SECOND, MEDIA_BURST);
-    /** Null while there is none. */
+    /** Null if closed. */
     private Datagrams socket;
 
     private int peerPort;

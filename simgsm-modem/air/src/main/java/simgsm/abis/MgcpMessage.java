@@ -8,14 +8,14 @@ import simgsm.air.Cause;
 import simgsm.air.ProtocolViolation;
 
 /**
- * A message of MGCP 1.0 (RFC 3435) on stream {@link IpaFrame#MGCP}: the centre creates and deletes the media connections of a
- * terminal. Only what that needs; other lines are ignored.
+ * A message of MGCP 1.0 (RFC 3435) on stream {@link IpaFrame#MGCP}: the centre creates and deletes the media
+ * connections of a terminal. Other lines are ignored.
  *
  * @param head the first line: a command with transaction and endpoint, or a return code with the transaction
  * @param transaction 1 to 999999999
  * @param call C: identifier of the call; empty in answers
  * @param connection I: identifier of the connection
- * @param media where the sender expects RTP
+ * @param media the sender's address for RTP
  */
 public record MgcpMessage(
         Head head, int transaction, Optional<String> call, Optional<String> connection, Optional<MediaAddress> media) {
@@ -25,7 +25,7 @@ public record MgcpMessage(
         DELETE_CONNECTION("DLCX"),
         OK("200"),
         DELETED("250"),
-        /** Insufficient resources at the endpoint: it has no port for media. */
+        /** Insufficient resources: the endpoint has no port for media. */
         NO_RESOURCES("403");
 
         private final String word;
@@ -39,7 +39,9 @@ public record MgcpMessage(
         }
     }
 
-    /** Where RTP is received. @param host an IP address in digits @param port even, as RTCP would have the next */
+    /**
+     * An address that receives RTP. @param host an IP address in digits @param port even; RTCP would use the next one
+     */
     public record MediaAddress(String host, int port) {}
 
     private static final String END_OF_LINE = "\r\n";
@@ -47,13 +49,13 @@ public record MgcpMessage(
     private static final Pattern HOST = Pattern.compile("c=IN IP[46] ([0-9a-fA-F.:]+)");
     private static final Pattern PORT = Pattern.compile("m=audio ([0-9]{1,5}) .*");
 
-    /** CRCX: the terminal is to send its speech to this address, and to answer with its own. */
+    /** CRCX: requests speech to this address, and the terminal's own address in the answer. */
     public static MgcpMessage create(int transaction, String call, MediaAddress center) {
         return new MgcpMessage(
                 Head.CREATE_CONNECTION, transaction, Optional.of(call), Optional.empty(), Optional.of(center));
     }
 
-    /** DLCX: the connection is over. */
+    /** DLCX: ends the connection. */
     public static MgcpMessage delete(int transaction, String call, String connection) {
         return delete(transaction, call, Optional.of(connection));
     }
@@ -112,7 +114,7 @@ public record MgcpMessage(
         line(text, "a=ptime:20");
     }
 
-    /** @throws ProtocolViolation for a text that is none of these messages */
+    /** @throws ProtocolViolation for any other text */
     public static MgcpMessage decode(byte[] octets) throws ProtocolViolation {
         String[] lines = new String(octets, StandardCharsets.US_ASCII).split("\r?\n", -1);
         Matcher first = FIRST_LINE.matcher(lines[0]);

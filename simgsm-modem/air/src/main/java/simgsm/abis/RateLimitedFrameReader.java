@@ -7,18 +7,18 @@ import simgsm.air.ProtocolViolation;
 import simgsm.timer.RateLimit;
 
 /**
- * Reads the frames of one peer in portions, and no faster than a rate. Nothing is dropped: while frames are left, the
- * owner reads no further octets, so the peer is held back by its own full socket.
+ * Reads the frames of one peer in portions, limited to a rate. Nothing is dropped: while frames are left, the owner
+ * reads no further octets, which holds the peer back by its own full socket buffer.
  */
 public final class RateLimitedFrameReader {
-    /** Frames in one portion: well below a millisecond's work. */
+    /** Frames per portion: well below a millisecond's work. */
     public static final int FRAMES_PER_PORTION = 64;
 
-    /** How a portion has ended. */
+    /** The end of a portion. */
     public enum Portion {
         /** No whole frame is left. */
         COMPLETE,
-        /** Frames are left; other peers come first. */
+        /** Frames are left; other peers are served first. */
         FULL,
         /** Frames are left, and the peer is above its rate. */
         TOO_FAST
@@ -32,7 +32,7 @@ public final class RateLimitedFrameReader {
         this.rate = rate;
     }
 
-    /** Takes octets; to be called only after a portion that was {@link Portion#COMPLETE}, so that memory stays bounded. */
+    /** Takes octets; call only after a {@link Portion#COMPLETE} portion, so that memory stays bounded. */
     public void accept(ByteBuffer octets) {
         framer.accept(octets);
     }

@@ -24,8 +24,8 @@ import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
 /**
- * The {@link RslPdu}s that a terminal with its own cell exchanges, by their content. Layer 3 is kept as octets, so that
- * relays and traces do not depend on it.
+ * The content of the {@link RslPdu}s exchanged by a terminal with its own cell. Layer 3 is kept as octets, so relays
+ * and traces do not depend on it.
  */
 public sealed interface RslMessage {
     /** Service access point identifier of a radio link (TS 44.005). */
@@ -79,7 +79,7 @@ public sealed interface RslMessage {
         }
     }
 
-    /** Up: the link layer refused something. @param cause TS 48.058, 9.3.26 */
+    /** Up: an error of the link layer. @param cause TS 48.058, 9.3.26 */
     record ErrorIndication(Sapi sapi, int cause) implements RslMessage {
         public ErrorIndication {
             Bounds.check("link layer cause", cause, 0, 0x7f);
@@ -105,7 +105,7 @@ public sealed interface RslMessage {
     }
 
     /**
-     * Down, from a cells program: SYSTEM INFORMATION of the cell on which the mobile is (TS 48.058, 8.5.1).
+     * Down, from a cells program: SYSTEM INFORMATION of the serving cell (TS 48.058, 8.5.1).
      *
      * @param block the whole BCCH block of 23 octets
      */
@@ -129,8 +129,8 @@ public sealed interface RslMessage {
     }
 
     /**
-     * Down, from a cells program, which measures in the terminal's place: a MEASUREMENT REPORT (TS 48.058, 8.4.8). Between
-     * base station and controller this message goes up.
+     * Down, from a cells program, which measures for the terminal: a MEASUREMENT REPORT (TS 48.058, 8.4.8). Between
+     * base station and controller this message is uplink.
      *
      * @param number counts the reports, 0 to 255
      */
@@ -139,7 +139,7 @@ public sealed interface RslMessage {
             Bounds.checkOctet("measurement result number", number);
         }
 
-        /** Uplink levels and qualities, which are not known, are zero (TS 48.058, 9.3.25). */
+        /** Uplink levels and qualities are unknown and sent as zero (TS 48.058, 9.3.25). */
         @Override
         public RslPdu pdu() {
             return RslPdu.of(RslType.MEASUREMENT_RESULT, DEDICATED_CHANNEL)
@@ -180,7 +180,7 @@ public sealed interface RslMessage {
         return pdu().encode();
     }
 
-    /** The message of a payload. @throws ProtocolViolation also for a type that no terminal sends or receives */
+    /** The message of a payload. @throws ProtocolViolation also for types never used by terminals */
     static RslMessage decode(byte[] payload) throws ProtocolViolation {
         RslPdu pdu = RslPdu.decode(payload);
         pdu.octet(RslElement.CHANNEL_NUMBER);

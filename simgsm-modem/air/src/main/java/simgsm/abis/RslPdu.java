@@ -12,8 +12,8 @@ import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
 /**
- * One RSL message between a base station and its controller: the type, and the elements in the order in which they are sent.
- * A message of a terminal that carries its own cell is a {@link RslMessage}.
+ * One RSL message between a base station and its controller: the type, and the elements in order of sending.
+ * Terminals with their own cell use {@link RslMessage}.
  *
  * <p>Unknown elements are read as TLV and dropped. Of two equal elements the first is kept.
  */
@@ -23,7 +23,7 @@ public final class RslPdu {
     private static final Element[] NONE = {};
 
     private final RslType type;
-    /** In their order: a message has few, which are found faster in an array than in a map. */
+    /** In order; a message has few elements, found faster in an array than in a map. */
     private final Element[] elements;
 
     private RslPdu(RslType type, Element[] elements) {
@@ -46,7 +46,7 @@ public final class RslPdu {
         return of(type, channel).with(RslElement.LINK_IDENTIFIER, link);
     }
 
-    /** The same message with one more element. @param octets the low 8 bits of each are its value */
+    /** A copy with one more element. @param octets values of 8 bits */
     public RslPdu with(RslElement element, int... octets) {
         byte[] value = new byte[octets.length];
         for (int i = 0; i < octets.length; i++) {
@@ -56,7 +56,7 @@ public final class RslPdu {
     }
 
     /**
-     * The same message with one more element.
+     * A copy with one more element.
      *
      * @throws IllegalArgumentException for another length than the element's, or a second one of a kind
      */

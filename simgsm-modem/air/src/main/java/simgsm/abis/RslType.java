@@ -31,7 +31,7 @@ public enum RslType {
     SACCH_FILLING(0x10, 0x1a, "SACCH Filling"),
     OVERLOAD(0x10, 0x1b, "Overload"),
     ERROR_REPORT(0x10, 0x1c, "Error Report"),
-    /** Of ip.access, with elements of their own, which are not read. */
+    /** Type of ip.access; its elements are not read. */
     MEASUREMENT_PREPROCESSING_DEFAULTS(0x10, 0x60, "ip.access Measurement Preprocessing Defaults"),
 
     CHANNEL_ACTIVATION(0x08, 0x21, "Channel Activation"),
@@ -57,7 +57,7 @@ public enum RslType {
     MODIFY_CONNECTION(0x7e, 0x73, "ip.access MDCX"),
     MODIFY_CONNECTION_ACKNOWLEDGE(0x7e, 0x74, "ip.access MDCX Acknowledge"),
     MODIFY_CONNECTION_NEGATIVE_ACKNOWLEDGE(0x7e, 0x75, "ip.access MDCX Negative Acknowledge"),
-    /** The base station has deleted the connection of its own accord, as with the channel. */
+    /** The base station has deleted the connection by itself, as with the channel. */
     DELETE_CONNECTION_INDICATION(0x7e, 0x76, "ip.access DLCX Indication"),
     DELETE_CONNECTION(0x7e, 0x77, "ip.access DLCX"),
     DELETE_CONNECTION_ACKNOWLEDGE(0x7e, 0x78, "ip.access DLCX Acknowledge"),
@@ -71,7 +71,7 @@ public enum RslType {
         }
     }
 
-    /** The lowest bit of the discriminator says whether the message is transparent to the base station. */
+    /** The lowest bit of the discriminator marks a message as transparent to the base station. */
     private static final int DISCRIMINATOR_MASK = 0xfe;
 
     private final int discriminator;
@@ -84,7 +84,7 @@ public enum RslType {
         this.title = title;
     }
 
-    /** The discriminator as sent: layer 3 that passes the base station is marked as transparent (TS 48.058, 9.1). */
+    /** The discriminator as sent: layer 3 is marked as transparent (TS 48.058, 9.1). */
     int discriminator() {
         return switch (this) {
             case DATA_REQUEST, DATA_INDICATION, UNIT_DATA_REQUEST, UNIT_DATA_INDICATION -> discriminator | 1;

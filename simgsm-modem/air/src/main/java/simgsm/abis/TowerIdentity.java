@@ -5,8 +5,9 @@ import java.util.regex.Pattern;
 import simgsm.octets.Bounds;
 
 /**
- * The identity that a tower sends to the centre: the unit id, and in the unit name the cell's parameters, as {@code
- * "west arfcn=100 bsic=10 lac=1 cell=6969 tch=6 timeout=32 access=0 hysteresis=4"}. osmo-bsc reads only the unit id and has the rest in its configuration.
+ * The identity sent by a tower to the centre: the unit id, and the cell's parameters in the unit name, as {@code
+ * "west arfcn=100 bsic=10 lac=1 cell=6969 tch=6 timeout=32 access=0 hysteresis=4"}. osmo-bsc reads only the unit id
+ * and has the rest in its configuration.
  *
  * @param frequency ARFCN of the one carrier, 0 to 1023
  * @param identityCode BSIC, 0 to 63
@@ -49,7 +50,7 @@ public record TowerIdentity(
         Bounds.check("hysteresis", hysteresisDecibels, 0, 14);
     }
 
-    /** The identity that the tower sends. */
+    /** The identity as a message. */
     public CcmMessage.IdentityResponse response() {
         String text = name
                 + " arfcn=" + frequency
@@ -66,9 +67,8 @@ public record TowerIdentity(
     /**
      * The identity in a tower's answer.
      *
-     * @param position of the tower among those of its controller, which gives what the tower does not tell: ARFCN 100, 110 ... and
-     *     BSIC 10, 11 ...
-     * @throws IllegalArgumentException naming what is out of its range
+     * @param position of the tower in its controller, for missing parameters: ARFCN 100, 110 ... and BSIC 10, 11 ...
+     * @throws IllegalArgumentException naming the parameter that is out of its range
      */
     public static TowerIdentity of(CcmMessage.IdentityResponse response, int position) {
         Matcher unit = UNIT_ID.matcher(response.unitId());

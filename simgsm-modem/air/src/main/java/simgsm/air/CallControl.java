@@ -5,7 +5,7 @@ import simgsm.octets.OctetString;
 
 /** Call control messages (TS 24.008, 9.3), protocol discriminator 3. */
 public sealed interface CallControl extends Layer3Message.OfTransaction {
-    /** Whether this is one of the 16 keys 0-9 * # A-D. */
+    /** True for the 16 keys 0-9 * # A-D. */
     static boolean isKey(char key) {
         return key >= '0' && key <= '9' || key >= 'A' && key <= 'D' || key == '*' || key == '#';
     }
@@ -18,9 +18,9 @@ public sealed interface CallControl extends Layer3Message.OfTransaction {
 
     /**
      * Opens a call. The mobile names the called number, the network the calling one. A mobile-originated SETUP also
-     * carries the speech bearer capability, which the codec writes and does not show here.
+     * has the speech bearer capability, written by the codec and not part of this record.
      *
-     * @param signal the tone that the network asks the called mobile to play
+     * @param signal tone that the called mobile plays
      */
     record Setup(
             TransactionIdentifier transaction,
@@ -33,7 +33,7 @@ public sealed interface CallControl extends Layer3Message.OfTransaction {
         }
     }
 
-    /** A tone that the mobile plays to its user (TS 24.008, 10.5.4.23); of the standard's codes only those in use. */
+    /** A tone played by the mobile to its user (TS 24.008, 10.5.4.23); only the codes in use. */
     enum Signal implements Coded {
         /** Another call arrives during a call. */
         CALL_WAITING(0x07);
@@ -50,7 +50,7 @@ public sealed interface CallControl extends Layer3Message.OfTransaction {
         }
     }
 
-    /** @param cause 17 (user busy) when the confirmed call waits */
+    /** @param cause 17 (user busy) if the confirmed call waits */
     record CallConfirmed(TransactionIdentifier transaction, Optional<Cause> cause) implements CallControl {
         public CallConfirmed(TransactionIdentifier transaction) {
             this(transaction, Optional.empty());
@@ -62,14 +62,14 @@ public sealed interface CallControl extends Layer3Message.OfTransaction {
     /** In-band information (tones) is now available. */
     record Progress(TransactionIdentifier transaction) implements CallControl {}
 
-    /** @param inBand whether the caller hears the network's own tones from now on (progress indicator 8) */
+    /** @param inBand true if the caller hears the network's own tones from now on (progress indicator 8) */
     record Alerting(TransactionIdentifier transaction, boolean inBand) implements CallControl {
         public Alerting(TransactionIdentifier transaction) {
             this(transaction, false);
         }
     }
 
-    /** @param connected to the caller: the number that answers (TS 24.081, 3) */
+    /** @param connected to the caller: the answering number (TS 24.081, 3) */
     record Connect(TransactionIdentifier transaction, Optional<Msisdn> connected) implements CallControl {
         public Connect(TransactionIdentifier transaction) {
             this(transaction, Optional.empty());
@@ -109,7 +109,10 @@ public sealed interface CallControl extends Layer3Message.OfTransaction {
 
     record StopDtmfAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
-    /** @param location the other user's, if the network passes on a cause; @param inBand whether a tone follows (progress indicator 8) */
+    /**
+     * @param location the other user's, if the network passes on a cause; @param inBand true if a tone follows
+     *     (progress indicator 8)
+     */
     record Disconnect(TransactionIdentifier transaction, Cause cause, CauseLocation location, boolean inBand)
             implements CallControl {
         public Disconnect(TransactionIdentifier transaction, Cause cause) {
@@ -131,14 +134,14 @@ public sealed interface CallControl extends Layer3Message.OfTransaction {
         }
     }
 
-    /** The active call is to be held (TS 24.083, 2). */
+    /** Requests to hold the active call (TS 24.083, 2). */
     record Hold(TransactionIdentifier transaction) implements CallControl {}
 
     record HoldAcknowledge(TransactionIdentifier transaction) implements CallControl {}
 
     record HoldReject(TransactionIdentifier transaction, Cause cause) implements CallControl, Rejection {}
 
-    /** The held call is to be active again. */
+    /** Requests to retrieve the held call. */
     record Retrieve(TransactionIdentifier transaction) implements CallControl {}
 
     record RetrieveAcknowledge(TransactionIdentifier transaction) implements CallControl {}

@@ -1,6 +1,6 @@
 package simgsm.air;
 
-/** Why a call ended or a call-control message was refused (TS 24.008, 10.5.4.11 and annex H). */
+/** Causes of the end of a call or the refusal of a call-control message (TS 24.008, 10.5.4.11 and annex H). */
 public enum Cause implements Coded.Titled {
     UNASSIGNED_NUMBER(1, "unassigned number"),
     NO_ROUTE_TO_DESTINATION(3, "no route to destination"),
@@ -72,9 +72,9 @@ public enum Cause implements Coded.Titled {
     }
 
     /**
-     * The cause with this code, 0 to 127; for a code that the standard does not list the "unspecified" cause that ends
-     * its class: 31 normal, 47 resources, 63 not available, 79 not implemented, 95 invalid, 111 protocol, 127
-     * interworking (10.5.4.11, notes to table 10.5.123).
+     * The cause with this code, 0 to 127; for an unlisted code the "unspecified" cause of its class: 31 normal, 47
+     * resources, 63 not available, 79 not implemented, 95 invalid, 111 protocol, 127 interworking (10.5.4.11, notes
+     * to table 10.5.123).
      */
     public static Cause ofCode(int code) {
         int lastOfClass = code < 32 ? 31 : code | 0x0f;

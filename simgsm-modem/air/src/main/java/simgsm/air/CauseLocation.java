@@ -1,6 +1,6 @@
 package simgsm.air;
 
-/** Who gives a cause (TS 24.008, 10.5.4.11); the ordinal is the code. */
+/** The originator of a cause (TS 24.008, 10.5.4.11); the ordinal is the code. */
 public enum CauseLocation {
     USER,
     PRIVATE_NETWORK_OF_LOCAL_USER,
@@ -12,7 +12,7 @@ public enum CauseLocation {
     OTHER_NETWORK,
     INTERNATIONAL_NETWORK;
 
-    /** The party that sends in this direction, the other one if it answers. */
+    /** The party that sends in this direction; the other one if it answers. */
     static CauseLocation of(Direction direction, boolean answers) {
         return (direction == Direction.UPLINK) != answers ? USER : PUBLIC_NETWORK_OF_LOCAL_USER;
     }

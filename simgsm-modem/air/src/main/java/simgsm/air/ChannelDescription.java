@@ -27,7 +27,7 @@ public record ChannelDescription(ChannelNumber channel, int trainingSequence, in
                 .toOctetString();
     }
 
-    /** The description of the next three octets. @throws ProtocolViolation for a channel that hops */
+    /** The description of the next three octets. @throws ProtocolViolation for a hopping channel */
     public static ChannelDescription read(MessageReader in) throws ProtocolViolation {
         ChannelNumber channel = ChannelNumber.ofCode(in.octet("channel number"));
         int rest = in.twoOctets("channel description");

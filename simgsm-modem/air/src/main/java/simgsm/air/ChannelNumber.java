@@ -9,13 +9,13 @@ import simgsm.octets.Bounds;
  * @param timeslot 0 to 7
  */
 public record ChannelNumber(Kind kind, int subchannel, int timeslot) {
-    /** What a timeslot, or a part of it, carries. */
+    /** The use of a timeslot or a part of it. */
     public enum Kind {
         /** Speech at full rate. */
         TCH_F(0x08, 1),
         /** Speech at half rate. */
         TCH_H(0x10, 2),
-        /** Signalling beside the common channels. */
+        /** Signalling besides the common channels. */
         SDCCH_4(0x20, 4),
         SDCCH_8(0x40, 8),
         BCCH(0x80, 1),
@@ -56,7 +56,7 @@ public record ChannelNumber(Kind kind, int subchannel, int timeslot) {
         return kind.code + (subchannel << 3) + timeslot;
     }
 
-    /** The channel of an octet. @throws ProtocolViolation for a code that no channel has */
+    /** The channel of an octet. @throws ProtocolViolation for an undefined code */
     public static ChannelNumber ofCode(int octet) throws ProtocolViolation {
         for (Kind kind : Kind.values()) {
             int subchannel = (octet - kind.code) >> 3;

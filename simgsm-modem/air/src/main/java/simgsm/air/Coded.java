@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import simgsm.event.EventValue;
 
-/** A value of a message's field that has a code on the wire. */
+/** A field's value with a code on the wire. */
 public interface Coded extends EventValue {
     /** The value on the wire. */
     int code();
@@ -28,7 +28,7 @@ public interface Coded extends EventValue {
         /** The constant. */
         String name();
 
-        /** The title in Spanish; in English for any other language, and for names that are not translated. */
+        /** The title in Spanish; in English for any other language, and if there is no translation. */
         default String title(Locale language) {
             return CodeTitles.of(this, language);
         }

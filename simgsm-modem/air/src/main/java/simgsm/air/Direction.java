@@ -1,6 +1,6 @@
 package simgsm.air;
 
-/** The direction of a message on the air interface; some octets have a different meaning in each. */
+/** The direction of a message on the air interface, on which the meaning of some octets depends. */
 public enum Direction {
     /** From the mobile to the network. */
     UPLINK,

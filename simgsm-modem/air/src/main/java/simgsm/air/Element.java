@@ -38,11 +38,11 @@ public final class Element {
 
     final int identifier;
     final Format format;
-    /** The value sent of an element without a component; null for one that is not sent. */
+    /** The sent value of an element without a component; null if not sent. */
     OctetString sent;
     /** The component's value when the element is absent; null for that of the component's type. */
     Object absent;
-    /** The places of the components in the record; the message's table sets them. */
+    /** Indexes of the components in the record, set by the message's table. */
     int[] places;
 
     private final ElementType<?> type;
@@ -80,7 +80,7 @@ public final class Element {
         return row(NO_IDENTIFIER, type, presence, format, length, length);
     }
 
-    /** The low half of an octet, or the high half if the row before is the low one. */
+    /** The low half of an octet; the high half if the row before is the low one. */
     static Element half(ElementType<?> type) {
         return row(NO_IDENTIFIER, type, Presence.M, Format.HALF, 1, 1);
     }
@@ -121,12 +121,11 @@ public final class Element {
         return this;
     }
 
-    /** The type of the value. */
     public ElementType<?> type() {
         return type;
     }
 
-    /** The components of the record that hold the value; none if the suite does not use it. */
+    /** The components of the record with the value; none if the suite does not use it. */
     public List<String> components() {
         return components;
     }
@@ -135,7 +134,7 @@ public final class Element {
         return only == null || only == direction;
     }
 
-    /** Whether a message without the element is refused by the walk over the elements with identifiers. */
+    /** True if a message without the element is refused by the walk over the elements with identifiers. */
     boolean isRequired() {
         return isMandatory() && format.hasIdentifier() && !components.isEmpty();
     }
@@ -152,7 +151,7 @@ public final class Element {
         return (format.hasIdentifier() ? 1 : 0) + (format.hasLength() ? 1 : 0);
     }
 
-    /** Whether a value of this length, in octets, is one of the element's. */
+    /** True if a value may have this length, in octets. */
     boolean allows(int valueLength) {
         int length = valueLength + overhead();
         return length >= leastLength && length <= mostLength;

@@ -15,16 +15,15 @@ import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
 /**
- * The information elements of one message, bound to the components of its record, to octets and back (TS 24.007, 11.2). After
- * the elements without identifier the rest is walked; unknown elements are skipped:
- *
+ * The information elements of one message, bound to the components of its record; encodes and decodes them (TS
+ * 24.007, 11.2). Elements without identifier are read first, then the others:
  * <pre>
  *   1xxx....   one octet, value inside          skipped when unknown
  *   0000xxxx   identifier, length, value        refused when unknown: it must be understood
  *   0xxxxxxx   identifier, length, value        skipped when unknown
  * </pre>
- *
- * An optional element that is truncated or cannot be read counts as absent (TS 24.008, 8.7.1); of two the first is taken.
+ * An optional element that is truncated or cannot be read counts as absent (TS 24.008, 8.7.1); of two the first is
+ * taken.
  */
 public final class ElementTable {
     /** An element in the octets of a message. @param from index of its first octet; @param to index after its last one */
@@ -35,7 +34,7 @@ public final class ElementTable {
     private final MethodHandle[] accessors;
     private final Object[] absent;
 
-    /** @throws IllegalArgumentException for a row that names no component of the record */
+    /** @throws IllegalArgumentException for a row with an unknown component of the record */
     ElementTable(Class<?> message, List<Element> elements) {
         RecordComponent[] parts = message.getRecordComponents();
         Class<?>[] types = Arrays.stream(parts).map(RecordComponent::getType).toArray(Class[]::new);
@@ -154,7 +153,7 @@ public final class ElementTable {
         }
     }
 
-    /** The message of the octets. @param head the values of the first components, which the table has no rows for */
+    /** The message of the octets. @param head values of the first components, which have no rows in the table */
     Object read(MessageReader in, Direction direction, Object... head) throws ProtocolViolation {
         List<Part> parts = split(in, direction);
         Object[] values = absent.clone();
@@ -202,7 +201,7 @@ public final class ElementTable {
         }
     }
 
-    /** The elements of the message in their order, those with identifiers that the table does not have left out. */
+    /** The elements of the message in order, without those with identifiers unknown to the table. */
     List<Part> split(MessageReader in, Direction direction) throws ProtocolViolation {
         List<Part> parts = new ArrayList<>(rows.get(direction).size());
         boolean isSecondHalf = false;

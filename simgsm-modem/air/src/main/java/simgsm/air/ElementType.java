@@ -6,8 +6,9 @@ import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
 /**
- * A type of information element: its name and clause in the standard, and its value to octets and back, without identifier and
- * length. Clauses 10.5.1, 10.5.3 and 10.5.4 are those of TS 24.008, 10.5.2 those of TS 44.018, 8.1 and 8.2 those of TS 24.011.
+ * A type of information element: its name and clause in the standard, and the codec of its value, without identifier
+ * and length. Clauses 10.5.1, 10.5.3 and 10.5.4 are those of TS 24.008, 10.5.2 those of TS 44.018, 8.1 and 8.2 those
+ * of TS 24.011.
  *
  * @param <V> the value in the record of a message
  */
@@ -20,7 +21,7 @@ public final class ElementType<V> {
         V read(MessageReader in, Direction direction) throws ProtocolViolation;
     }
 
-    /** Reads a value that means the same in both directions. */
+    /** Reads a value with the same meaning in both directions. */
     private interface PlainReader<V> {
         V read(MessageReader in) throws ProtocolViolation;
     }
@@ -152,7 +153,7 @@ public final class ElementType<V> {
                 name, clause, (out, value, direction) -> writer.accept(out, value), (in, direction) -> reader.read(in));
     }
 
-    /** A type that no record holds a value of. */
+    /** A type with values not held by any record. */
     private static ElementType<Void> unread(String name, String clause) {
         return of(name, clause, (out, value, direction) -> {}, (in, direction) -> null);
     }
@@ -161,7 +162,7 @@ public final class ElementType<V> {
         return plain(name, clause, OctetWriter::string, MessageReader::rest);
     }
 
-    /** A number in one octet. @param mask the bits of a received one, and the greatest one that is sent */
+    /** A number in one octet. @param mask bits of a received one, and the greatest one sent */
     private static ElementType<Integer> number(String name, String clause, int mask) {
         return plain(
                 name,

@@ -2,7 +2,7 @@ package simgsm.air;
 
 import simgsm.octets.OctetWriter;
 
-/** Mobile identity and location area as they stand in messages (TS 24.008, 10.5.1.3 and 10.5.1.4). */
+/** Mobile identity and location area in messages (TS 24.008, 10.5.1.3 and 10.5.1.4). */
 public final class IdentityElements {
     /** In the first octet of an identity: an odd number of digits. */
     private static final int ODD = 0x08;

@@ -3,10 +3,10 @@ package simgsm.air;
 import java.util.random.RandomGenerator;
 
 /**
- * International mobile equipment identity: type allocation code (8), serial number (6), Luhn digit (TS 23.003, 6.2). The Luhn
- * digit is for people; a message has 0 in its place (TS 22.016, 2).
+ * International mobile equipment identity: type allocation code (8), serial number (6), Luhn digit (TS 23.003, 6.2).
+ * Messages have 0 instead of the Luhn digit (TS 22.016, 2).
  *
- * @param digits 15 decimal digits of which the last is the Luhn digit; a 0 in its place is replaced
+ * @param digits 15 decimal digits; the last is the Luhn digit, which replaces a 0
  */
 public record Imei(String digits) implements MobileIdentity {
     /** Type allocation code of the suite's terminals, from the range reserved for tests. */
@@ -26,7 +26,7 @@ public record Imei(String digits) implements MobileIdentity {
         digits = digits.substring(0, 14) + luhn;
     }
 
-    /** As messages have them; the receiver ignores the 15th. */
+    /** In the form of messages; the receiver ignores the 15th digit. */
     static String transmitted(String digits) {
         return digits.length() == 15 ? digits.substring(0, 14) + '0' : digits;
     }

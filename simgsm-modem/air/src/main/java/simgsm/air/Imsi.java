@@ -20,10 +20,10 @@ public record Imsi(String digits) implements MobileIdentity {
     }
 
     /**
-     * The identity that an open network gives to a number: 00101 and the number padded left to ten digits.
+     * The identity of a number in an open network: 00101 and the number padded left to ten digits.
      *
-     * @throws IllegalArgumentException for a number of more than ten digits or with a leading zero, because its IMSI would be
-     *     that of another number
+     * @throws IllegalArgumentException for a number of more than ten digits or with a leading zero, because its IMSI
+     *     would be another number's
      */
     public static Imsi ofOpenNumber(Msisdn number) {
         String digits = number.digits();

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.random.RandomGenerator;
 import simgsm.octets.OctetWriter;
 
-/** Layer-3 messages to octets and back (TS 24.008, TS 24.011, TS 24.080, TS 44.018). Has no state. */
+/** Encodes and decodes layer-3 messages (TS 24.008, TS 24.011, TS 24.080, TS 44.018). Has no state. */
 public final class Layer3Codec {
     private static final int TYPE_MASK = 0x3f;
     private static final int SEND_SEQUENCE_BIT = 0x40;
@@ -18,9 +18,9 @@ public final class Layer3Codec {
     /**
      * The octets of a message.
      *
-     * @param sendSequence N(SD), 0 or 1, set in uplink messages of mobility management, call control and supplementary
-     *     services, and ignored in all others (TS 24.007, 11.2.3.2.3)
-     * @throws IllegalArgumentException for a message that never goes this way
+     * @param sendSequence N(SD), 0 or 1, set in uplink messages of mobility management, call control and
+     *     supplementary services, and ignored in all others (TS 24.007, 11.2.3.2.3)
+     * @throws IllegalArgumentException for a message of the other direction
      */
     public static byte[] encode(Layer3Message message, Direction direction, int sendSequence) {
         Layer3Type type = Layer3Type.of(message);
@@ -38,8 +38,8 @@ public final class Layer3Codec {
     /**
      * The message in these octets; an uplink message's N(SD) is masked out, see {@link #sendSequence}.
      *
-     * @throws ProtocolViolation for anything that the standard does not allow, with the cause for a STATUS answer; see
-     *     {@link ProtocolErrorAnswers} for the messages to send
+     * @throws ProtocolViolation for a breach of the standard, with the cause for a STATUS answer; see {@link
+     *     ProtocolErrorAnswers} for the messages to send
      */
     public static Layer3Message decode(byte[] octets, Direction direction) throws ProtocolViolation {
         MessageReader in = new MessageReader(octets);
@@ -60,7 +60,7 @@ public final class Layer3Codec {
         return out.toArray();
     }
 
-    /** N(SD) of an uplink message, 0 or 1; -1 for messages that carry none. */
+    /** N(SD) of an uplink message, 0 or 1; -1 for messages without one. */
     public static int sendSequence(byte[] octets) {
         if (octets.length < 2 || !hasSendSequence(octets[0] & 0x0f)) {
             return -1;
@@ -149,8 +149,8 @@ public final class Layer3Codec {
     }
 
     /**
-     * The elements in the octets of a message that {@link #decode} reads, in their order; those of an RP message follow the
-     * CP-DATA that it is in.
+     * The elements in the octets of a message read by {@link #decode}, in order; those of an RP message follow its
+     * CP-DATA's.
      */
     public static List<ElementTable.Part> split(byte[] octets, Direction direction) throws ProtocolViolation {
         MessageReader in = new MessageReader(octets);

@@ -4,10 +4,10 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The header of a layer-3 message, with all that the answer to a refused one needs.
+ * The header of a layer-3 message, with the data needed to refuse it.
  *
- * @param discriminator protocol discriminator: 3 call control, 5 mobility management, 6 radio resource, 9 short messages,
- *     11 supplementary services
+ * @param discriminator protocol discriminator: 3 call control, 5 mobility management, 6 radio resource, 9 short
+ *     messages, 11 supplementary services
  * @param transaction present in call control, short messages and supplementary services
  * @param messageType without the send sequence number
  * @param relayReference RP message reference of a refused RP message inside a valid CP-DATA
@@ -24,12 +24,12 @@ public record Layer3Header(
     public static final int SHORT_MESSAGES = 9;
     public static final int SUPPLEMENTARY_SERVICES = 11;
 
-    /** The message's type; empty if it is not known in this direction. */
+    /** The message's type; empty if unknown in this direction. */
     public Optional<Layer3Type> type() {
         return Layer3Type.of(discriminator, messageType, direction);
     }
 
-    /** The message's name, or its numbers if it is not known. */
+    /** The message's name; its numbers if unknown. */
     public String name() {
         return type().map(Layer3Type::title)
                 .orElseGet(() ->

@@ -23,9 +23,9 @@ import simgsm.air.ShortMessageControl.*;
 import simgsm.air.SupplementaryService.*;
 
 /**
- * All message types in use: numbers, direction, record, name and the table of elements, as TS 24.008 (9.2, 9.3), TS 44.018
- * (9.1), TS 24.011 (7.2) and TS 24.080 (2) print them. Elements that the suite neither reads nor sends are left out, except
- * those that a receiver must understand or that have no length octet.
+ * All message types in use: numbers, direction, record, name and the table of elements, as TS 24.008 (9.2, 9.3), TS
+ * 44.018 (9.1), TS 24.011 (7.2) and TS 24.080 (2) print them. Elements neither read nor sent by the suite are
+ * omitted, except those that a receiver must understand or that have no length octet.
  */
 public enum Layer3Type {
     IMSI_DETACH_INDICATION(up(5, 0x01, ImsiDetachIndication.class, "IMSI Detach Indication", "9.2.12")
@@ -244,7 +244,7 @@ public enum Layer3Type {
         return BY_RECORD.get(message.getClass());
     }
 
-    /** The type with these numbers; empty if it is not known or never goes in this direction. */
+    /** The type with these numbers; empty if unknown or not used in this direction. */
     public static Optional<Layer3Type> of(int discriminator, int code, Direction direction) {
         Layer3Type type = BY_NUMBERS[(discriminator & 0x0f) << 8 | code & 0xff];
         return type == null || !type.goes(direction) ? Optional.empty() : Optional.of(type);
@@ -279,7 +279,7 @@ public enum Layer3Type {
         return table;
     }
 
-    /** Whether messages of this type are sent in this direction. */
+    /** True if messages of this type are sent in this direction. */
     public boolean goes(Direction direction) {
         return head.way == Way.BOTH || (head.way == Way.UP) == (direction == Direction.UPLINK);
     }

@@ -5,12 +5,12 @@ import java.util.List;
 import simgsm.octets.Bounds;
 
 /**
- * What a mobile on a dedicated channel measures in 480 ms (TS 44.018, 10.5.2.20). Levels are RXLEV, 0 to 63: the level in
- * dBm plus 110. Qualities are RXQUAL, 0 to 7.
+ * Measurements of a mobile on a dedicated channel in 480 ms (TS 44.018, 10.5.2.20). Levels are RXLEV, 0 to 63: the
+ * level in dBm plus 110. Qualities are RXQUAL, 0 to 7.
  *
- * @param usesSecondList whether frequencies are counted in the second neighbour list (BA-USED)
- * @param usesDtx whether the mobile transmitted only while its user spoke
- * @param isValid whether the values of the serving cell are valid
+ * @param usesSecondList true if frequencies are indexed in the second neighbour list (BA-USED)
+ * @param usesDtx true if the mobile transmitted only while its user spoke
+ * @param isValid true if the values of the serving cell are valid
  * @param neighbours at most 6, the strongest first
  */
 public record MeasurementResults(
@@ -34,7 +34,7 @@ public record MeasurementResults(
     /**
      * A neighbour cell.
      *
-     * @param frequencyIndex counts the frequencies of SYSTEM INFORMATION 5 from 0, in ascending order of ARFCN; 0 to 31
+     * @param frequencyIndex index in the frequencies of SYSTEM INFORMATION 5, in ascending order of ARFCN, 0 to 31
      * @param identityCode BSIC, 0 to 63
      */
     public record Neighbour(int level, int frequencyIndex, int identityCode) {

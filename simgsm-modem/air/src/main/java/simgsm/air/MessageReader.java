@@ -19,12 +19,12 @@ public final class MessageReader extends OctetReader<ProtocolViolation> {
         super(whole, count, what);
     }
 
-    /** A reader of the next {@code count} octets, which this reader skips. */
+    /** A reader of the next {@code count} octets, skipped by this reader. */
     public MessageReader part(int count, String what) throws ProtocolViolation {
         return new MessageReader(this, count, what);
     }
 
-    /** A reader of a value that is led by its length in one octet (LV). */
+    /** A reader of a value after its length in one octet (LV). */
     public MessageReader lengthAndValue(String what) throws ProtocolViolation {
         return part(octet(what), what);
     }

@@ -2,7 +2,7 @@ package simgsm.air;
 
 /** An identity of a mobile in a message (TS 24.008, 10.5.1.4). */
 public sealed interface MobileIdentity permits Imsi, Imei, Tmsi {
-    /** The kinds of identity that IDENTITY REQUEST may ask for, with their codes (TS 24.008, 10.5.3.4). */
+    /** The kinds of identity in IDENTITY REQUEST, with their codes (TS 24.008, 10.5.3.4). */
     enum Type implements Coded {
         IMSI(1),
         IMEI(2),

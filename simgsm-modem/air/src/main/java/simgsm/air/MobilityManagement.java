@@ -7,7 +7,7 @@ import simgsm.octets.Octets;
 
 /** Mobility management messages (TS 24.008, 9.2), protocol discriminator 5. */
 public sealed interface MobilityManagement extends Layer3Message {
-    /** What a LOCATION UPDATING REQUEST is for (TS 24.008, 10.5.3.5). */
+    /** The purpose of a LOCATION UPDATING REQUEST (TS 24.008, 10.5.3.5). */
     enum LocationUpdatingType implements Coded {
         NORMAL,
         PERIODIC,
@@ -19,7 +19,7 @@ public sealed interface MobilityManagement extends Layer3Message {
         }
     }
 
-    /** What a CM SERVICE REQUEST asks for (TS 24.008, 10.5.3.3). */
+    /** The service requested by a CM SERVICE REQUEST (TS 24.008, 10.5.3.3). */
     enum ServiceType implements Coded {
         MOBILE_ORIGINATED_CALL(1),
         EMERGENCY_CALL(2),

@@ -4,7 +4,7 @@ package simgsm.air;
  * A telephone number: 1 to 15 digits (ITU-T E.164) and its type (TS 24.008, 10.5.4.7).
  *
  * @param digits decimal digits only
- * @param international type 1, international, which is written with a plus sign; otherwise type 0, unknown: as it is dialled
+ * @param international type 1, international, written with a plus sign; otherwise type 0, unknown, as dialled
  */
 public record Msisdn(String digits, boolean international) {
     public static final int MAX_DIGITS = 15;
@@ -20,12 +20,12 @@ public record Msisdn(String digits, boolean international) {
         this(digits, false);
     }
 
-    /** The number by which the registers know a subscriber: the network has no country code, so +555 is 555. */
+    /** The number of a subscriber in the registers: the network has no country code, so +555 is 555. */
     public Msisdn plain() {
         return international ? new Msisdn(digits) : this;
     }
 
-    /** No regular expression, because some 10 000 numbers are made a second under load. */
+    /** Without a regular expression: some 10 000 numbers are made per second under load. */
     private static boolean isDigits(String text) {
         for (int i = 0; i < text.length(); i++) {
             if (text.charAt(i) < '0' || text.charAt(i) > '9') {

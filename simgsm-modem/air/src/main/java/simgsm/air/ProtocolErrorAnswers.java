@@ -11,10 +11,11 @@ public final class ProtocolErrorAnswers {
     private ProtocolErrorAnswers() {}
 
     /**
-     * The messages to send, in order. Empty for a message without a readable header, and for one that itself reports an
-     * error, or two parties would answer each other without end.
+     * The messages to send, in order. Empty for a message without a readable header, and for one that itself reports
+     * an error, which would cause endless answers.
      *
-     * @param callState state of the transaction's call at this side as coded in TS 24.008, 10.5.4.6; 0 if there is no call
+     * @param callState state of the transaction's call at this side as coded in TS 24.008, 10.5.4.6; 0 if there is no
+     *     call
      */
     public static List<Layer3Message> to(ProtocolViolation violation, int callState) {
         return violation
@@ -59,7 +60,7 @@ public final class ProtocolErrorAnswers {
         return new CallControl.Status(transaction, cause, callState);
     }
 
-    /** Two requests have a reject message of their own (TS 24.008, 4.4.4.9 and 4.5.1.7). */
+    /** Two requests have their own reject messages (TS 24.008, 4.4.4.9 and 4.5.1.7). */
     private static Layer3Message mobilityManagement(Optional<Layer3Type> type, RejectCause cause) {
         if (type.equals(Optional.of(Layer3Type.LOCATION_UPDATING_REQUEST))) {
             return new MobilityManagement.LocationUpdatingReject(cause);

@@ -3,8 +3,8 @@ package simgsm.air;
 import java.util.Optional;
 
 /**
- * A received message or frame that breaks its standard; the text says what was wrong and what was expected. It has the
- * header of a layer-3 message, as far as it was readable, for {@link ProtocolErrorAnswers}.
+ * A received message or frame that breaks its standard; the text names the fault and the expected form. Contains the
+ * readable header of a layer-3 message, for {@link ProtocolErrorAnswers}.
  *
  * <p>It has no stack trace: a peer may cause any number of violations, and the trace would only show the codec.
  */
@@ -36,17 +36,17 @@ public final class ProtocolViolation extends Exception {
         return cause;
     }
 
-    /** The header of the refused layer-3 message; empty if it could not be read either, or for other layers. */
+    /** The header of the refused layer-3 message; empty if unreadable, or for other layers. */
     public Optional<Layer3Header> header() {
         return Optional.ofNullable(header);
     }
 
-    /** The same violation in an RP message with this reference. */
+    /** A copy for an RP message with this reference. */
     ProtocolViolation inRelay(int reference) {
         return new ProtocolViolation(cause, getMessage(), null, reference);
     }
 
-    /** The same violation with the header of its message. */
+    /** A copy with the header of its message. */
     ProtocolViolation in(Layer3Header refused) {
         return new ProtocolViolation(
                 cause, refused.name() + ": " + getMessage(), refused.withRelayReference(relayReference), null);

@@ -20,9 +20,10 @@ public sealed interface RadioResource extends Layer3Message {
     record PagingResponse(int keySequence, MobileIdentity identity) implements RadioResource {}
 
     /**
-     * How a mobile finds a cell (TS 44.018, 10.5.2.2).
+     * The description of a cell to find (TS 44.018, 10.5.2.2).
      *
-     * @param identityCode base station identity code: network colour code in bits 6-4, base station colour code in bits 3-1
+     * @param identityCode base station identity code: network colour code in bits 6-4, base station colour code in
+     *     bits 3-1
      * @param frequency ARFCN of the BCCH, 0 to 1023
      */
     record CellDescription(int identityCode, int frequency) {
@@ -66,25 +67,27 @@ public sealed interface RadioResource extends Layer3Message {
      */
     record AssignmentCommand(ChannelDescription channel, int powerLevel, int channelMode) implements RadioResource {}
 
-    /** Changes the mode of the channel on which the mobile is. @param mode (TS 44.018, 10.5.2.6) */
+    /** Changes the mode of the mobile's channel. @param mode (TS 44.018, 10.5.2.6) */
     record ChannelModeModify(ChannelDescription channel, int mode) implements RadioResource {}
 
-    /** @param mode that the mobile uses from now on: the old one if it does not have the other (TS 44.018, 3.4.6.1.3) */
+    /**
+     * @param mode used by the mobile from now on: the old one if the requested is unsupported (TS 44.018, 3.4.6.1.3)
+     */
     record ChannelModeModifyAcknowledge(ChannelDescription channel, int mode) implements RadioResource {}
 
     /** @param cause RR cause */
     record AssignmentComplete(int cause) implements RadioResource {}
 
-    /** The mobile is back on the old channel. @param cause RR cause */
+    /** The mobile has returned to the old channel. @param cause RR cause */
     record AssignmentFailure(int cause) implements RadioResource {}
 
     /**
-     * Moves the mobile to a channel of another cell. The cells are not synchronised: the mobile sends access bursts until
-     * PHYSICAL INFORMATION comes.
+     * Moves the mobile to a channel of another cell. The cells are not synchronised: the mobile sends access bursts
+     * until it receives PHYSICAL INFORMATION.
      *
      * @param reference 0 to 255, in the access bursts
      * @param powerLevel MS power control level, 0 to 31
-     * @param channelMode absent if the mode stays
+     * @param channelMode absent if unchanged
      */
     record HandoverCommand(
             CellDescription cell,
@@ -97,7 +100,7 @@ public sealed interface RadioResource extends Layer3Message {
     /** The first message on the new channel. @param cause RR cause */
     record HandoverComplete(int cause) implements RadioResource {}
 
-    /** The mobile is back on the old channel. @param cause RR cause */
+    /** The mobile has returned to the old channel. @param cause RR cause */
     record HandoverFailure(int cause) implements RadioResource {}
 
     /** Stops the access bursts. @param timingAdvance 0 to 63, in bits of 3.69 us */

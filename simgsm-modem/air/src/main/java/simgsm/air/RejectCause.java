@@ -1,6 +1,6 @@
 package simgsm.air;
 
-/** Why mobility management refused (TS 24.008, 10.5.3.6 and annex G). */
+/** Causes of refusals by mobility management (TS 24.008, 10.5.3.6 and annex G). */
 public enum RejectCause implements Coded.Titled {
     IMSI_UNKNOWN_IN_HLR(2, "IMSI unknown in HLR"),
     ILLEGAL_MS(3, "illegal MS"),
@@ -49,7 +49,7 @@ public enum RejectCause implements Coded.Titled {
         return title;
     }
 
-    /** The cause with this code; one that the standard does not list is 34 for the mobile and 111 for the network (10.5.3.6). */
+    /** The cause with this code; an unlisted one is 34 for the mobile and 111 for the network (10.5.3.6). */
     public static RejectCause ofCode(int code, Direction direction) {
         return code >> 4 == 3
                 ? RETRY_IN_NEW_CELL

@@ -4,7 +4,8 @@ import java.util.Optional;
 import simgsm.octets.OctetString;
 
 /**
- * The RP layer of short messages (TS 24.011, 7.3), carried in CP-DATA. The two directions have different message types on the wire.
+ * The RP layer of short messages (TS 24.011, 7.3), in CP-DATA. The two directions have different message types on the
+ * wire.
  */
 public sealed interface RelayMessage {
     int MAX_TPDU_LENGTH = 232;
@@ -12,7 +13,7 @@ public sealed interface RelayMessage {
     /** RP message reference, 0 to 255. */
     int reference();
 
-    /** Whether a TPDU may have this many octets. */
+    /** True if a TPDU may have this many octets. */
     static boolean isTpduLength(int octets) {
         return octets > 0 && octets <= MAX_TPDU_LENGTH;
     }
@@ -34,6 +35,6 @@ public sealed interface RelayMessage {
 
     record RpError(int reference, RpCause cause) implements RelayMessage {}
 
-    /** The mobile has free memory for messages again. */
+    /** The mobile has memory for messages again. */
     record RpSmma(int reference) implements RelayMessage {}
 }

@@ -1,6 +1,6 @@
 package simgsm.air;
 
-/** Why a short message was refused by the relay layer (TS 24.011, 8.2.5.4). */
+/** Causes of refusals of short messages by the relay layer (TS 24.011, 8.2.5.4). */
 public enum RpCause implements Coded.Titled {
     UNASSIGNED_NUMBER(1, "unassigned number"),
     OPERATOR_DETERMINED_BARRING(8, "operator determined barring"),
@@ -41,7 +41,7 @@ public enum RpCause implements Coded.Titled {
         return title;
     }
 
-    /** The cause with this code; a code that the standard does not list is taken as PROTOCOL_ERROR. */
+    /** The cause with this code; PROTOCOL_ERROR for an unlisted code. */
     public static RpCause ofCode(int code) {
         return Coded.find(values(), code).orElse(PROTOCOL_ERROR);
     }

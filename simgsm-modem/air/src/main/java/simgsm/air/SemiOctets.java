@@ -9,7 +9,7 @@ public final class SemiOctets {
 
     private SemiOctets() {}
 
-    /** Writes the digits from {@code start} on. IllegalArgumentException for a character that is none of 0-9 * # a-c. */
+    /** Writes the digits from {@code start}. IllegalArgumentException for a character other than 0-9 * # a-c. */
     public static void write(OctetWriter out, String digits, int start) {
         for (int i = start; i < digits.length(); i += 2) {
             int high = i + 1 < digits.length() ? code(digits.charAt(i + 1)) : FILLER;

@@ -11,7 +11,7 @@ public sealed interface SupplementaryService extends Layer3Message.OfTransaction
     /**
      * Begins a dialogue.
      *
-     * @param version SS version indicator (TS 24.008, 10.5.4.24), which a mobile of phase 2 or later sends
+     * @param version SS version indicator (TS 24.008, 10.5.4.24), sent by mobiles of phase 2 or later
      */
     record SsRegister(TransactionIdentifier transaction, OctetString facility, Optional<Integer> version)
             implements SupplementaryService {
@@ -22,10 +22,10 @@ public sealed interface SupplementaryService extends Layer3Message.OfTransaction
     /** Continues a dialogue. */
     record SsFacility(TransactionIdentifier transaction, OctetString facility) implements SupplementaryService {}
 
-    /** Ends a dialogue, with its last component or the cause of its failure, or neither. */
+    /** Ends a dialogue, with its last component, the cause of its failure, or neither. */
     record SsReleaseComplete(TransactionIdentifier transaction, Optional<Cause> cause, Optional<OctetString> facility)
             implements SupplementaryService {
-        /** The end of a dialogue that has nothing more to say. */
+        /** The end of a dialogue without further content. */
         public SsReleaseComplete(TransactionIdentifier transaction) {
             this(transaction, Optional.empty(), Optional.empty());
         }

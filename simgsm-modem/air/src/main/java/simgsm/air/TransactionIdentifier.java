@@ -13,7 +13,7 @@ public record TransactionIdentifier(int value, boolean fromOtherSide) {
         Bounds.check("transaction identifier", value, 0, 6);
     }
 
-    /** The same transaction with the other TI flag: for the answers of the receiver of a message. */
+    /** The same transaction with the other TI flag, for the receiver's answers. */
     public TransactionIdentifier answered() {
         return new TransactionIdentifier(value, !fromOtherSide);
     }

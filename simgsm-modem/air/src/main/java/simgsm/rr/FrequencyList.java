@@ -19,7 +19,7 @@ public final class FrequencyList {
 
     private static final int ARFCNS = 1024;
 
-    /** The order in which measurement reports count frequencies: ascending, an ARFCN of 0 last. */
+    /** The order of frequencies in measurement reports: ascending, an ARFCN of 0 last. */
     public static final Comparator<Integer> ORDER = Comparator.comparingInt(arfcn -> arfcn == 0 ? ARFCNS : arfcn);
 
     private FrequencyList() {}
@@ -27,7 +27,7 @@ public final class FrequencyList {
     /**
      * The octets of the list.
      *
-     * @throws IllegalArgumentException if the frequencies lie so far apart that neither form holds them
+     * @throws IllegalArgumentException if the frequencies are too far apart for either form
      */
     public static OctetString encode(Collection<Integer> arfcns) {
         byte[] octets = new byte[OCTETS];
@@ -48,7 +48,7 @@ public final class FrequencyList {
         return OctetString.of(octets);
     }
 
-    /** Sets the bit of this place, counted from the last octet's lowest bit. */
+    /** Sets the bit at a place, counted from the last octet's lowest bit. */
     private static void set(byte[] octets, int place) {
         octets[OCTETS - 1 - place / 8] |= (byte) (1 << place % 8);
     }

@@ -9,7 +9,7 @@ import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
 /**
- * IMMEDIATE ASSIGNMENT on the access grant channel (TS 44.018, 9.1.18): grants the channel that a CHANNEL REQUEST asked for.
+ * IMMEDIATE ASSIGNMENT on the access grant channel (TS 44.018, 9.1.18): grants the channel of a CHANNEL REQUEST.
  *
  * @param timingAdvance 0 to 63, steps of 553.5 m
  */
@@ -20,7 +20,7 @@ public record ImmediateAssignment(ChannelDescription channel, RequestReference r
     static final int SAME_PAGE_MODE = 3;
 
     private static final int TYPE = 0x3f;
-    /** What the L2 pseudo length counts, without a mobile allocation. */
+    /** Octets counted by the L2 pseudo length, without a mobile allocation. */
     private static final int COUNTED_OCTETS = 11;
 
     public ImmediateAssignment {
@@ -44,7 +44,7 @@ public record ImmediateAssignment(ChannelDescription channel, RequestReference r
         return out.toOctetString();
     }
 
-    /** Whether these octets of an access grant channel are this message. */
+    /** True if these octets of an access grant channel are this message. */
     public static boolean isOne(OctetString octets) {
         return octets.length() > 2 && octets.octet(1) == Layer3Header.RADIO_RESOURCE && octets.octet(2) == TYPE;
     }

@@ -12,7 +12,7 @@ import simgsm.octets.OctetWriter;
 /**
  * IMMEDIATE ASSIGNMENT REJECT (TS 44.018, 9.1.20): refuses up to four CHANNEL REQUESTs.
  *
- * @param waitSeconds until the mobiles may ask again, 0 to 255
+ * @param waitSeconds least time before the mobiles may repeat, 0 to 255
  */
 public record ImmediateAssignmentReject(List<RequestReference> references, int waitSeconds) {
     public static final int MOST = 4;
@@ -25,7 +25,7 @@ public record ImmediateAssignmentReject(List<RequestReference> references, int w
         Bounds.checkOctet("wait indication", waitSeconds);
     }
 
-    /** The 23 octets; a place without a request of its own repeats the last one. */
+    /** The 23 octets; unused places repeat the last request. */
     public OctetString encode() {
         OctetWriter out = new OctetWriter()
                 .octet(COUNTED_OCTETS << 2 | 1)
@@ -42,7 +42,7 @@ public record ImmediateAssignmentReject(List<RequestReference> references, int w
         return out.toOctetString();
     }
 
-    /** Whether these octets of an access grant channel are this message. */
+    /** True if these octets of an access grant channel are this message. */
     public static boolean isOne(OctetString octets) {
         return octets.length() > 2 && octets.octet(1) == Layer3Header.RADIO_RESOURCE && octets.octet(2) == TYPE;
     }

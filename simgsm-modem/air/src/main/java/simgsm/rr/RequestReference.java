@@ -22,7 +22,7 @@ public record RequestReference(int access, int frame) {
         Bounds.check("frame number", frame, 0, 0xffff);
     }
 
-    /** Of a CHANNEL REQUEST in the frame of this number. */
+    /** The reference of a CHANNEL REQUEST in the frame of this number. */
     public static RequestReference at(int access, long frameNumber) {
         int frame = (int) (frameNumber % FRAMES);
         int t1 = frame / (MULTIFRAME * TRAFFIC_MULTIFRAME);

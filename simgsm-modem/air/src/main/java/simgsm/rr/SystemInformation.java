@@ -8,9 +8,12 @@ import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
-/** SYSTEM INFORMATION (TS 44.018, 9.1.31 to 9.1.40): what a cell broadcasts to all mobiles, and sends on dedicated channels. */
+/**
+ * SYSTEM INFORMATION (TS 44.018, 9.1.31 to 9.1.40), broadcast by a cell to all mobiles and sent on dedicated
+ * channels.
+ */
 public sealed interface SystemInformation {
-    /** TYPE 2 on the BCCH: the neighbours of mobiles in idle mode. */
+    /** TYPE 2 on the BCCH: the neighbours for idle mobiles. */
     record Type2(List<Integer> neighbours, RandomAccess access) implements SystemInformation {}
 
     /** TYPE 3 on the BCCH. */
@@ -24,7 +27,7 @@ public sealed interface SystemInformation {
             Optional<Reselection> reselection)
             implements SystemInformation {}
 
-    /** TYPE 5 on the slow associated channel: the neighbours of mobiles in a connection. */
+    /** TYPE 5 on the slow associated channel: the neighbours for connected mobiles. */
     record Type5(List<Integer> neighbours) implements SystemInformation {}
 
     /** TYPE 6 on the slow associated channel. */
@@ -33,8 +36,8 @@ public sealed interface SystemInformation {
     /**
      * Control channel description (10.5.2.11).
      *
-     * @param blocksForAccessGrant BS_AG_BLKS_RES; @param isCombined whether the common channels share their timeslot with an
-     *     SDCCH/4
+     * @param blocksForAccessGrant BS_AG_BLKS_RES; @param isCombined true if the common channels share their timeslot
+     *     with an SDCCH/4
      * @param pagingMultiframes BS_PA_MFRMS, 2 to 9; @param t3212 in units of 6 minutes, 0 for no periodic updating
      */
     record ControlChannel(
@@ -44,7 +47,7 @@ public sealed interface SystemInformation {
             return (isCombined ? 3 : 9) - blocksForAccessGrant;
         }
 
-        /** Paging groups of the cell; a mobile's own is the IMSI's last three digits modulo this. */
+        /** Paging groups of the cell; a mobile's group is the IMSI's last three digits modulo this. */
         public int pagingGroups() {
             return pagingBlocks() * pagingMultiframes;
         }
@@ -69,18 +72,18 @@ public sealed interface SystemInformation {
      * C2 parameters (10.5.2.34).
      *
      * @param offsetDecibels CELL_RESELECT_OFFSET; @param temporaryOffsetDecibels positive infinity for the largest
-     * @param penaltySeconds PENALTY_TIME, 20 to 620; -1 when the offset is to be subtracted for good
+     * @param penaltySeconds PENALTY_TIME, 20 to 620; -1 if the offset is subtracted permanently
      */
     record Reselection(int offsetDecibels, double temporaryOffsetDecibels, int penaltySeconds) {}
 
-    /** The message's octets with their L2 pseudo length, as RSL carries them. */
+    /** The message's octets with their L2 pseudo length, as in RSL. */
     default OctetString encode() {
         OctetWriter out = new OctetWriter();
         SystemInformationCodec.write(out, this);
         return out.toOctetString();
     }
 
-    /** The information of octets with or without an L2 pseudo length; empty for a type that is not known here. */
+    /** The information of octets with or without an L2 pseudo length; empty for an unknown type. */
     static Optional<SystemInformation> decode(OctetString octets) throws ProtocolViolation {
         MessageReader in = new MessageReader(octets);
         return SystemInformationCodec.read(in);

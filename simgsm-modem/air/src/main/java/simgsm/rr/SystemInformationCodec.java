@@ -15,7 +15,7 @@ import simgsm.rr.SystemInformation.Type3;
 import simgsm.rr.SystemInformation.Type5;
 import simgsm.rr.SystemInformation.Type6;
 
-/** System information to octets and back. */
+/** Encodes and decodes system information. */
 final class SystemInformationCodec {
     private static final int TYPE_2 = 0x1a;
     private static final int TYPE_3 = 0x1b;
@@ -32,7 +32,7 @@ final class SystemInformationCodec {
     private static final int LARGEST_TEMPORARY = 7;
     private static final int PENALTY_STEP_SECONDS = 20;
     private static final int FOR_GOOD = 31;
-    /** Carrier of the octet with the combination of common channels: one physical channel with SDCCH/4. */
+    /** Combination of common channels: one physical channel with SDCCH/4. */
     private static final int COMBINED = 1;
 
     private SystemInformationCodec() {}
@@ -116,7 +116,7 @@ final class SystemInformationCodec {
         throw new IllegalArgumentException("RACH control: no code for " + value);
     }
 
-    /** SI 3 rest octets (10.5.2.34) with fill octets behind; each bit is sent relative to the fill pattern 2B. */
+    /** SI 3 rest octets (10.5.2.34), then fill octets; each bit is sent relative to the fill pattern 2B. */
     private static void writeReselection(OctetWriter out, Reselection reselection) {
         int temporary = Double.isInfinite(reselection.temporaryOffsetDecibels())
                 ? LARGEST_TEMPORARY
@@ -196,7 +196,7 @@ final class SystemInformationCodec {
             return Optional.empty();
         }
         int bits = in.twoOctets("rest octets");
-        // The fill pattern's first bit is L; H says that the parameters follow.
+        // The fill pattern's first bit is L; H means that the parameters follow.
         if ((bits & 0x8000) == 0) {
             return Optional.empty();
         }

@@ -1,5 +1,5 @@
 /**
- * What a cell with many mobiles sends and receives on its common channels (TS 44.018): system information, and requests for a
- * channel. Read {@link simgsm.rr.SystemInformation}. Messages of dedicated channels are in {@link simgsm.air.RadioResource}.
+ * Messages on the common channels of a cell (TS 44.018): system information, and requests for a channel. Read {@link
+ * simgsm.rr.SystemInformation}. Messages of dedicated channels are in {@link simgsm.air.RadioResource}.
  */
 package simgsm.rr;

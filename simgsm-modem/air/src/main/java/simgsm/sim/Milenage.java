@@ -96,7 +96,7 @@ public final class Milenage {
         return encrypt(cipher, xor(checked("RAND", rand, KEY_LENGTH), opc));
     }
 
-    /** Rotated to the left, that is towards the first octet. */
+    /** Rotated left, towards the first octet. */
     private static byte[] rotated(byte[] block, int octets) {
         byte[] result = new byte[BLOCK_LENGTH];
         for (int i = 0; i < BLOCK_LENGTH; i++) {

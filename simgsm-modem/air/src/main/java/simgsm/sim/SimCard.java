@@ -5,7 +5,7 @@ import simgsm.air.Msisdn;
 import simgsm.octets.OctetString;
 
 /**
- * A SIM: the data that a subscriber's card and the network's authentication centre share.
+ * A SIM: the data shared by a subscriber's card and the network's authentication centre.
  *
  * @param number the subscriber's telephone number; the network's entry is authoritative
  * @param k the secret key, 16 octets

@@ -41,7 +41,7 @@ public record SimFile(List<Subscription> subscriptions, Set<Imei> barredEquipmen
     /**
      * Reads a file.
      *
-     * @throws IOException naming the file and, for content that is not understood, the line and what was expected there
+     * @throws IOException naming the file and, for invalid content, the line and the expected form
      */
     public static SimFile read(Path file) throws IOException {
         return new SimFileReader(file.toString())

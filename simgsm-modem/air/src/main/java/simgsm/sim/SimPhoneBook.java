@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** The abbreviated dialling numbers of a SIM (EF ADN of TS 51.011, 10.5.1), which the user writes. */
+/** The abbreviated dialling numbers of a SIM (EF ADN of TS 51.011, 10.5.1), written by the user. */
 public final class SimPhoneBook {
-    /** Entries, whose places are counted from 1. */
+    /** Entries; their places are counted from 1. */
     public static final int CAPACITY = 100;
 
     public static final int MOST_DIGITS = 20;
@@ -28,12 +28,12 @@ public final class SimPhoneBook {
         return Collections.unmodifiableMap(entries);
     }
 
-    /** Counts the changes. */
+    /** Number of changes. */
     public int version() {
         return version;
     }
 
-    /** Runs the action after each change. */
+    /** Sets an action that runs after each change. */
     public void whenChanged(Runnable action) {
         whenChanged = action;
     }
@@ -53,7 +53,7 @@ public final class SimPhoneBook {
         return Optional.empty();
     }
 
-    /** @throws IllegalArgumentException for a place that there is not, and for more digits or letters than fit */
+    /** @throws IllegalArgumentException for an invalid place, and for too many digits or letters */
     public void write(int place, Entry entry) {
         boolean fits = entry.number().replace("+", "").length() <= MOST_DIGITS
                 && entry.name().length() <= MOST_LETTERS;

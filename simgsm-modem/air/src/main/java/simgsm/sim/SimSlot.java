@@ -16,7 +16,7 @@ public final class SimSlot {
     }
 
     /**
-     * Reads the file, if one is given.
+     * Reads the file, if given.
      *
      * @throws IOException naming the file that cannot be read
      */
@@ -24,7 +24,7 @@ public final class SimSlot {
         return new SimSlot(path, path.isPresent() ? SimFile.read(path.get()) : SimFile.EMPTY);
     }
 
-    /** Whether no file was given: the terminals then use an open network. */
+    /** True if no file was given: the terminals then use an open network. */
     public boolean isEmpty() {
         return path.isEmpty();
     }

@@ -3,6 +3,6 @@ package simgsm.sim;
 /**
  * A subscriber in the network's list.
  *
- * @param isBarred whether the network refuses registrations with this card; ignored in a terminal
+ * @param isBarred true if the network refuses registrations with this card; ignored in a terminal
  */
 public record Subscription(SimCard card, boolean isBarred) {}

@@ -6,7 +6,7 @@ public enum Alphabet {
     GSM_7BIT(160, 153),
     /** Data; as text it is read as ISO 8859-1, one character an octet. */
     OCTETS(140, 134),
-    /** Two octets a character; a character beyond the first plane takes a surrogate pair. */
+    /** Two octets a character; a surrogate pair for a character beyond the first plane. */
     UCS2(70, 67);
 
     private final int unitsInOnePart;
@@ -22,12 +22,12 @@ public enum Alphabet {
         return unitsInOnePart;
     }
 
-    /** The same in each part of several, with a header of 6 octets. */
+    /** Units in each part of several, with a header of 6 octets. */
     public int unitsInEachOfMany() {
         return unitsInEachOfMany;
     }
 
-    /** The alphabet that codes this text without loss in the fewest octets. */
+    /** The alphabet with the fewest octets that codes this text without loss. */
     public static Alphabet of(String text) {
         return GsmAlphabet.encodes(text) ? GSM_7BIT : UCS2;
     }

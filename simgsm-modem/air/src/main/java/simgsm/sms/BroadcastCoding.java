@@ -57,12 +57,12 @@ public record BroadcastCoding(int octet) {
         return octet >> 4 == 0x0f && (octet & 0x04) != 0 ? Alphabet.OCTETS : Alphabet.GSM_7BIT;
     }
 
-    /** Whether the text itself begins with the language. */
+    /** True if the text itself begins with the language. */
     boolean languageLeadsText() {
         return octet == GSM_7BIT_WITH_LANGUAGE.octet || octet == UCS2_WITH_LANGUAGE.octet;
     }
 
-    /** The language that the octet states. */
+    /** The language stated by the octet. */
     public Optional<String> language() {
         if (octet < LANGUAGES.size()) {
             return Optional.of(LANGUAGES.get(octet));

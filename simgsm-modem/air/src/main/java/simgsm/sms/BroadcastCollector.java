@@ -8,18 +8,17 @@ import java.util.Objects;
 import java.util.Optional;
 
 /**
- * Cell broadcast in a phone: collects pages in any order and returns each message once, however often the cell repeats
- * it (TS 23.041, 9.4.1.2.1). Keeps at most {@link #MAX_MESSAGES} messages; the oldest is dropped first.
+ * Cell broadcast in a phone: collects pages in any order and returns each message once, regardless of repetitions (TS
+ * 23.041, 9.4.1.2.1). Keeps the newest {@link #MAX_MESSAGES} messages.
  */
 public final class BroadcastCollector {
     public static final int MAX_MESSAGES = 64;
 
     private record Key(int messageIdentifier, BroadcastSerial serial) {}
 
-    /** The pages received; null for a message that is complete. */
+    /** The pages received; null for a complete message. */
     private final Map<Key, CellBroadcastPage[]> messages = new LinkedHashMap<>();
 
-    /** An empty collector. */
     public BroadcastCollector() {}
 
     /** The whole message if this page was the last one missing. */

@@ -23,8 +23,8 @@ public record CellBroadcast(
     private static final String FILLER = "\r";
 
     /**
-     * The pages of a text, in the alphabet that codes it without loss in the fewest octets. Line ends become line feeds, because
-     * carriage returns are the padding.
+     * The pages of a text, in the alphabet with the fewest octets that codes it without loss. Line ends become line
+     * feeds, because carriage returns are the padding.
      *
      * @throws IllegalArgumentException for a text of more than 15 pages: 1395 septets or 615 characters of UCS-2
      */
@@ -57,7 +57,7 @@ public record CellBroadcast(
         }
     }
 
-    /** The message that these pages make; all of them, in order. */
+    /** The message of these pages; all of them, in order. */
     public static CellBroadcast join(List<CellBroadcastPage> pages) {
         CellBroadcastPage first = pages.get(0);
         StringBuilder text = new StringBuilder();

@@ -8,12 +8,11 @@ import simgsm.octets.OctetWriter;
 
 /**
  * One page of a broadcast message: 88 octets on the air (TS 23.041, 9.4.1).
- *
  * <pre>
  *   serial(2) identifier(2) coding(1) page/pages(1) content(82)
  * </pre>
  *
- * @param messageIdentifier the channel that phones listen to, 0 to 65535
+ * @param messageIdentifier the channel, 0 to 65535
  * @param page 1 to {@code pages}
  * @param pages 1 to 15
  * @param content 82 octets: 93 septets or 41 two-octet characters, padded with carriage returns

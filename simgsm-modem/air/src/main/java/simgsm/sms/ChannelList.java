@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * The broadcast channels (message identifiers) that a phone shows; the CBMI list of TS 31.102. Written as
- * {@code 50,919,4370-4399}, {@code all} or {@code none}.
+ * The broadcast channels (message identifiers) shown by a phone; the CBMI list of TS 31.102. Written as {@code
+ * 50,919,4370-4399}, {@code all} or {@code none}.
  */
 public final class ChannelList {
     public static final ChannelList ALL = new ChannelList(List.of(new Range(0, 0xffff)));
     public static final ChannelList NONE = new ChannelList(List.of());
 
-    /** Channels and ranges in one list: the most that EF CBMI of a SIM holds. */
+    /** Most channels and ranges: the size of a SIM's EF CBMI. */
     static final int MAX_RANGES = 255;
 
     private static final int MAX_CHANNEL = 0xffff;
@@ -32,7 +32,7 @@ public final class ChannelList {
         this.ranges = List.copyOf(ranges);
     }
 
-    /** @throws IllegalArgumentException saying what was expected and what was found */
+    /** @throws IllegalArgumentException naming the expected form and the text found */
     public static ChannelList parse(String text) {
         if (text.equals("all")) {
             return ALL;
@@ -63,7 +63,7 @@ public final class ChannelList {
         return new Range(first, last);
     }
 
-    /** Whether the channel is in the list. */
+    /** True if the channel is in the list. */
     public boolean contains(int channel) {
         return ranges.stream().anyMatch(range -> channel >= range.first && channel <= range.last);
     }
@@ -78,7 +78,7 @@ public final class ChannelList {
         return ranges.hashCode();
     }
 
-    /** The form that {@link #parse} reads. */
+    /** In the form read by {@link #parse}. */
     @Override
     public String toString() {
         if (equals(ALL)) {

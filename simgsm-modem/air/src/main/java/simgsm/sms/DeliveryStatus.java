@@ -29,12 +29,12 @@ public final class DeliveryStatus {
 
     private DeliveryStatus() {}
 
-    /** Whether the receiver has the message. */
+    /** True if the receiver has the message. */
     public static boolean isDelivered(int status) {
         return status < 0x20;
     }
 
-    /** Whether the centre makes further attempts. */
+    /** True if the centre makes further attempts. */
     public static boolean isPending(int status) {
         return status >= 0x20 && status < 0x40;
     }

@@ -41,7 +41,7 @@ public final class GsmAlphabet {
 
     private GsmAlphabet() {}
 
-    /** Whether every character of the text has a code. */
+    /** True if every character of the text has a code. */
     public static boolean encodes(String text) {
         return text.chars().allMatch(character -> CODES.containsKey((char) character));
     }

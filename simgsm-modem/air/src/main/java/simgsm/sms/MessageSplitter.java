@@ -3,12 +3,12 @@ package simgsm.sms;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Divides a text into the fewest user parts, in the alphabet that codes it without loss in the fewest octets. */
+/** Divides a text into the fewest user parts, in the alphabet with the fewest octets that codes it without loss. */
 public final class MessageSplitter {
     /**
      * The size of a text, for the counter of a text field.
      *
-     * @param parts 1 to 255, or more if the text is too long to be sent
+     * @param parts 1 to 255; more if the text is too long to send
      * @param unitsLeft units that still fit into the last part
      */
     public record Measure(Alphabet alphabet, int parts, int unitsLeft) {}
@@ -59,7 +59,7 @@ public final class MessageSplitter {
                 : text.length();
     }
 
-    /** Pieces of at most this many units, cut neither between an escape and its code nor inside a surrogate pair. */
+    /** Pieces of at most this many units, never split between an escape and its code or inside a surrogate pair. */
     static List<String> pieces(String text, Alphabet alphabet, int unitsInEach) {
         List<String> pieces = new ArrayList<>();
         int start = 0;

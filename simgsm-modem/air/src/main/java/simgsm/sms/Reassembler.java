@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Joins the parts of messages, in any order and with repetitions. Beyond {@link #MAX_MESSAGES} unfinished messages the
- * oldest is dropped, and each after 24 h.
+ * Joins the parts of messages, in any order and with repetitions. Unfinished messages are dropped after 24 h, and the
+ * oldest beyond {@link #MAX_MESSAGES}.
  */
 public final class Reassembler {
     /** Unfinished messages of all senders. */
@@ -51,10 +51,9 @@ public final class Reassembler {
 
     private final Map<Key, Unfinished> unfinished = new LinkedHashMap<>();
 
-    /** An empty reassembler. */
     public Reassembler() {}
 
-    /** The whole text if this part was the last one missing; {@link UserData#shownText} of each part. */
+    /** The whole text if this part was the last one missing; made of {@link UserData#shownText}. */
     public Optional<String> accept(SmsAddress sender, UserData data, long nowNanos) {
         Optional<Concatenation> place = data.concatenation();
         if (place.isEmpty() || place.get().total() == 1) {

@@ -6,12 +6,12 @@ import simgsm.octets.Bounds;
 /**
  * SMS-SUBMIT, from a mobile to the centre.
  *
- * @param rejectDuplicates TP-RD: refuse a message with reference, destination and sender of one that still waits
+ * @param rejectDuplicates TP-RD: refuse a message with reference, destination and sender of a waiting one
  * @param statusReportRequest TP-SRR
  * @param replyPath TP-RP
  * @param reference TP-MR, 0 to 255
  * @param protocolIdentifier TP-PID, 0 for plain messages
- * @param validity TP-VP; without it the centre decides
+ * @param validity TP-VP; the centre's default if empty
  */
 public record SubmitTpdu(
         boolean rejectDuplicates,

@@ -19,7 +19,7 @@ public record Timestamp(OctetString octets) {
 
     private static final int WEST = 0x08;
     private static final int QUARTER_SECONDS = 15 * 60;
-    /** Two-digit years from 90 on are 1990 to 1999. */
+    /** First two-digit year of the 1900s: 90 to 99 are 1990 to 1999. */
     private static final int FIRST_YEAR = 90;
 
     public Timestamp {

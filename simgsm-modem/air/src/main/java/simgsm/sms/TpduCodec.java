@@ -8,7 +8,7 @@ import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
-/** Transfer units to the octets of an RP-DATA and back (TS 23.040, 9.2.2). */
+/** Converts transfer units to the octets of an RP-DATA and back (TS 23.040, 9.2.2). */
 public final class TpduCodec {
     private static final int TYPE_MASK = 0x03;
     private static final int DELIVER = 0x00;
@@ -43,7 +43,7 @@ public final class TpduCodec {
     /**
      * The unit in these octets.
      *
-     * @param direction types mean different units in each direction: SUBMIT goes up, DELIVER and STATUS-REPORT down
+     * @param direction selects the meaning of types: SUBMIT is uplink, DELIVER and STATUS-REPORT are downlink
      * @throws ProtocolViolation for any other or broken unit
      */
     public static Tpdu decode(OctetString octets, Direction direction) throws ProtocolViolation {

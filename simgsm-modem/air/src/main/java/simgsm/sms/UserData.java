@@ -9,8 +9,7 @@ import simgsm.octets.Octets;
 import simgsm.octets.Septets;
 
 /**
- * The user data of one part. The octets are kept, so that a centre forwards exactly what it received.
- *
+ * The user data of one part. The octets are kept, so that a centre forwards them unchanged.
  * <pre>
  *   octets:  [ header length | header ]  [ fill bits ]  text
  * </pre>
@@ -67,7 +66,7 @@ public record UserData(boolean hasHeader, DataCodingScheme coding, int length, O
         return hasHeader ? UserDataHeader.concatenation(octets) : Optional.empty();
     }
 
-    /** The text; for {@link Alphabet#OCTETS} one ISO 8859-1 character an octet. */
+    /** The text; for {@link Alphabet#OCTETS} one ISO 8859-1 character per octet. */
     public String text() {
         byte[] all = octets.toArray();
         int header = headerLength();
@@ -82,8 +81,8 @@ public record UserData(boolean hasHeader, DataCodingScheme coding, int length, O
     }
 
     /**
-     * The text as a user is shown it: {@link #text}, but for octets that are no printable characters {@code 0x} and their
-     * hexadecimal digits.
+     * The text shown to a user: {@link #text}, but {@code 0x} and hexadecimal digits for octets that are not
+     * printable.
      */
     public String shownText() {
         boolean isBinary =

@@ -7,7 +7,7 @@ import simgsm.octets.OctetString;
 
 /** TP-VP: the time for which the centre attempts delivery (TS 23.040, 9.2.3.12). */
 public sealed interface ValidityPeriod {
-    /** The end of the period of a message that the centre accepted at this time. */
+    /** The end of the period of a message accepted by the centre at this time. */
     Instant expiry(Instant accepted);
 
     /** @param octet 0 to 255: steps of 5 min to 12 h, 30 min to 24 h, days to 30, weeks to 63 */
@@ -42,7 +42,7 @@ public sealed interface ValidityPeriod {
         }
     }
 
-    /** The third form, seven octets of which the first gives the format of the others. */
+    /** The third form, seven octets; the first gives the format of the others. */
     record Enhanced(OctetString octets) implements ValidityPeriod {
         private static final int RELATIVE = 1;
         private static final int SECONDS = 2;

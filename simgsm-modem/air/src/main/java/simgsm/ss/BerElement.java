@@ -6,7 +6,7 @@ import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
 /**
- * One element of BER (X.690) with a tag of one octet and a definite length, which is all that TS 24.080 needs.
+ * One element of BER (X.690) with a tag of one octet and a definite length, sufficient for TS 24.080.
  *
  * @param content the octets after tag and length
  */

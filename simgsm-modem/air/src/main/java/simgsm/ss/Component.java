@@ -4,12 +4,12 @@ import java.util.Optional;
 import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 
-/** One component of a facility element (TS 24.080, 3.6.1): what one side asks of the other, or the answer to it. */
+/** One component of a facility element (TS 24.080, 3.6.1): a request of one side, or the answer. */
 public sealed interface Component {
     /**
-     * Asks for an operation.
+     * Requests an operation.
      *
-     * @param id invoke identifier, 0 to 127: names the answer
+     * @param id invoke identifier, 0 to 127, repeated in the answer
      * @param operation see {@link SsOperation}
      * @param argument the parameter in BER; empty if there is none
      */
@@ -23,7 +23,7 @@ public sealed interface Component {
             this(id, operation.code(), argument);
         }
 
-        /** Whether this is the operation. */
+        /** True if the component requests this operation. */
         public boolean is(SsOperation expected) {
             return operation == expected.code();
         }

@@ -13,8 +13,8 @@ import simgsm.ss.Component.ReturnError;
 import simgsm.ss.Component.ReturnResult;
 
 /**
- * Components to the octets of a facility element and back (TS 24.080, 3.6). A facility has one component; what follows it is
- * ignored.
+ * Encodes and decodes components of facility elements (TS 24.080, 3.6). A facility has one component; anything after
+ * it is ignored.
  */
 public final class ComponentCodec {
     private static final int INVOKE = 0xa1;
@@ -83,7 +83,9 @@ public final class ComponentCodec {
         }
     }
 
-    /** The index after each element of the component that {@link #decode} reads; those of a sequence are the component's. */
+    /**
+     * The index after each element of the component read by {@link #decode}; those of a sequence are the component's.
+     */
     public static List<Integer> elementEnds(OctetString facility) {
         List<Integer> ends = new ArrayList<>();
         int at = BerElement.content(facility, 0);

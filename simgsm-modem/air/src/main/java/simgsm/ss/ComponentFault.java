@@ -2,7 +2,7 @@ package simgsm.ss;
 
 import java.util.Optional;
 
-/** A received component that breaks the protocol; {@link #answer} is what the standard has sent back. */
+/** A received component that breaks the protocol; {@link #answer} is the standard's reply. */
 public final class ComponentFault extends Exception {
     private final transient Component.Reject answer;
 

@@ -8,7 +8,8 @@ import simgsm.octets.OctetWriter;
 import simgsm.ss.Component.Invoke;
 
 /**
- * The other party has held the call or taken it back: the operation notifySS in a FACILITY of the call (TS 24.083, 2.2.1; TS 24.080, 3.6.1: NotifySS-Arg).
+ * The other party has held or retrieved the call: the operation notifySS in a FACILITY of the call (TS 24.083, 2.2.1;
+ * TS 24.080, 3.6.1: NotifySS-Arg).
  */
 public final class HoldNotification {
     /** SS-Code of call hold (TS 29.002, 17.7.5). */
@@ -19,7 +20,7 @@ public final class HoldNotification {
     /** [15] IMPLICIT CallOnHold-Indicator: 0 retrieved, 1 on hold. */
     private static final int INDICATOR = 0x8f;
 
-    /** The network does not expect an answer, so that its invocations may have the same identifier. */
+    /** The network expects no answer, so its invocations may have the same identifier. */
     private static final int INVOKE_ID = 1;
 
     private HoldNotification() {}
@@ -33,7 +34,7 @@ public final class HoldNotification {
         return ComponentCodec.encode(new Invoke(INVOKE_ID, SsOperation.NOTIFY_SS, argument));
     }
 
-    /** Whether the call is on hold; empty for every other component, and for a broken one. */
+    /** True if the call is on hold; empty for any other or a broken component. */
     public static Optional<Boolean> decode(OctetString facility) {
         try {
             return ComponentCodec.decode(facility) instanceof Invoke invoke && invoke.is(SsOperation.NOTIFY_SS)

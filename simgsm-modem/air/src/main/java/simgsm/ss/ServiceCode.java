@@ -10,14 +10,14 @@ import simgsm.octets.OctetString;
 import simgsm.ss.Component.Invoke;
 
 /**
- * What a typed code asks of the network (TS 22.030, 6.5.2 and annex B): a supplementary service such as {@code *#21#}, or USSD
- * for every other code.
+ * Interprets typed codes (TS 22.030, 6.5.2 and annex B): a supplementary service such as {@code *#21#}, or USSD for
+ * all others.
  */
 public final class ServiceCode {
-    /** The equipment's identity (TS 22.030, 6.6); the terminal answers it. */
+    /** The equipment's identity (TS 22.030, 6.6), answered by the terminal. */
     public static final String IMEI = "*#06#";
 
-    /** In front of a number: this call shows one's own number to the called party, or hides it (TS 22.030, annex B). */
+    /** Prefix of a number: shows or hides one's own number in this call (TS 22.030, annex B). */
     private static final String SHOWING = "*31#";
 
     private static final String HIDING = "#31#";
@@ -26,12 +26,12 @@ public final class ServiceCode {
     private static final Pattern FORM =
             Pattern.compile("(\\*\\*|\\*#|##|\\*|#)([0-9]{2,3})(?:\\*([0-9+]*)(?:\\*([0-9]*)(?:\\*([0-9]{0,3}))?)?)?#");
 
-    /** Codes of call forwarding begin so (TS 24.080, 4.5: SS-Code). */
+    /** First SS-Code of call forwarding (TS 24.080, 4.5). */
     private static final int FORWARDING = 0x20;
 
     private static final int GROUP = 0xf0;
 
-    /** SS-Code by the service code that a user types. */
+    /** SS-Code by the typed service code. */
     private static final Map<String, Integer> SERVICES = new HashMap<>();
 
     /** Basic service groups (TS 22.030, annex C): tag of teleservice or bearer service, and code (TS 29.002, 17.7.9 and 17.7.10). */
@@ -48,17 +48,17 @@ public final class ServiceCode {
 
     private ServiceCode() {}
 
-    /** Whether the green key sends the typed text as a code and does not call it (TS 22.030, 6.5.3.2). */
+    /** True if the green key sends the typed text as a code instead of calling it (TS 22.030, 6.5.3.2). */
     public static boolean isCode(String typed) {
         return typed.endsWith("#");
     }
 
-    /** Whether a call is typed that hides one's own number. */
+    /** True if a call is typed that hides one's own number. */
     public static boolean isHidingCall(String typed) {
         return typed.startsWith(HIDING) && !isCode(typed);
     }
 
-    /** The number that a typed text calls. */
+    /** The number called by a typed text. */
     public static String called(String typed) {
         return typed.startsWith(SHOWING) ? typed.substring(SHOWING.length()) : typed;
     }
@@ -67,7 +67,7 @@ public final class ServiceCode {
      * The operation for a typed code.
      *
      * @param id invoke identifier
-     * @throws IllegalArgumentException for a text that USSD does not take; see {@link UssdText#of}
+     * @throws IllegalArgumentException for a text that USSD does not accept; see {@link UssdText#of}
      */
     public static Invoke invoke(int id, String typed) {
         Matcher form = FORM.matcher(typed);
@@ -90,7 +90,7 @@ public final class ServiceCode {
                 UssdText.of(typed).encode());
     }
 
-    /** {@code *} registers a forwarding if it has a number, and activates everything else. */
+    /** {@code *} registers a forwarding with a number, and activates everything else. */
     private static SsOperation operation(String procedure, boolean isForwarding, String information) {
         return switch (procedure) {
             case "**" -> SsOperation.REGISTER_SS;

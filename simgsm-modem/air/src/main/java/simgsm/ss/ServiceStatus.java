@@ -7,12 +7,12 @@ import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 
 /**
- * What the network answers to an operation on a supplementary service: how the service stands (TS 24.080, 4.4; TS 29.002,
- * 17.7.4: SS-Info, InterrogateSS-Res).
+ * The status of a supplementary service, answered by the network to an operation (TS 24.080, 4.4; TS 29.002, 17.7.4:
+ * SS-Info, InterrogateSS-Res).
  *
  * @param flags SS-Status: a sum of the constants
- * @param forwardedTo the number that is registered, with a plus sign if it is international
- * @param noReplySeconds after which a call that is not answered is forwarded; empty for other services
+ * @param forwardedTo registered number, with a plus sign if international
+ * @param noReplySeconds ringing time before forwarding; empty for other services
  */
 public record ServiceStatus(SsCode service, int flags, Optional<String> forwardedTo, Optional<Integer> noReplySeconds) {
     public static final int ACTIVE = 1;
@@ -47,7 +47,7 @@ public record ServiceStatus(SsCode service, int flags, Optional<String> forwarde
         return (flags & REGISTERED) != 0;
     }
 
-    /** How the service stands, in a word. */
+    /** The state of the service in a word. */
     public String state() {
         return isActive() ? "active" : isRegistered() ? "registered" : "inactive";
     }
@@ -92,7 +92,7 @@ public record ServiceStatus(SsCode service, int flags, Optional<String> forwarde
     /**
      * Reads the result of an operation.
      *
-     * @param service for which it was asked
+     * @param service requested
      */
     public static ServiceStatus decode(SsCode service, SsOperation operation, OctetString result)
             throws ProtocolViolation {

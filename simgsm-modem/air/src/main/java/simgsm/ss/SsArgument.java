@@ -14,8 +14,8 @@ import simgsm.octets.OctetWriter;
  *
  * @param service SS-Code, one octet
  * @param basicService tag and code of the basic service group; empty for all
- * @param forwardedTo the number, with a plus sign if it is international
- * @param noReplySeconds after which a call that is not answered is forwarded
+ * @param forwardedTo number, with a plus sign if international
+ * @param noReplySeconds ringing time before forwarding
  */
 public record SsArgument(
         int service, Optional<Integer> basicService, Optional<String> forwardedTo, Optional<Integer> noReplySeconds) {
@@ -47,7 +47,7 @@ public record SsArgument(
                 .toOctetString();
     }
 
-    /** @throws ProtocolViolation if it is no sequence that begins with a service's code */
+    /** @throws ProtocolViolation unless it is a sequence that begins with a service's code */
     public static SsArgument decode(OctetString argument) throws ProtocolViolation {
         MessageReader in =
                 new MessageReader(BerElement.read(new MessageReader(argument), BerElement.SEQUENCE, "the argument"));
@@ -70,7 +70,7 @@ public record SsArgument(
         return new SsArgument(service, group, number, seconds);
     }
 
-    /** What a network that has no other service than speech and short messages answers for the group; empty if speech is in it. */
+    /** The answer of a network with only speech and short messages; empty if the group includes speech. */
     public Optional<SsError> refusal() {
         if (basicService.isEmpty()) {
             return Optional.empty();

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import simgsm.air.Coded;
 
-/** Supplementary services in use: SS-Code (TS 29.002, 17.7.5) and the code that a user types (TS 22.030, annex B). */
+/** Supplementary services in use: SS-Code (TS 29.002, 17.7.5) and the typed code (TS 22.030, annex B). */
 public enum SsCode implements Coded {
     ALL_FORWARDING(0x20, "002"),
     FORWARDING_UNCONDITIONAL(0x21, "21"),
@@ -16,9 +16,9 @@ public enum SsCode implements Coded {
     CALLING_LINE_PRESENTATION(0x11, "30"),
     /** CLIR: one's own number is hidden from the called party. */
     CALLING_LINE_RESTRICTION(0x12, "31"),
-    /** COLP: the number that answers is shown to the caller. */
+    /** COLP: the answering number is shown to the caller. */
     CONNECTED_LINE_PRESENTATION(0x13, "76"),
-    /** COLR: the number that answers is hidden from the caller. */
+    /** COLR: the answering number is hidden from the caller. */
     CONNECTED_LINE_RESTRICTION(0x14, "77"),
     CALL_WAITING(0x41, "43");
 
@@ -42,7 +42,7 @@ public enum SsCode implements Coded {
         return code;
     }
 
-    /** As a user types it, "21". */
+    /** As typed by a user, "21". */
     public String typed() {
         return typed;
     }
@@ -51,12 +51,12 @@ public enum SsCode implements Coded {
         return (code & GROUP) == FORWARDING;
     }
 
-    /** Whether it is about numbers that are shown or hidden, which the network alone sets. */
+    /** True for services that show or hide numbers, which only the network sets. */
     public boolean isLineIdentification() {
         return (code & GROUP) == LINE_IDENTIFICATION;
     }
 
-    /** The services of a group; a single service alone. */
+    /** The services of a group; a single service by itself. */
     public List<SsCode> members() {
         return switch (this) {
             case ALL_CONDITIONAL_FORWARDING -> CONDITIONAL;
@@ -70,7 +70,7 @@ public enum SsCode implements Coded {
         };
     }
 
-    /** Whether this names several services. */
+    /** True for a group of services. */
     public boolean isGroup() {
         return this == ALL_FORWARDING || this == ALL_CONDITIONAL_FORWARDING;
     }

@@ -3,7 +3,7 @@ package simgsm.ss;
 import java.util.Optional;
 import simgsm.air.Coded;
 
-/** Why an operation of a supplementary service failed (TS 24.080, 4.5; codes of TS 29.002, 17.5). */
+/** Errors of supplementary service operations (TS 24.080, 4.5; codes of TS 29.002, 17.5). */
 public enum SsError implements Coded.Titled {
     UNKNOWN_SUBSCRIBER(1, "unknown subscriber"),
     ILLEGAL_SUBSCRIBER(9, "illegal subscriber"),
@@ -45,7 +45,7 @@ public enum SsError implements Coded.Titled {
         return title;
     }
 
-    /** The error with this code; empty if it is not known here. */
+    /** The error with this code; empty if unknown. */
     public static Optional<SsError> ofCode(int code) {
         return Coded.find(values(), code);
     }

@@ -18,7 +18,7 @@ public enum SsOperation implements Coded.Titled {
     FORWARD_CHECK_SS_INDICATION(38, "forwardCheckSS-Indication"),
     /** The mobile begins USSD. */
     PROCESS_UNSTRUCTURED_SS_REQUEST(59, "processUnstructuredSS-Request"),
-    /** The network asks, and expects an answer of the user. */
+    /** The network asks the user and expects an answer. */
     UNSTRUCTURED_SS_REQUEST(60, "unstructuredSS-Request"),
     /** The network shows a text. */
     UNSTRUCTURED_SS_NOTIFY(61, "unstructuredSS-Notify"),
@@ -44,7 +44,7 @@ public enum SsOperation implements Coded.Titled {
         return title;
     }
 
-    /** The operation with this code; empty if it is not known here. */
+    /** The operation with this code; empty if unknown. */
     public static Optional<SsOperation> ofCode(int code) {
         return Coded.find(values(), code);
     }

@@ -3,7 +3,7 @@ package simgsm.ss;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** Why a component was rejected (TS 24.080, 3.6.7). */
+/** Reasons for rejecting a component (TS 24.080, 3.6.7). */
 public enum SsProblem {
     UNRECOGNIZED_COMPONENT(Kind.GENERAL, 0, "unrecognized component"),
     MISTYPED_COMPONENT(Kind.GENERAL, 1, "mistyped component"),
@@ -25,7 +25,7 @@ public enum SsProblem {
     ERROR_NOT_EXPECTED_HERE(Kind.ERROR, 3, "unexpected error"),
     ERROR_MISTYPED(Kind.ERROR, 4, "mistyped parameter of the error");
 
-    /** What the problem is with; its BER tag. */
+    /** The part with the problem, by its BER tag. */
     enum Kind {
         GENERAL(0x80),
         INVOKE(0x81),

@@ -12,9 +12,8 @@ import simgsm.sms.GsmAlphabet;
 import simgsm.sms.Ucs2;
 
 /**
- * A text of USSD (TS 24.080, 4.4.3.11: USSD-Arg and USSD-Res): its coding, which is that of cell broadcast (TS 23.038, 5), and
+ * A text of USSD (TS 24.080, 4.4.3.11: USSD-Arg and USSD-Res): its coding, as of cell broadcast (TS 23.038, 5), and
  * its octets.
- *
  * <pre>
  *   30 length   04 01 coding   04 length octets
  * </pre>
@@ -32,7 +31,7 @@ public record UssdText(BroadcastCoding coding, OctetString octets) {
         octets.requireLength("a USSD text", 1, MAX_OCTETS);
     }
 
-    /** @throws IllegalArgumentException for an empty text, and for one that does not fit */
+    /** @throws IllegalArgumentException for an empty text, and for one that is too long */
     public static UssdText of(String text) {
         if (!GsmAlphabet.encodes(text)) {
             return new UssdText(BroadcastCoding.UCS2, OctetString.of(Ucs2.encode(text)));
@@ -40,7 +39,7 @@ public record UssdText(BroadcastCoding coding, OctetString octets) {
         return new UssdText(BroadcastCoding.GSM_7BIT, OctetString.of(pack(GsmAlphabet.encode(text))));
     }
 
-    /** Whether {@link #of} takes the text. */
+    /** True if {@link #of} accepts the text. */
     public static boolean fits(String text) {
         if (!GsmAlphabet.encodes(text)) {
             return 2 * text.length() <= MAX_OCTETS;
@@ -49,8 +48,8 @@ public record UssdText(BroadcastCoding coding, OctetString octets) {
     }
 
     /**
-     * Seven spare bits hold a carriage return, because zeros would be an "@"; after a text that itself ends with a carriage
-     * return on an octet's edge a second one follows (TS 23.038, 6.1.2.3.1).
+     * Seven spare bits are filled with a carriage return, because zeros would be an "@"; a text that ends with a
+     * carriage return on an octet's edge gets a second one (TS 23.038, 6.1.2.3.1).
      */
     private static byte[] pack(byte[] codes) {
         boolean leavesSevenBits = codes.length % 8 == 7;
@@ -62,7 +61,7 @@ public record UssdText(BroadcastCoding coding, OctetString octets) {
         return Septets.pack(codes, 0);
     }
 
-    /** The text; of a coding that is no text, one ISO 8859-1 character an octet. */
+    /** The text; of a coding that is no text, one ISO 8859-1 character per octet. */
     public String text() {
         byte[] all = octets.toArray();
         return switch (coding.alphabet()) {

@@ -4,7 +4,7 @@ import simgsm.air.Direction;
 import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
 
-/** The capabilities of a terminal in words. No part of the suite depends on them, so the messages' records leave them out. */
+/** The capabilities of a terminal in words. The suite does not use them, so the messages' records omit them. */
 final class CapabilityTexts {
     private static final int EXTENSION = 0x80;
 

@@ -31,12 +31,12 @@ final class ComponentText {
         at = start;
     }
 
-    /** What the message asks or answers, for its name; empty without a component. */
+    /** The request or answer of the message, for its name; empty without a component. */
     static Optional<String> nameOf(SupplementaryService message) {
         return facilityOf(message).map(ComponentText::nameOf);
     }
 
-    /** What a facility element does. */
+    /** The operation of a facility element. */
     static String nameOf(OctetString facility) {
         try {
             return name(ComponentCodec.decode(facility));

@@ -11,7 +11,7 @@ import simgsm.air.ProtocolViolation;
 import simgsm.air.RelayMessage;
 import simgsm.octets.OctetString;
 
-/** The fields of a layer-3 message: the components of its record in their order, then the capabilities of the terminal. */
+/** The fields of a layer-3 message: the components of its record in order, then the capabilities of the terminal. */
 final class Layer3Fields {
     private final FieldList fields;
     private final Direction direction;

@@ -23,7 +23,7 @@ import simgsm.octets.OctetString;
 /**
  * A message in words: its name, its fields, its octets.
  *
- * @param name as the standard has it: "Setup", "CP-DATA (RP-DATA SUBMIT)", "Paging Command"
+ * @param name in the standard: "Setup", "CP-DATA (RP-DATA SUBMIT)", "Paging Command"
  */
 public record MessageText(String name, List<Field> fields, OctetString octets) {
     /**
@@ -39,7 +39,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         }
     }
 
-    /** Key of the field that says why a message cannot be read. */
+    /** Key of the field with the reason why a message cannot be read. */
     static final String WRONG = "wrong";
 
     private static final int TP_TYPE_MASK = 0x03;
@@ -50,7 +50,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         fields = List.copyOf(fields);
     }
 
-    /** The octets of a field, counted from 0. @param field its place among the fields */
+    /** The octets of a field, counted from 0. @param field index of the field */
     public BitSet octetsOf(int field) {
         BitSet found = new BitSet();
         found.set(fields.get(field).from, fields.get(field).to);
@@ -94,7 +94,9 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         return ofLayer3(octets, direction, Locale.ROOT);
     }
 
-    /** The text of a layer-3 message, with the fields of a short message in it; of a broken one the cause and what is wrong. */
+    /**
+     * The text of a layer-3 message, with the fields of its short message; of a broken one the cause and the fault.
+     */
     public static MessageText ofLayer3(OctetString octets, Direction direction, Locale language) {
         FieldList fields = new FieldList(FieldTexts.in(language));
         int sendSequence = Layer3Codec.sendSequence(octets.toArray());
@@ -114,7 +116,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         }
     }
 
-    /** The text of an RSL message, or of the layer-3 message that it carries. */
+    /** The text of an RSL message, or of the layer-3 message in it. */
     public static MessageText ofRsl(OctetString octets, Locale language) {
         try {
             RslPdu message = RslPdu.decode(octets.toArray());
@@ -155,7 +157,7 @@ public record MessageText(String name, List<Field> fields, OctetString octets) {
         return RelayType.of(relay).title();
     }
 
-    /** TP-MTI (TS 23.040, 9.2.3.1): the same number means another unit in each direction. */
+    /** TP-MTI (TS 23.040, 9.2.3.1): a number has a different meaning in each direction. */
     private static String transferName(int type, Direction direction) {
         boolean up = direction == Direction.UPLINK;
         return switch (type) {

@@ -14,13 +14,13 @@ import simgsm.octets.OctetString;
 import simgsm.sms.CellBroadcast;
 import simgsm.sms.CellBroadcastPage;
 
-/** RSL messages in words: the elements in their order; of a cell broadcast its page. */
+/** RSL messages in words: the elements in order; of a cell broadcast its page. */
 final class RslText {
     private static final int HEADER_LENGTH = 2;
 
     private RslText() {}
 
-    /** @param octets those that were decoded as the message */
+    /** @param octets decoded as the message */
     static MessageText of(RslPdu message, OctetString octets, Locale language) {
         FieldList fields = new FieldList(FieldTexts.in(language));
         int at = HEADER_LENGTH;

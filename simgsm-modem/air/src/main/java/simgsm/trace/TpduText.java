@@ -30,7 +30,7 @@ public final class TpduText {
     private final FieldTexts texts;
     private final OctetString octets;
     private final int start;
-    /** Octets of the unit that have a field. */
+    /** Octets of the unit that have fields. */
     private int taken = FIRST_OCTET;
 
     private TpduText(FieldList fields, OctetString octets, int start) {
@@ -40,7 +40,7 @@ public final class TpduText {
         this.start = start;
     }
 
-    /** A line for each field, {@code name: value}, in the order of the octets; the unit's name is the first. */
+    /** One line per field, {@code name: value}, in order of the octets; the unit's name is the first. */
     public static String of(Tpdu tpdu, Locale language) {
         FieldList fields = new FieldList(FieldTexts.in(language));
         new TpduText(fields, TpduCodec.encode(tpdu), 0).add(tpdu);
@@ -115,7 +115,7 @@ public final class TpduText {
         fields.addNamed(name, value, start, start + FIRST_OCTET);
     }
 
-    /** Adds the field of the next octets. */
+    /** Octets of the next address: number of digits, type, and two digits per octet. */
     private void next(String name, Object value, int length) {
         fields.addNamed(name, String.valueOf(value), start + taken, start + taken + length);
         taken += length;

@@ -5,27 +5,30 @@ import java.util.function.Consumer;
 import simgsm.tone.ToneLevel;
 
 /**
- * A receiver as textbooks have it: eight Goertzel filters and their second harmonics over blocks of 102 or 205 samples, and a
- * list of tests. Two equal blocks in a row begin a key, two others end it; with 205 samples one of each suffices. It is
- * there to be compared with {@link DtmfReceiver}; the modem does not use it.
+ * A textbook receiver: eight Goertzel filters and their second harmonics over blocks of 102 or 205 samples, and a
+ * list of tests. Two equal blocks in a row begin a key, two others end it; with 205 samples one of each. Used only
+ * for comparison with {@link DtmfReceiver}; the modem does not use it.
  */
 public final class ClassicReceiver implements KeyReceiver {
     /** 12.75 ms; two blocks last longer than the 23 ms that Q.24 rejects. */
     public static final int SHORT_BLOCK = 102;
-    /** 25.6 ms: the filters' zeros lie near the other tones. */
+    /** 25.6 ms: the filters' zeros are near the other tones. */
     public static final int LONG_BLOCK = 205;
 
-    /** Q.24: below -55 dBm0 nothing may be heard; the usual receiver gives up at -42. */
+    /** Tones below -55 dBm0 must be ignored (Q.24); usual receivers require -42. */
     private static final double LEAST_DBM0 = -42;
     /** Q.24, AT&T: high group over low, -8 to 4 dB. */
     private static final double LEAST_TWIST_DB = -8;
 
     private static final double MOST_TWIST_DB = 4;
-    /** A tone over the others of its group. */
+    /** Level of a tone over the others of its group. */
     private static final double LEAST_PEAK_DB = 8;
-    /** A tone over its second harmonic: voices have overtones. Short blocks do not resolve 2 x 697 Hz and 1336 Hz. */
+    /**
+     * Level of a tone over its second harmonic: voices have overtones. Short blocks do not resolve 2 x 697 Hz and
+     * 1336 Hz.
+     */
     private static final double LEAST_HARMONIC_DB = 10;
-    /** Of all power in the block, the two tones'. */
+    /** Share of the two tones in all power of the block. */
     private static final double LEAST_SHARE = 0.8;
     /** Twist, peaks, overtones or a second block, share. */
     private static final int TESTS = 4;
@@ -42,9 +45,9 @@ public final class ClassicReceiver implements KeyReceiver {
     private DtmfKey last;
     private int repeats;
     private DtmfDigit current;
-    /** Of the newest block, peaks in sample units. */
+    /** Peaks of the newest block in sample units. */
     private double[] amplitude = new double[8];
-    /** The best finding for the key whose tones are the strongest, or null. */
+    /** The best finding for the key with the strongest tones, or null. */
     private KeyCandidate candidate;
 
     /**
@@ -124,7 +127,7 @@ public final class ClassicReceiver implements KeyReceiver {
         return null;
     }
 
-    /** One candidate lasts while the same key's tones are the strongest; its best finding counts. */
+    /** A candidate lasts while the same key's tones are the strongest; its best finding counts. */
     private void consider(DtmfKey key, KeyCandidate.Finding finding, int passed, double value) {
         if (candidate != null && candidate.key() != key) {
             conclude();

@@ -3,43 +3,48 @@ package simgsm.dtmf;
 import java.util.function.Consumer;
 import simgsm.tone.ToneLevel;
 
-/** Follows the keys that stand out from hop to hop: when one is certain, and when its tone is over. */
+/** Tracks prominent keys from hop to hop, and detects the certain ones and the end of their tones. */
 final class DigitTracker {
     /**
-     * How long a tone must have sounded up to the middle of the newest hop, 25.5 ms: its last 2.5 ms are still to come, so
-     * a key is decided at 28 to 31 ms. Tones of 23 ms must not count, those of 35 ms and more must.
+     * Least length of a tone up to the middle of the newest hop, 25.5 ms: its last 2.5 ms are still to come, so a key
+     * is decided at 28 to 31 ms. Tones of 23 ms must be refused, those of 35 ms and more accepted.
      */
     private static final double LEAST_HOPS = 10.2;
-    /** A key must have stood out so often before it is worth a closer look. */
+    /** Prominent hops of a key before it is examined closely. */
     private static final int LEAST_RUN = 2;
-    /** One that has stood out for longer and is no key yet is looked at every fourth hop only. */
+    /** A key prominent for longer but not accepted is examined every fourth hop only. */
     private static final int OFTEN = 14;
-    /** Hops without its standing out that a run survives: one look of the gate, which an interruption of 10 ms blinds. */
+    /** Hops without prominence survived by a run: one look of the gate, blinded by an interruption of 10 ms. */
     private static final int MOST_MISSED = 4;
-    /** Evidence of silence, half a hop per hop, that ends a digit: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 not. */
+    /**
+     * Evidence of silence that ends a digit, half a hop per hop: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 ms
+     * are not.
+     */
     private static final double END = 4.5;
 
-    /** A longer gap, in hops, parts a key from the next: 23.5 ms. ES 201 235-3 bridges 20 ms, 25 ms are a pause. */
+    /** A longer gap, in hops, separates two keys: 23.5 ms. ES 201 235-3 bridges 20 ms, 25 ms are a pause. */
     private static final double MOST_GAP = 9.4;
-    /** Drop of level from which the tones after a gap may be the rest of the key before, in decibels. */
+    /** Drop of level after which the tones following a gap may be the rest of the previous key, in decibels. */
     private static final double WEAKER_DB = 5;
-    /** The same for a copy that is as weak as an echo: 28.8 ms. */
+    /** {@link #MOST_GAP} for a copy as weak as an echo: 28.8 ms. */
     private static final double MOST_ECHO_GAP = 11.5;
 
-    /** Delays of echoes in networks without echo control, in hops: 400 ms, and 220 ms, more than from key to key. */
+    /**
+     * Delays of echoes in networks without echo control, in hops: 400 ms, and 220 ms, longer than from key to key.
+     */
     private static final int LATEST_ECHO = 160;
 
     private static final int EARLIEST_ECHO = 88;
-    /** So much weaker, in both tones, a late echo is at least. */
+    /** Least attenuation of a late echo, in both tones. */
     private static final double ECHO_DB = 15;
-    /** Its frequencies differ by less, as a fraction. */
+    /** Largest difference of an echo's frequencies, as a fraction. */
     private static final double ECHO_ERROR = 0.005;
 
     private final ToneBank bank;
     private final ToneGate gate;
     private final short[] recent;
     private final DtmfListener listener;
-    /** Null where nothing listens. */
+    /** Null without a listener. */
     private final Consumer<KeyCandidate> candidates;
 
     /** Log odds above which a candidate is a key. */
@@ -55,34 +60,34 @@ final class DigitTracker {
     private int runKey;
     private int run;
     private int missed;
-    /** Hop before which another look is not worth it. */
+    /** Next hop worth a look. */
     private long nextLook;
 
-    /** Log odds of the candidate: of the newest window, and of those before it. */
+    /** Log odds of the candidate: newest window, and earlier ones. */
     private double sum;
 
     private double sumBefore;
     private long windowStart;
-    /** The run's newest, or null before its first look. */
+    /** The newest of the run, or null before its first look. */
     private KeyCandidate candidate;
 
     private DtmfDigit current;
-    /** Those decided last, in a ring. */
+    /** Keys decided last, in a ring. */
     private final DtmfDigit[] newest = new DtmfDigit[4];
 
     private int decided;
-    /** One over the likeness of the tone itself. */
+    /** Reciprocal of the tone's own likeness. */
     private double perLevel;
 
     private double silence;
     private long lastSounding;
     private DtmfDigit ended;
-    /** Hop up to which sound belongs to the key that ended last. */
+    /** Sound up to this hop belongs to the key that ended last. */
     private long barrier;
     /** Hop of the newest look that found the rest of the key that ended last. */
     private long rest;
 
-    /** Log odds of one look; the receiver's own come from {@link KeyLikelihood}. */
+    /** Log odds of one look; the receiver's are from {@link KeyLikelihood}. */
     interface Judge {
         double logOdds(long hop, int key, ToneFit fit, KeyMeasures measures, short[] samples, int end);
     }
@@ -118,7 +123,7 @@ final class DigitTracker {
         }
     }
 
-    /** Goes on to the next hop that is worth a closer look, apart from that look, so that most hops run in a small loop. */
+    /** Skips to the next hop worth a closer look, in a method of its own, so that most hops run in a small loop. */
     private int advance(long firstHop, int from, int hops) {
         for (int b = from; b < hops; b++) {
             if ((firstHop + b) % ToneGate.EVERY == 0) {
@@ -186,7 +191,7 @@ final class DigitTracker {
         }
     }
 
-    /** What keeps the tones from being looked at closely, or null. */
+    /** The reason why the tones are not examined closely, or null. */
     private KeyCandidate.Finding finding(long hop, int wait) {
         if (wait > 0) {
             if (fit.offFrequency) {
@@ -248,8 +253,8 @@ final class DigitTracker {
     }
 
     /**
-     * The evidence of one look. Looks whose windows overlap are one piece of evidence, of which the best counts; those at
-     * least a window apart add up, less what one of them needs to be worth counting.
+     * Adds the evidence of one look. Looks with overlapping windows are one piece of evidence, of the best one's
+     * value; those at least a window apart are added, less a threshold.
      */
     private void add(long hop, double odds) {
         if (hop - windowStart >= ToneFit.LISTENED) {
@@ -262,8 +267,8 @@ final class DigitTracker {
     }
 
     /**
-     * The key that ended last goes on at another level, or as an echo: after a short gap, or in tones that the last look
-     * found to be such a rest.
+     * True if the key that ended last continues at another level, or as an echo: after a short gap, or in tones that
+     * the last look found to be its rest.
      */
     private boolean isRest(long hop) {
         if (ended == null || ended.key().ordinal() != runKey) {
@@ -282,8 +287,8 @@ final class DigitTracker {
     }
 
     /**
-     * A late echo: a key of the last 400 ms once more and much weaker, which follows another without a pause, or comes later
-     * than a dialler's next key would.
+     * True for a late echo: a key of the last 400 ms again and much weaker, after another without a pause, or later
+     * than a dialler's next key.
      */
     private boolean isEcho(long hop) {
         double onset = hop - fit.sinceOnset;
@@ -300,7 +305,7 @@ final class DigitTracker {
         return false;
     }
 
-    /** Noise moves onsets by some hops, so tones as loud as the key before need no gap to be a key of their own. */
+    /** Noise shifts onsets by some hops, so tones as loud as the previous key need no gap to be another key. */
     private boolean isWeaker(DtmfDigit digit) {
         return digit.rowDbm0() - ToneLevel.dbm0(fit.amplitude[0]) > WEAKER_DB
                 && digit.columnDbm0() - ToneLevel.dbm0(fit.amplitude[1]) > WEAKER_DB;
@@ -339,7 +344,7 @@ final class DigitTracker {
         listener.keyDecided(current);
     }
 
-    /** Does the key that was decided still sound? */
+    /** Checks if the decided key still sounds. */
     private void follow(long hop, int at) {
         int row = current.key().row();
         int column = 4 + current.key().column();

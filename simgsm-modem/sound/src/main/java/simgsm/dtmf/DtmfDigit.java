@@ -3,11 +3,11 @@ package simgsm.dtmf;
 import java.util.OptionalInt;
 
 /**
- * A key as it was heard.
+ * A detected key.
  *
- * @param decidedAtSample the number of samples that had come when it was decided
- * @param startedAtSample where its tone began, estimated
- * @param durationSamples of its tone so far: whole once the tone has ended
+ * @param decidedAtSample number of samples received at the decision
+ * @param startedAtSample estimated start of its tone
+ * @param durationSamples of its tone so far; final after its end
  * @param rowDbm0 level of the low-group tone
  * @param columnDbm0 level of the high-group tone
  * @param rowError frequency error of the low-group tone as a fraction, 0.01 for 1 % high
@@ -24,9 +24,9 @@ public record DtmfDigit(
         double columnError) {
 
     /**
-     * A key that was heard elsewhere, as by a modem: levels and errors are not a number.
+     * A key reported from elsewhere, as by a modem: levels and errors are NaN.
      *
-     * @param millis how long it sounded; empty if that is not known, then the duration is 0
+     * @param millis duration of the key; empty if unknown, the duration is 0 then
      */
     public static DtmfDigit reported(DtmfKey key, long decidedAtSample, OptionalInt millis) {
         long duration = 8L * millis.orElse(0);
@@ -41,7 +41,7 @@ public record DtmfDigit(
                 Double.NaN);
     }
 
-    /** Whether the tones were measured here. */
+    /** True if the tones were measured here. */
     public boolean isMeasured() {
         return !Double.isNaN(rowDbm0);
     }
@@ -51,7 +51,7 @@ public record DtmfDigit(
         return columnDbm0 - rowDbm0;
     }
 
-    /** Of both tones together. */
+    /** Level of both tones together. */
     public double levelDbm0() {
         return 10 * Math.log10(Math.pow(10, rowDbm0 / 10) + Math.pow(10, columnDbm0 / 10));
     }
@@ -60,7 +60,7 @@ public record DtmfDigit(
         return durationSamples / 8.0;
     }
 
-    /** The larger of the two tones' errors, in percent and with its sign. */
+    /** The larger of the two tones' errors, in percent with its sign. */
     public double frequencyErrorPercent() {
         return 100 * (Math.abs(rowError) > Math.abs(columnError) ? rowError : columnError);
     }

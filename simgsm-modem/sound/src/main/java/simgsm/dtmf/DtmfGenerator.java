@@ -7,12 +7,11 @@ import simgsm.tone.Sine;
 import simgsm.tone.ToneLevel;
 
 /**
- * Generates the tones of keys, sample by sample: a queue of keys of fixed length,
- * and keys that are held down and let go. Durations are exact in samples, a tone runs on unbroken from frame to frame,
- * and between tones there is silence. Owned by one thread.
+ * Generates the tones of keys: a queue of keys of fixed length, and keys held down. Durations are exact in samples, a
+ * tone is continuous from frame to frame, and tones are separated by silence. Owned by one thread.
  */
 public final class DtmfGenerator {
-    /** A key let go at once still sounds this long, and its pause lasts that long (TS 23.014, 6). */
+    /** Least tone and pause of a key that is released at once (TS 23.014, 6). */
     private static final ToneShape SHORTEST_PRESS = ToneShape.STANDARD.withMillis(70, 65);
 
     static final int SAMPLES_PER_MILLI = 8;
@@ -38,7 +37,7 @@ public final class DtmfGenerator {
         this(key -> {});
     }
 
-    /** Appends a key of the generator's own shape. */
+    /** Appends a key of the generator's shape. */
     public void enqueue(DtmfKey key) {
         enqueue(key, shape);
     }
@@ -51,7 +50,7 @@ public final class DtmfGenerator {
         queue.add(new Press(key, itsShape, (long) itsShape.toneMillis() * SAMPLES_PER_MILLI));
     }
 
-    /** A key goes down: it sounds, after what is queued, until {@link #release}. Lets go a key that was down. */
+    /** Presses a key: it sounds after the queued ones until {@link #release}. A pressed key is released before. */
     public void press(DtmfKey key) {
         release();
         held = new Press(
@@ -59,7 +58,7 @@ public final class DtmfGenerator {
         queue.add(held);
     }
 
-    /** The key that is down goes up; does nothing when none is. */
+    /** Releases the pressed key; no effect if there is none. */
     public void release() {
         if (held != null) {
             held.end();
@@ -67,7 +66,7 @@ public final class DtmfGenerator {
         }
     }
 
-    /** Drops what is queued and cuts what sounds. @return how many keys did not leave whole */
+    /** Drops the queue and the sounding key. @return number of keys not sent completely */
     public int drop() {
         int dropped = queue.size() + (current != null && !current.toneDone() ? 1 : 0);
         queue.clear();
@@ -76,7 +75,7 @@ public final class DtmfGenerator {
         return dropped;
     }
 
-    /** Nothing sounds, nothing is queued, and the last pause is over. */
+    /** True if nothing sounds, nothing is queued, and the last pause is over. */
     public boolean isIdle() {
         return current == null && queue.isEmpty();
     }
@@ -86,12 +85,12 @@ public final class DtmfGenerator {
         return current != null && !current.toneDone() ? current.key : null;
     }
 
-    /** Fills the whole frame. @return whether a tone sounds anywhere in it */
+    /** Fills the whole frame. @return true if any of it is a tone */
     public boolean read(short[] frame) {
         return read(frame, 0, frame.length);
     }
 
-    /** Fills {@code samples[from..to)}. @return whether a tone sounds anywhere in it */
+    /** Fills {@code samples[from..to)}. @return true if any of it is a tone */
     public boolean read(short[] samples, int from, int to) {
         boolean sound = false;
         for (int i = from; i < to; i++) {
@@ -115,7 +114,7 @@ public final class DtmfGenerator {
         return sound;
     }
 
-    /** One key on its way: its tone, then its pause. */
+    /** One key being sent: its tone, then its pause. */
     private static final class Press {
         final DtmfKey key;
         private final ToneShape shape;
@@ -139,7 +138,7 @@ public final class DtmfGenerator {
             toneSamples = Math.max(sent, (long) shape.toneMillis() * SAMPLES_PER_MILLI);
         }
 
-        /** From here on the tone only falls: its length counts at half amplitude. */
+        /** From here the tone only falls: its length counts at half amplitude. */
         boolean toneDone() {
             return sent >= toneSamples;
         }

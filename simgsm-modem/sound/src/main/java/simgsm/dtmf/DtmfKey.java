@@ -3,7 +3,7 @@ package simgsm.dtmf;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The sixteen keys and their two tones each (ITU-T Q.23). */
+/** The sixteen keys with their two tones each (ITU-T Q.23). */
 public enum DtmfKey {
     ONE('1'),
     TWO('2'),
@@ -22,9 +22,9 @@ public enum DtmfKey {
     HASH('#'),
     D('D');
 
-    /** Of the low group, top row first. */
+    /** Low group, top row first. */
     static final double[] ROW_HERTZ = {697, 770, 852, 941};
-    /** Of the high group, left column first. */
+    /** High group, left column first. */
     static final double[] COLUMN_HERTZ = {1209, 1336, 1477, 1633};
 
     private static final DtmfKey[] KEYS = values();
@@ -69,7 +69,7 @@ public enum DtmfKey {
         return "0123456789*#ABCD".indexOf(symbol) >= 0;
     }
 
-    /** Strict: IllegalArgumentException for anything but {@code 0123456789*#ABCD}, lower-case letters included. */
+    /** IllegalArgumentException for anything but {@code 0123456789*#ABCD}, including lower-case letters. */
     public static DtmfKey of(char symbol) {
         for (DtmfKey key : KEYS) {
             if (key.symbol == symbol) {
@@ -79,7 +79,7 @@ public enum DtmfKey {
         throw new IllegalArgumentException("expected one of 0123456789*#ABCD, found " + symbol);
     }
 
-    /** The keys of a text in which blanks are ignored; IllegalArgumentException for anything else. */
+    /** The keys of a text, ignoring blanks; IllegalArgumentException for anything else. */
     public static List<DtmfKey> sequence(CharSequence text) {
         List<DtmfKey> keys = new ArrayList<>(text.length());
         for (int i = 0; i < text.length(); i++) {

@@ -4,17 +4,17 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * Hears keys in 8 kHz, 16-bit mono speech (ITU-T Q.24), streaming: any chunk size, no allocation but the digits
- * themselves. What it hears does not depend on how the stream is cut into chunks. Owned by one thread.
+ * Detects keys in 8 kHz, 16-bit mono speech (ITU-T Q.24), streaming: only digits are allocated, and the result is
+ * independent of the chunk size. Owned by one thread.
  *
- * <p>A sample's way: {@link ToneBank} (eight tones, every 2.5 ms), {@link ToneGate} (do two of them stand out?), {@link
- * DigitTracker} (since when, is it a key, is it over?).
+ * <p>A sample passes {@link ToneBank} (eight tones, every 2.5 ms), {@link ToneGate} (prominence of two of them),
+ * {@link DigitTracker} (start, decision and end of a key).
  */
 public final class DtmfReceiver implements KeyReceiver {
-    /** Two tones with larger log odds (base e) are a key's, unless another limit is given. */
+    /** Two tones with larger log odds (base e) are a key, by default. */
     public static final double LIMIT = 3.5;
 
-    /** Samples kept before those that wait: what the closest look needs, 90 ms of tone and 28 ms before it. */
+    /** Samples kept before the waiting ones, for the closest look: 90 ms of tone and 28 ms before it. */
     private static final int KEPT = 1024;
 
     private final short[] recent = new short[KEPT + ToneBank.HOP * ToneBank.MOST_HOPS];
@@ -43,7 +43,7 @@ public final class DtmfReceiver implements KeyReceiver {
                         KeyLikelihood.fitted().logOdds(measures, fit, samples, end));
     }
 
-    /** One that judges otherwise, for the fit of the likelihood. */
+    /** A receiver with another judge, for the fit of the likelihood. */
     DtmfReceiver(DtmfListener listener, Consumer<KeyCandidate> candidates, double limit, DigitTracker.Judge judge) {
         tracker = new DigitTracker(bank, gate, recent, listener, candidates, limit, judge);
     }
@@ -72,7 +72,7 @@ public final class DtmfReceiver implements KeyReceiver {
         waiting -= used;
     }
 
-    /** How many samples have come since the start or the last {@link #reset}. */
+    /** Number of samples since the start or the last {@link #reset}. */
     public long samplesHeard() {
         return hopsDone * ToneBank.HOP + waiting;
     }

@@ -2,12 +2,10 @@ package simgsm.dtmf;
 
 /**
  * Energy of one frequency in a run of samples, by Goertzel's recursion
- *
  * <pre>
  *   s[n] = x[n] + 2 cos(w) s[n-1] - s[n-2]      |X(w)|^2 = s1^2 + s2^2 - 2 cos(w) s1 s2
  * </pre>
- *
- * which equals the direct sum |sum of x[n] e^(-jwn)|^2 over all samples accepted since the last reset. A sine of peak A
+ * equal to the direct sum |sum of x[n] e^(-jwn)|^2 over all samples accepted since the last reset. A sine of peak A
  * over N samples gives (A N / 2)^2.
  */
 public final class Goertzel {
@@ -31,12 +29,12 @@ public final class Goertzel {
         count += to - from;
     }
 
-    /** |X|^2 of what was accepted. */
+    /** |X|^2 of the accepted samples. */
     public double energy() {
         return s1 * s1 + s2 * s2 - coefficient * s1 * s2;
     }
 
-    /** Peak of the sine that would give this energy, in sample units; 0 before any sample. */
+    /** Peak of a sine with this energy, in sample units; 0 before any sample. */
     public double amplitude() {
         return count == 0 ? 0 : 2 * Math.sqrt(Math.max(0, energy())) / count;
     }

@@ -5,16 +5,17 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * A detected tone pair and the receiver's finding: published after each evaluation and once more after the end of the tones.
+ * A detected tone pair and the receiver's finding: published after each evaluation and once more after the end of the
+ * tones.
  *
  * @param fromSample the estimated start of the tones
  * @param toSample the number of samples received until the newest evaluation
  * @param finding accepted, or the requirement that failed
- * @param score the log odds, or the number of tests that the classic receiver found passed; NaN if not determined
+ * @param score the log odds, or the number of tests passed in the classic receiver; NaN if not determined
  * @param limit the log odds of a key are greater, the number of tests equal
  * @param measure the name of the measure with the strongest evidence against a key; empty with other findings
- * @param value the figure that decided, in its unit
- * @param isOver whether the tones have ended or another key has begun
+ * @param value the deciding figure, in its unit
+ * @param isOver true if the tones have ended or another key has begun
  */
 public record KeyCandidate(
         DtmfKey key,
@@ -61,7 +62,7 @@ public record KeyCandidate(
         }
     }
 
-    /** The names that {@link #measure} can have. */
+    /** The possible names of {@link #measure}. */
     public static List<String> measures() {
         return Arrays.stream(KeyMeasures.Kind.values()).map(Enum::name).toList();
     }
@@ -70,7 +71,7 @@ public record KeyCandidate(
         return finding == Finding.ACCEPTED || finding == Finding.PASSED;
     }
 
-    /** From 0 to 1 at the limit, and more for an accepted key: even odds are a half, as is half of the tests. */
+    /** 0 to 1 at the limit, more for an accepted key: even odds are a half, as is half of the tests. */
     public double climbed() {
         if (Double.isNaN(score)) {
             return 0;
@@ -83,7 +84,7 @@ public record KeyCandidate(
         return new KeyCandidate(key, fromSample, toSample, finding, score, limit, measure, value, true);
     }
 
-    /** The finding in English with the value that decided. */
+    /** The finding in English with the deciding value. */
     public String reason() {
         return String.format(Locale.ROOT, finding.text, measure, value, score, limit);
     }

@@ -5,9 +5,9 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 
 /**
- * Log odds that two tones are a key's: a constant and one curve of steps for each of the {@link KeyMeasures}, added. The table
- * {@code key-likelihood.properties} holds them as {@code LikelihoodFit}, a program among the tests, fitted them to labelled
- * recordings.
+ * Log odds that two tones are a key's: the sum of a constant and one step curve for each of the {@link KeyMeasures}.
+ * The table {@code key-likelihood.properties} was fitted to labelled recordings by {@code LikelihoodFit}, a test
+ * program.
  */
 final class KeyLikelihood {
     /** Subtracted from the log odds of an earlier window before they are added. */
@@ -21,7 +21,7 @@ final class KeyLikelihood {
     private final double[][] steps;
 
     private final double[] unknown;
-    /** By kind: the most that it can add. */
+    /** Largest addend, by kind. */
     private final double[] largest = new double[KeyMeasures.COUNT];
 
     KeyLikelihood(double bias, double[][] edges, double[][] steps, double[] unknown) {
@@ -35,12 +35,12 @@ final class KeyLikelihood {
         }
     }
 
-    /** The one that the receiver decides with. */
+    /** The receiver's likelihood. */
     static KeyLikelihood fitted() {
         return FITTED;
     }
 
-    /** The log odds, or any value up to 0 where they cannot be larger, whatever the spectrum shows. */
+    /** The log odds; any value up to 0 if they cannot be larger for any spectrum. */
     double logOdds(KeyMeasures measures, ToneFit fit, short[] samples, int end) {
         measures.measureTones(fit);
         double most = bias;
@@ -62,7 +62,7 @@ final class KeyLikelihood {
         return sum;
     }
 
-    /** What one measure adds. */
+    /** Addend of one measure. */
     double part(int kind, double value) {
         if (Double.isNaN(value)) {
             return unknown[kind];
@@ -71,7 +71,7 @@ final class KeyLikelihood {
         return steps[kind][at >= 0 ? at + 1 : -at - 1];
     }
 
-    /** The measure that speaks loudest against a key. */
+    /** The measure with the strongest evidence against a key. */
     KeyMeasures.Kind mostAgainst(KeyMeasures measures) {
         double[] values = measures.values;
         int worst = 0;

@@ -17,7 +17,7 @@ final class KeyMeasures {
         LEVEL,
         /** The larger frequency error, percent. */
         ERROR,
-        /** How long the tones have sounded, ms. */
+        /** Length of the tones, ms. */
         AGE,
         /**
          * log10 of the power at a tone's frequency before it began over the tone's power, the larger of the two; unknown if
@@ -41,14 +41,14 @@ final class KeyMeasures {
 
     static final int COUNT = Kind.values().length;
 
-    /** The onset is known to 1 ms; the time before the tones ends so much earlier. */
+    /** The onset is known to 1 ms; the time before the tones ends earlier by this. */
     private static final int ONSET_MARGIN_SAMPLES = 8;
-    /** Ratios below this count as this. */
+    /** Smaller ratios are raised to this. */
     private static final double LEAST = 1e-4;
     /** By {@link Kind#ordinal}; NaN for unknown. */
     final double[] values = new double[COUNT];
 
-    /** How many kinds hold. */
+    /** Number of valid kinds. */
     int known;
 
     private final Residue residue = new Residue();

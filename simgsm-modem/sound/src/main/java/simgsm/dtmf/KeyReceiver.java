@@ -1,6 +1,6 @@
 package simgsm.dtmf;
 
-/** Hears keys in 8 kHz, 16-bit mono speech, streaming in chunks of any size. Owned by one thread. */
+/** Detects keys in 8 kHz, 16-bit mono speech, streaming in chunks of any size. Owned by one thread. */
 public interface KeyReceiver {
     /** The next {@code samples[from..to)} of the stream. */
     void accept(short[] samples, int from, int to);
@@ -10,10 +10,10 @@ public interface KeyReceiver {
         accept(samples, 0, samples.length);
     }
 
-    /** What was measured last, with the limits that the tones must reach. */
+    /** The last measurement, with the limits for the tones. */
     ToneLevels levels();
 
-    /** The stream ends here: a key that still sounds ends, too. */
+    /** Ends the stream, and a key that still sounds. */
     void finish();
 
     /** Begins a new stream; a key in progress is dropped without an event. */

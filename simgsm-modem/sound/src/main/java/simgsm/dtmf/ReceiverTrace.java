@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What one receiver made of the sound that a tone scope shows. Immutable.
+ * One receiver's findings on a tone scope's sound. Immutable.
  *
- * @param levels as the receiver measured them last
- * @param digit the key that was decided last
- * @param isSounding whether that key's tone still sounds
+ * @param levels measured last
+ * @param digit the key decided last
+ * @param isSounding true if that key's tone still sounds
  * @param candidates up to {@link #MOST_CANDIDATES}, the newest last, each with its newest finding
- * @param score how the experiment went since it was set; empty counts without one
+ * @param score of the current experiment; empty counts without one
  */
 public record ReceiverTrace(
         ToneLevels levels,

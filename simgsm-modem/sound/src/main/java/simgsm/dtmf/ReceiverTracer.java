@@ -32,7 +32,7 @@ final class ReceiverTracer implements DtmfListener {
         receiver.accept(samples);
     }
 
-    /** Ends the tone; no sound comes for now. */
+    /** Ends the tone; no sound follows for now. */
     void rest() {
         receiver.finish();
         sounding = false;

@@ -3,9 +3,9 @@ package simgsm.dtmf;
 import java.util.Arrays;
 
 /**
- * What else sounds between 560 and 3500 Hz beside two tones: the spectrum of the 28 ms up to now, and for comparison that
- * of the 28 ms before the tones began. Both come from one Fourier transform, the later as its real, the earlier as its
- * imaginary part. Powers are on the scale of squared amplitudes.
+ * The sound between 560 and 3500 Hz besides two tones: the spectrum of the last 28 ms, and for comparison of the 28
+ * ms before the tones began. One Fourier transform gives both, the later as its real, the earlier as its imaginary
+ * part. Powers are on the scale of squared amplitudes.
  */
 final class Residue {
     /** Samples in either window. */
@@ -15,11 +15,11 @@ final class Residue {
     private static final double BIN_HERTZ = 8000.0 / SIZE;
     private static final int LOWEST = (int) Math.ceil(560 / BIN_HERTZ);
     private static final int HIGHEST = (int) (3500 / BIN_HERTZ);
-    /** A line under this window is so wide to either side. */
+    /** Half the width of a line under this window. */
     private static final double HALF_LINE_HERTZ = 75;
-    /** What a line shows in all its bins against the highest of them. */
+    /** Ratio of a line's sum over all its bins to the highest of them. */
     private static final double LINE_OVER_PEAK = 1.5;
-    /** Bins whose evenness is looked at together. */
+    /** Bins per evenness. */
     private static final int STRETCH = 8;
     /** Far below any sample's step; keeps logarithms finite. */
     private static final double TINY = 1e-12;
@@ -28,9 +28,9 @@ final class Residue {
     double rest;
     /** Sound other than the tones, before they began. */
     double restBefore;
-    /** At the row's tone, before it began. */
+    /** Power at the row's tone before it began. */
     double rowBefore;
-    /** At the column's tone, before it began. */
+    /** Power at the column's tone before it began. */
     double columnBefore;
     /** The strongest spectral line other than the tones, now. */
     double line;
@@ -66,10 +66,10 @@ final class Residue {
     }
 
     /**
-     * Measures all fields anew.
+     * Measures all fields.
      *
      * @param end index after the newest sample
-     * @param onset the first sample of the tones, or a little before
+     * @param onset first sample of the tones, or slightly earlier
      */
     void measure(short[] samples, int end, int onset, double rowHertz, double columnHertz) {
         int late = end - LENGTH;
@@ -115,7 +115,7 @@ final class Residue {
                 findLine(k);
             }
         }
-        // As if the tones' own bins held as much of the rest as the others.
+        // Assumes the same density of the rest in the tones' bins as in the others.
         double fill = (HIGHEST - LOWEST + 1.0) / bins;
         rest *= fill;
         restBefore *= fill;
@@ -130,8 +130,8 @@ final class Residue {
     }
 
     /**
-     * How even the spectrum beside the tones is now: geometric over arithmetic mean of its bins, in stretches of 250 Hz so
-     * that colour does not count. Noise has about 0.6, anything made of lines much less.
+     * Evenness of the current spectrum besides the tones: geometric over arithmetic mean of its bins, in stretches of
+     * 250 Hz so that colour does not count. Noise has about 0.6, line spectra much less.
      */
     double evenness() {
         double logarithms = 0;
@@ -160,7 +160,7 @@ final class Residue {
         return Math.abs(hertz - row) < HALF_LINE_HERTZ || Math.abs(hertz - column) < HALF_LINE_HERTZ;
     }
 
-    /** In place; the input comes in bit-reversed order. */
+    /** In place, with input in bit-reversed order. */
     private void transform() {
         double[] x = re;
         double[] y = im;

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
 
-/** Compares two receivers' decisions: those that belong to one key come within 100 ms of each other. */
+/** Compares two receivers' decisions; decisions on one key are within 100 ms of each other. */
 final class ScoreKeeper {
     private static final long PATIENCE_SAMPLES = 800;
 
@@ -14,7 +14,7 @@ final class ScoreKeeper {
     private final Deque<Decision> tried = new ArrayDeque<>();
     private ToneScore score = ToneScore.NONE;
 
-    /** A key of the sound as it is. */
+    /** A key of the undisturbed sound. */
     void truth(DtmfKey key, long sample) {
         decided(genuine, tried, new Decision(key, sample));
     }
@@ -35,7 +35,7 @@ final class ScoreKeeper {
         own.add(decision);
     }
 
-    /** What has not found its counterpart by now never will. */
+    /** Counts decisions without a counterpart in time. */
     void timePassed(long sample) {
         while (isOverdue(genuine.peek(), sample)) {
             genuine.remove();

@@ -3,7 +3,7 @@ package simgsm.dtmf;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The last stretch of a sound, immutable: up to {@link #SAMPLES}, which share their memory with earlier stretches. */
+/** The last stretch of a sound, immutable: up to {@link #SAMPLES}, in memory shared with earlier stretches. */
 public final class SoundStretch {
     /** 2 s at 8 kHz. */
     public static final int SAMPLES = 16_000;
@@ -18,7 +18,10 @@ public final class SoundStretch {
         this.length = frames.stream().mapToInt(frame -> frame.length).sum();
     }
 
-    /** With a frame at its end, which must not change afterwards; what is older than {@link #SAMPLES} is left out. */
+    /**
+     * A copy with a frame appended, which must not change afterwards; samples older than {@link #SAMPLES} are
+     * dropped.
+     */
     SoundStretch with(short[] frame) {
         int from = 0;
         int kept = length + frame.length;
@@ -32,7 +35,7 @@ public final class SoundStretch {
         return new SoundStretch(all);
     }
 
-    /** The last samples, oldest first; silence where there are fewer. */
+    /** The last samples, oldest first, padded with silence. */
     public short[] last(int count) {
         short[] samples = new short[count];
         int end = count;

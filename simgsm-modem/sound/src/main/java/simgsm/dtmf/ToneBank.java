@@ -3,19 +3,17 @@ package simgsm.dtmf;
 import java.util.Arrays;
 
 /**
- * The eight tones brought down to zero frequency: every {@link #HOP} samples, for each tone k, the complex amplitude of
- * what sounds near it, over 40 samples under a triangular window,
- *
+ * The eight tones mixed down to zero frequency: every {@link #HOP} samples, for each tone k, the complex amplitude
+ * near it, over 40 samples under a triangular window,
  * <pre>
  *   z[k][n] = 1/10 sum over i = -20 .. 19 of x[20 n + i] (20 - |i + 1/2|) / 20 e^(-j w[k] (i + 1/2))
  * </pre>
+ * so a sine of peak A at the tone gives |z| = A. The triangle's zeros are at all multiples of 400 Hz from the tone,
+ * which the hop of 400 Hz would alias onto it.
  *
- * so a sine of peak A at the tone gives |z| = A. The triangle's zeros lie at all multiples of 400 Hz from the tone, where
- * the hop of 400 Hz would fold them onto it.
- *
- * <p>Made for speed: many hops at a time, folded about the window's middle (cosine sums see only what is even, sine sums
- * what is odd) and laid out so that every inner loop runs over hops, which the compiler turns into vector instructions.
- * The sums do not depend on how many hops are taken at a time.
+ * <p>Made for speed: many hops at a time, folded about the window's middle (cosine sums use the even part, sine sums
+ * the odd part), with inner loops over hops, which the compiler vectorizes. The sums do not depend on how many hops
+ * are taken at a time.
  *
  * <p>Hops are kept in arrays with {@link #HISTORY} earlier ones before the newest.
  */
@@ -68,7 +66,7 @@ final class ToneBank {
         }
     }
 
-    /** Adds {@code hops} hops of {@code samples[at..at + 20 hops)}; the 20 samples before them must be there, too. */
+    /** Adds {@code hops} hops of {@code samples[at..at + 20 hops)}; the 20 samples before them are required, too. */
     void accept(short[] samples, int at, int hops) {
         load(samples, at, hops);
         for (int i = 0; i < HOP; i++) {
@@ -80,7 +78,7 @@ final class ToneBank {
         }
     }
 
-    /** All that was heard is forgotten. */
+    /** Clears the history. */
     void clear() {
         for (int k = 0; k < TONES; k++) {
             Arrays.fill(real[k], 0);
@@ -95,14 +93,14 @@ final class ToneBank {
         return x * x + y * y;
     }
 
-    /** How much of a sine's amplitude so far from a tone gets through its triangle. */
+    /** Gain of the triangle for a sine at a distance from its tone. */
     static double leak(double hertz) {
         double x = Math.PI * hertz / HOPS_PER_SECOND;
         double sinc = x == 0 ? 1 : Math.sin(x) / x;
         return sinc * sinc;
     }
 
-    /** What one of the tones leaks into another. */
+    /** Leakage of one tone into another. */
     static double leakBetween(int tone, int other) {
         return LEAKS[tone][other];
     }
@@ -137,7 +135,7 @@ final class ToneBank {
         }
     }
 
-    /** All at the same place of their arrays: only so it becomes vector instructions. */
+    /** All arrays have the same index, as vectorizing requires. */
     private static void fold(float[] after, float[] before, float[] even, float[] odd, int at, int hops) {
         for (int b = 0; b < hops; b++) {
             float u = after[at + b];
@@ -147,7 +145,7 @@ final class ToneBank {
         }
     }
 
-    /** Five terms at a time, at offsets that are constants: so much the compiler turns into vector instructions. */
+    /** Five terms at a time, at constant offsets: as much as the compiler vectorizes. */
     private void mix(float[] x, float[] c, float[] to, int hops) {
         first(x, c[0], c[1], c[2], c[3], c[4], sum, hops);
         add(x, 5 * STRIDE, c[5], c[6], c[7], c[8], c[9], sum, hops);

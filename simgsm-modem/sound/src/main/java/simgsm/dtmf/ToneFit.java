@@ -1,46 +1,51 @@
 package simgsm.dtmf;
 
 /**
- * One row's and one column's tone looked at closely, hop by hop back in time: since when they sound, how loud, how far
- * off their frequency, how steady. Index 0 of the arrays is the row's tone, 1 the column's.
+ * Examines one row's and one column's tone closely, hop by hop back in time: onset, level, frequency error,
+ * steadiness. Index 0 of the arrays is the row's tone, 1 the column's.
  */
 final class ToneFit {
-    /** How far back it looks: 90 ms. */
+    /** Longest look back: 90 ms. */
     static final int SPAN = 36;
 
     private static final int ROW = 0;
     private static final int COLUMN = 1;
-    /** For frequency and steadiness the newest 40 ms count: some codecs need time to settle on a tone. */
+    /** Frequency and steadiness are measured over the newest 40 ms: some codecs need time to settle on a tone. */
     static final int LISTENED = 16;
-    /** Hops whose median is the tone's power, to begin with. */
+    /** Hops of the initial median of the tone's power. */
     private static final int REFERENCE = 8;
-    /** A pause of the length that ends a digit, in half hops: what lies before it is another tone. */
+    /** A pause that ends a digit, in half hops: an earlier tone is another one. */
     private static final double PAUSE = 4.5;
     /** The likeness of a quarter, half and three quarters of the amplitude. */
     private static final double QUARTER = 1 / 256.0;
 
     static final double HALF = 1 / 16.0;
     private static final double THREE_QUARTERS = 81 / 256.0;
-    /** 9 dB louder in each tone: such hops before the newest mean that the tone is over, and what sounds now is not it. */
+    /**
+     * 9 dB louder in each tone: such hops before the newest mean that the tone is over, and the sound now is another.
+     */
     private static final double FAR_LOUDER = 64;
 
     private static final int MOST_LOUDER = 2;
-    /** Hops until tones off their frequency are looked at again: 5 ms. */
+    /** Hops until tones off their frequency are examined again: 5 ms. */
     private static final int OFF_FREQUENCY_WAIT = 2;
-    /** Farther off than this it is no key's tone; between what Q.24 accepts (1.8 %) and rejects (3 %). */
+    /** Largest frequency error; between Q.24's limits of acceptance (1.8 %) and rejection (3 %). */
     private static final double MOST_ERROR = 0.021;
-    /** Between what Q.24 accepts (8 dB) with 2 dB to spare, and 15 dB, which no exchange takes. */
+    /** Q.24 requires 8 dB plus a margin of 2 dB; no exchange accepts 15 dB. */
     static final double MOST_TWIST_DB = 12.5;
-    /** Hops by which the beginning is uncertain in noise that leaves no coherence. */
+    /** Uncertainty of the onset, in hops, in noise that leaves no coherence. */
     private static final double NOISE_HOPS = 6;
-    /** Of the turn that 4 % make over a lag of one hop for the highest column, of two hops for the highest row. */
+    /**
+     * Tangents of the phase turn by 4 % over a lag of one hop for the highest column, of two hops for the highest
+     * row.
+     */
     private static final double[] FAR_OFF_TANGENTS = {
         0,
         Math.tan(2 * Math.PI * 0.04 * 1633 / ToneBank.HOPS_PER_SECOND),
         Math.tan(4 * Math.PI * 0.04 * 941 / ToneBank.HOPS_PER_SECOND)
     };
 
-    /** One turn in steps of a tone's phase from hop to hop, for all tones are whole numbers of hertz. */
+    /** One turn in steps of a tone's phase from hop to hop; all tones are whole numbers of hertz. */
     private static final double[] TURN_COSINE = new double[ToneBank.HOPS_PER_SECOND];
 
     private static final double[] TURN_SINE = new double[ToneBank.HOPS_PER_SECOND];
@@ -58,22 +63,22 @@ final class ToneFit {
     final double[] hertz = new double[2];
     /** Frequency error as a fraction. */
     final double[] error = new double[2];
-    /** Share of the energy near the tone that adds up in one phase; 1 for a steady tone alone. */
+    /** Share of the energy near the tone with one phase; 1 for a steady tone alone. */
     final double[] coherence = new double[2];
 
     int row;
     int column;
-    /** Where the tones began, in hops before the newest, with a fraction. */
+    /** Onset of the tones, in hops before the newest, with a fraction. */
     double sinceOnset;
-    /** They sounded for all the time that could be looked at. */
+    /** True if the tones lasted the whole time examined. */
     boolean open;
-    /** After a look that found no key: whether the tones were off their frequency rather than too short. */
+    /** After a look without a key: true if the tones were off their frequency rather than too short. */
     boolean offFrequency;
 
     private int hops;
     private int seen;
     private int louder;
-    /** Evidence that the tones sound, summed from the newest hop back, and the most that it came to. */
+    /** Evidence of the tones, summed from the newest hop back, and its maximum. */
     private double evidence;
 
     private double most;
@@ -92,15 +97,15 @@ final class ToneFit {
     private double scale;
 
     /**
-     * Looks at the tones of one key.
+     * Examines the tones of one key.
      *
      * @param newest index of the newest hop in the bank
      * @param hopNumber the newest hop counted from the stream's start
-     * @param reach how many hops back it may look at most
-     * @param rival a key that sounded just before, perhaps with no pause between, or null
-     * @param leastHops how long the tones must have sounded
-     * @return 0 if they did, sound still, and are on frequency; only then the fields hold; else in how many hops another
-     *     look is worth it
+     * @param reach most hops to look back
+     * @param rival a key directly before, possibly without a pause, or null
+     * @param leastHops least length of the tones
+     * @return 0 if they are long enough, still sound and are on frequency; only then the fields are valid; else hops
+     *     until the next look
      */
     int measure(ToneBank bank, int newest, long hopNumber, int reach, int key, DtmfKey rival, double leastHops) {
         row = key / 4;
@@ -138,7 +143,7 @@ final class ToneFit {
         return tuned ? 0 : OFF_FREQUENCY_WAIT;
     }
 
-    /** Median of the product of both tones' powers, by sorting as they come. */
+    /** Median of the product of both tones' powers, by insertion. */
     private double reference() {
         for (int i = 0; i < REFERENCE; i++) {
             double value = power[ROW][i] * power[COLUMN][i];
@@ -151,7 +156,7 @@ final class ToneFit {
         return (sorted[REFERENCE / 2 - 1] + sorted[REFERENCE / 2]) / 2;
     }
 
-    /** A glance at the newest hops' phase over a lag: 4 % or more off the frequency. Saves the closer look at voices. */
+    /** True if the newest hops' phase over a lag is 4 % or more off the frequency. Saves closer looks at voices. */
     private boolean isFarOff(int tone, int lag, int nominalHertz) {
         double[] x = re[tone];
         double[] y = im[tone];
@@ -168,7 +173,7 @@ final class ToneFit {
         return Math.abs(off) > near * FAR_OFF_TANGENTS[lag];
     }
 
-    /** Each tone without what the other leaks into it. */
+    /** Subtracts the leakage of the other tone from each. */
     private void separate(ToneBank bank, int at, int i) {
         double rowRe = bank.real[row][at];
         double rowIm = bank.imaginary[row][at];
@@ -194,8 +199,8 @@ final class ToneFit {
     }
 
     /**
-     * Looks back up to a hop. The tones belong to the run of newest hops in which they sound more than they do not, by as
-     * much as can be had. Short interruptions are bridged so, if more of the tone lies before them.
+     * Looks back up to a hop. The tones belong to the run of newest hops with the largest sum of evidence, which
+     * bridges short interruptions if more of the tone is before them.
      */
     private void goBack(ToneBank bank, int newest, int until, DtmfKey rival) {
         for (; seen < until && evidence > most - PAUSE; seen++) {
@@ -223,7 +228,7 @@ final class ToneFit {
         return Math.sqrt(Math.sqrt(likeness));
     }
 
-    /** Evidence that the tones sound, 0 to 1: twice the amplitude's ratio less a half. */
+    /** Evidence of the tones, 0 to 1: twice the amplitude's ratio less a half. */
     static double sounding(double likeness) {
         if (likeness >= THREE_QUARTERS) {
             return 1;
@@ -231,14 +236,14 @@ final class ToneFit {
         return likeness <= QUARTER ? 0 : 2 * amplitudeRatio(likeness) - 0.5;
     }
 
-    /** A key that sounds leaks into the tones next to its own, where it must not be taken for theirs. */
+    /** A sounding key leaks into the tones next to its own, which must not be taken for this key's. */
     private boolean isRivals(ToneBank bank, int at, DtmfKey rival) {
         return rival != null
                 && bank.power(rival.row(), at) * bank.power(4 + rival.column(), at)
                         > bank.power(row, at) * bank.power(4 + column, at);
     }
 
-    /** Frequency and steadiness of one tone. @return whether it is on frequency */
+    /** Frequency and steadiness of one tone. @return true if it is on frequency */
     private boolean tune(int tone, int nominalHertz, long hopNumber) {
         int n = Math.min(hops, LISTENED);
         amplitude[tone] = Math.sqrt(intoStep(tone, nominalHertz, hopNumber, n));
@@ -256,7 +261,7 @@ final class ToneFit {
         return true;
     }
 
-    /** Stops the nominal tone's turning. @return mean square amplitude */
+    /** Removes the nominal tone's rotation. @return mean square amplitude */
     private double intoStep(int tone, int nominalHertz, long hopNumber, int n) {
         double energy = 0;
         int used = 0;
@@ -330,7 +335,7 @@ final class ToneFit {
         return 20 * Math.log10(amplitude[COLUMN] / amplitude[ROW]);
     }
 
-    /** Whether the tones have lasted this number of hops, or more where noise hides their beginning. */
+    /** True if the tones have lasted this number of hops, or more where noise hides their onset. */
     boolean isOldEnough(double leastHops) {
         return sinceOnset >= leastHops + NOISE_HOPS * (1 - Math.min(coherence[ROW], coherence[COLUMN]));
     }

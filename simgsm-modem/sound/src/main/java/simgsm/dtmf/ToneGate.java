@@ -3,21 +3,21 @@ package simgsm.dtmf;
 import simgsm.tone.ToneLevel;
 
 /**
- * The first, cheap test, every fourth hop: do one row's and one column's tone stand out in the last 20 ms? Its window is smooth:
- * seven hops of the {@link ToneBank}, turned into step with one another, under a Hann window. What lies 100 Hz or more
- * beside a tone is some 40 dB down, so that mains, dial tone and direct current do not reach it.
+ * The first, cheap test, every fourth hop: prominence of one row's and one column's tone in the last 20 ms. Its
+ * window is smooth: seven hops of the {@link ToneBank}, phase-aligned, under a Hann window. Sound 100 Hz or more off
+ * a tone is attenuated by some 40 dB, which suppresses mains, dial tone and direct current.
  */
 final class ToneGate {
     /** Tones below this level are ignored (Q.24: tones at -55 dBm0 must not be decoded). */
     static final double LEAST_DBM0 = -50;
-    /** Either way; what lies beyond is no key (the finer tests are stricter). */
+    /** In both directions; a larger one is no key (later tests are stricter). */
     static final double MOST_TWIST_DB = 13;
     /** Hops from one look to the next. */
     static final int EVERY = 4;
 
     private static final float FLOOR = (float) Math.pow(ToneLevel.amplitude(LEAST_DBM0), 2);
     private static final float MOST_TWIST = (float) Math.pow(10, MOST_TWIST_DB / 10);
-    /** All four tones of a group together against the strongest of them; 1.8 % beside its own, a tone gives 1.35. */
+    /** Ratio of all four tones of a group to the strongest; a tone 1.8 % off gives 1.35. */
     private static final float MOST_SPREAD = 1.6f;
     /** Hops on either side of the window's middle. */
     private static final int ARM = 3;
@@ -39,7 +39,7 @@ final class ToneGate {
         }
     }
 
-    /** Looks at a hop of the bank and the six before it. @return the ordinal of the key whose tones stand out, or -1 */
+    /** Tests a hop of the bank and the six before it. @return ordinal of the prominent key, or -1 */
     int look(ToneBank bank, int newest) {
         int row = strongest(bank, newest, 0);
         if (!standsOut(row)) {
@@ -52,7 +52,7 @@ final class ToneGate {
         return found ? GROUP * row + column - GROUP : -1;
     }
 
-    /** The tones of a hop and the six before it, and what they have to reach. */
+    /** The tones of a hop and the six before it, and their required levels. */
     ToneLevels levels(ToneBank bank, int newest) {
         double row = Math.sqrt(power[strongest(bank, newest, 0)]);
         double column = Math.sqrt(power[strongest(bank, newest, GROUP)]);
@@ -63,7 +63,7 @@ final class ToneGate {
         return new ToneLevels(amplitudes, least(column), least(row), this::standsOut);
     }
 
-    /** What a tone has to reach beside the other group's strongest. */
+    /** Required level of a tone by the other group's strongest. */
     private static double least(double other) {
         return Math.max(LEAST_DBM0, ToneLevel.dbm0(other) - MOST_TWIST_DB);
     }

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import simgsm.tone.ToneLevel;
 
 /**
- * The levels of the eight DTMF frequencies as a receiver measured them last, and what it requires of each group. Immutable;
- * tones are numbered 0 (697 Hz) to 3 (941 Hz) and 4 (1209 Hz) to 7 (1633 Hz).
+ * A receiver's last levels of the eight DTMF frequencies, and its limits for each group. Immutable; tones are
+ * numbered 0 (697 Hz) to 3 (941 Hz) and 4 (1209 Hz) to 7 (1633 Hz).
  */
 public final class ToneLevels {
     /** Lower levels are shown as this one. */
@@ -14,7 +14,7 @@ public final class ToneLevels {
     /** Silence before a receiver that requires nothing. */
     public static final ToneLevels SILENCE = new ToneLevels(new double[8], FLOOR_DBM0, FLOOR_DBM0, tone -> false);
 
-    /** Whether a tone stands out among the tones of its group. */
+    /** True if a tone is prominent in its group. */
     interface Peaks {
         boolean standsOut(int tone);
     }
@@ -43,12 +43,12 @@ public final class ToneLevels {
         return dbm0[tone];
     }
 
-    /** The level that the tone has to exceed now: the receiver's lowest, or what the twist from the other group leaves. */
+    /** The level that the tone must exceed now: the receiver's lowest, or the limit of twist. */
     public double leastDbm0(int tone) {
         return tone < 4 ? leastRowDbm0 : leastColumnDbm0;
     }
 
-    /** Whether the tone exceeds {@link #leastDbm0} and stands out in its group; a key needs two such tones. */
+    /** True if the tone exceeds {@link #leastDbm0} and is prominent in its group; a key needs two such tones. */
     public boolean counts(int tone) {
         return counts[tone];
     }

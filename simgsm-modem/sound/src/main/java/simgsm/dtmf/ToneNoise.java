@@ -3,12 +3,12 @@ package simgsm.dtmf;
 import java.util.Random;
 import simgsm.tone.ToneLevel;
 
-/** White noise in the whole band of speech, 0 to 4 kHz, of a power that is named relative to a key's two tones. */
+/** White noise in the whole band of speech, 0 to 4 kHz, with a power relative to a key's two tones. */
 public final class ToneNoise {
     private ToneNoise() {}
 
     /**
-     * Adds noise to samples; sums beyond 16 bits are cut.
+     * Adds noise to samples; sums are clipped to 16 bits.
      *
      * @param shape of the keys in the samples
      * @param snrDecibels the two tones' power over the noise's; infinite for none

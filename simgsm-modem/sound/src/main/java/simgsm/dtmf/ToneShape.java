@@ -3,14 +3,14 @@ package simgsm.dtmf;
 import simgsm.tone.ToneLevel;
 
 /**
- * How a key sounds when it is sent.
+ * The sound of a sent key.
  *
  * @param toneMillis at least 1
  * @param pauseMillis silence after the tone, at least 0
  * @param rowDbm0 level of the low-group tone, at most 3.14
  * @param columnDbm0 level of the high-group tone, at most 3.14
- * @param rampMillis raised-cosine rise and fall, 0 for hard edges. Lengths count at half amplitude (Q.24): the fall reaches
- *     into the pause and is no longer than it
+ * @param rampMillis raised-cosine rise and fall, 0 for hard edges. Lengths count at half amplitude (Q.24): the fall
+ *     extends into the pause and is no longer than it
  */
 public record ToneShape(int toneMillis, int pauseMillis, double rowDbm0, double columnDbm0, double rampMillis) {
     /** 100 ms tone, 100 ms pause, -10 dBm0 per tone, ramps of 2 ms. */
@@ -48,12 +48,12 @@ public record ToneShape(int toneMillis, int pauseMillis, double rowDbm0, double 
         return new ToneShape(toneMillis, pauseMillis, rowDbm0, columnDbm0, millis);
     }
 
-    /** The high tone raised by half of the twist and the low one lowered by it. @param decibels of high over low */
+    /** Raises the high tone by half of the twist and lowers the low one by it. @param decibels of high over low */
     public ToneShape withTwist(double decibels) {
         return new ToneShape(toneMillis, pauseMillis, rowDbm0 - decibels / 2, columnDbm0 + decibels / 2, rampMillis);
     }
 
-    /** Both tones at one level. */
+    /** Sets both tones to one level. */
     public ToneShape withLevel(double dbm0) {
         return new ToneShape(toneMillis, pauseMillis, dbm0, dbm0, rampMillis);
     }

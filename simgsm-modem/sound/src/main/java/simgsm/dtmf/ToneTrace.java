@@ -3,13 +3,13 @@ package simgsm.dtmf;
 import simgsm.tone.ToneExperiment;
 
 /**
- * What a tone scope shows, immutable: the last stretch of sound, and what two receivers made of it. With an experiment all of
- * it is what is heard of the disturbed sound.
+ * A tone scope's immutable data: the last stretch of sound and two receivers' findings. During an experiment the
+ * trace shows the disturbed sound.
  */
 public final class ToneTrace {
     /** 40 ms at 8 kHz. */
     public static final int SAMPLES = 320;
-    /** Nothing has sounded yet. */
+    /** The trace before any sound. */
     public static final ToneTrace EMPTY = new ToneTrace(
             new short[SAMPLES],
             SoundStretch.EMPTY,
@@ -49,7 +49,7 @@ public final class ToneTrace {
         return original;
     }
 
-    /** The sound after the experiment, of which {@link #sample} has the last 40 ms. */
+    /** The sound after the experiment; {@link #sample} returns its last 40 ms. */
     public SoundStretch heard() {
         return heard;
     }
@@ -64,12 +64,12 @@ public final class ToneTrace {
         return samples[index];
     }
 
-    /** What was done to the sound. */
+    /** The experiment applied to the sound. */
     public ToneExperiment experiment() {
         return experiment;
     }
 
-    /** The receiver with which phone and modem decide. */
+    /** The receiver used by phone and modem. */
     public ReceiverTrace modem() {
         return modem;
     }

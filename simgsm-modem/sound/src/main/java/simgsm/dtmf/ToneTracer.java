@@ -6,12 +6,11 @@ import simgsm.tone.Disturber;
 import simgsm.tone.ToneExperiment;
 
 /**
- * Collects what a tone scope shows from the sound that passes: feed it frames, ask for the newest {@link ToneTrace}. It
- * listens with receivers of its own, so the scope shows what decides, and an experiment does not disturb other receivers.
- * Owned by one thread.
+ * Makes a tone scope's {@link ToneTrace} from frames of sound. It has its own receivers, of the same kind as the
+ * deciding one, so an experiment does not disturb others. Owned by one thread.
  */
 public final class ToneTracer {
-    /** A-law's quietest steps are silence, too. */
+    /** A-law's smallest values count as silence. */
     private static final int SILENCE = 16;
 
     private final short[] samples = new short[ToneTrace.SAMPLES];
@@ -21,7 +20,7 @@ public final class ToneTracer {
             this::samplesPassed);
     private final List<ReceiverTracer> receivers = List.of(modem, classic);
     private final Disturber disturber = new Disturber();
-    /** Hears the sound as it is while there is an experiment to be judged. */
+    /** Receives the undisturbed sound during an experiment. */
     private final DtmfReceiver reference;
 
     private ToneExperiment experiment = ToneExperiment.NONE;
@@ -43,7 +42,7 @@ public final class ToneTracer {
         return samplesPassed;
     }
 
-    /** From now on the sound is disturbed so before it is looked at. The score begins anew. */
+    /** Sets the experiment for later frames and restarts the score. */
     public void tryOut(ToneExperiment newExperiment) {
         if (!newExperiment.equals(experiment)) {
             experiment = newExperiment;
@@ -54,7 +53,7 @@ public final class ToneTracer {
         }
     }
 
-    /** The next stretch of sound, at most 280 samples long. @return whether the picture has changed */
+    /** Accepts the next stretch of sound, at most 280 samples. @return true if the picture has changed */
     public boolean accept(short[] frame) {
         short[] kept = frame.clone();
         short[] heard = isExperiment() ? disturber.disturbed(frame) : kept;
@@ -84,7 +83,7 @@ public final class ToneTracer {
         return List.of(modem.scores().score(), classic.scores().score());
     }
 
-    /** @return whether there is anything new to be seen */
+    /** @return true if the picture has changed */
     private boolean look(short[] heard) {
         boolean wasSilent = silent;
         int kept = samples.length - heard.length;
@@ -94,7 +93,7 @@ public final class ToneTracer {
         return !(silent && wasSilent);
     }
 
-    /** No sound comes for now: the picture is quiet, and the last key stays. */
+    /** Ends the sound for now: the picture is quiet, and the last key remains. */
     public void rest() {
         Arrays.fill(samples, (short) 0);
         original = original.with(samples.clone());
@@ -104,7 +103,7 @@ public final class ToneTracer {
         publish();
     }
 
-    /** Shows a key that was heard elsewhere. */
+    /** Shows a key reported from elsewhere. */
     public void show(DtmfDigit reported) {
         modem.keyEnded(reported);
         publish();
@@ -130,7 +129,7 @@ public final class ToneTracer {
         return newest;
     }
 
-    /** As new, but for the experiment. */
+    /** Resets all but the experiment. */
     public void reset() {
         receivers.forEach(ReceiverTracer::reset);
         reference.reset();

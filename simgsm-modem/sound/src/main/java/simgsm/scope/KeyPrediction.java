@@ -7,15 +7,15 @@ import simgsm.dtmf.ToneLevels;
 import simgsm.dtmf.ToneTrace;
 
 /**
- * A student reads keys off the picture: each key that is heard is hidden, and the picture of its tones at their strongest held,
- * until a guess is made. Keys that sound meanwhile are left out. Not thread-safe.
+ * A student reads keys off the picture: each detected key is hidden, and the picture of its tones at their strongest
+ * held, until a guess is made. Keys received meanwhile are skipped. Not thread-safe.
  */
 public final class KeyPrediction {
-    /** What there is to do. */
+    /** The stages of a question. */
     public enum Stage {
         /** Off: keys are shown. */
         OFF,
-        /** No tone has been heard since the last guess. */
+        /** No tone since the last guess. */
         WAITING,
         /** A tone is shown without its key. */
         ASKING,
@@ -38,7 +38,7 @@ public final class KeyPrediction {
 
     public KeyPrediction() {}
 
-    /** Begins anew, or ends. The key that was heard before is not asked for. */
+    /** Starts or ends questions. The previous key is not asked for. */
     public void set(boolean on) {
         stage = on ? Stage.WAITING : Stage.OFF;
         known = digit(newest);
@@ -62,7 +62,7 @@ public final class KeyPrediction {
         }
     }
 
-    /** Asks for the key of this picture, whether a receiver has heard it or not. */
+    /** Asks for the key of this picture, detected or not. */
     public void ask(ToneTrace trace, DtmfKey key) {
         stage = Stage.ASKING;
         held = trace;
@@ -70,7 +70,7 @@ public final class KeyPrediction {
         guessed = null;
     }
 
-    /** Of the weaker tone of the key in dBm0: at the tone's beginning and end its levels do not stand out. */
+    /** Level of the key's weaker tone in dBm0, low at the tone's start and end. */
     private double strength(ToneTrace trace) {
         ToneLevels levels = trace.modem().levels();
         return Math.min(levels.dbm0(answer.row()), levels.dbm0(ROWS + answer.column()));
@@ -80,7 +80,7 @@ public final class KeyPrediction {
         return trace.modem().digit();
     }
 
-    /** The duration grows while the tone sounds. */
+    /** Equal except for the duration, which grows while the tone sounds. */
     private static boolean isSame(Optional<DtmfDigit> one, Optional<DtmfDigit> other) {
         return one.isPresent()
                 && other.isPresent()
@@ -88,7 +88,7 @@ public final class KeyPrediction {
                 && one.get().decidedAtSample() == other.get().decidedAtSample();
     }
 
-    /** Takes a guess at the key that is asked for; without one it does nothing. */
+    /** Guesses the key asked for; no effect without a question. */
     public void guess(DtmfKey key) {
         if (stage == Stage.ASKING) {
             guessed = key;
@@ -103,17 +103,17 @@ public final class KeyPrediction {
         return stage;
     }
 
-    /** Whether keys are hidden now. */
+    /** True if keys are hidden now. */
     public boolean isHiding() {
         return stage == Stage.WAITING || stage == Stage.ASKING;
     }
 
-    /** The picture of the key that is asked for, or was last; empty while none is. */
+    /** The picture of the current or last question; empty if there is none. */
     public Optional<ToneTrace> held() {
         return stage == Stage.OFF || stage == Stage.WAITING ? Optional.empty() : Optional.of(held);
     }
 
-    /** The key that was played; empty while no picture is held. */
+    /** The key played; empty while no picture is held. */
     public Optional<DtmfKey> answer() {
         return held().map(picture -> answer);
     }
@@ -123,12 +123,12 @@ public final class KeyPrediction {
         return Optional.ofNullable(guessed);
     }
 
-    /** Right guesses since the beginning. */
+    /** Right guesses since the start. */
     public int right() {
         return right;
     }
 
-    /** Guesses since the beginning. */
+    /** Guesses since the start. */
     public int asked() {
         return asked;
     }

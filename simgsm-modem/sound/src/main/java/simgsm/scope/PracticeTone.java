@@ -7,7 +7,7 @@ import simgsm.dtmf.ToneTrace;
 import simgsm.dtmf.ToneTracer;
 import simgsm.tone.ToneExperiment;
 
-/** Tones of random keys to practise with where there is no call. They sound for the scope only. Not thread-safe. */
+/** Tones of random keys for practice without a call, played to the scope only. Not thread-safe. */
 public final class PracticeTone {
     private static final int FRAME_SAMPLES = 160;
     private static final int TONE_MILLIS = 200;
@@ -23,10 +23,10 @@ public final class PracticeTone {
         random = new SplittableRandom(seed);
     }
 
-    /** A key, and the picture 160 ms after the beginning of its tone. */
+    /** A key, and the picture 160 ms after the start of its tone. */
     public record Played(DtmfKey key, ToneTrace trace) {}
 
-    /** Plays the next key. @param experiment done to the sound */
+    /** Plays the next key. @param experiment applied to the sound */
     public Played next(ToneExperiment experiment) {
         DtmfKey key = DtmfKey.values()[random.nextInt(DtmfKey.values().length)];
         DtmfGenerator generator = new DtmfGenerator();

@@ -2,7 +2,7 @@ package simgsm.scope;
 
 /** Two cursors on a picture with a time axis and, for a spectrogram, a frequency axis. Not thread-safe. */
 public final class ScopeCursors {
-    /** A place: milliseconds from the left edge, and a frequency; 0 Hz where there is no such axis. */
+    /** A place: milliseconds from the left edge, and a frequency; 0 Hz without such an axis. */
     public record CursorPlace(double millis, double hertz) {}
 
     private final double spanMillis;
@@ -35,18 +35,18 @@ public final class ScopeCursors {
         return mostHertz > leastHertz;
     }
 
-    /** Moves a cursor as far as the picture reaches. */
+    /** Moves a cursor, at most to the picture's edge. */
     public void move(int cursor, double millis, double hertz) {
         put(cursor, places[cursor].millis() + millis, places[cursor].hertz() + hertz);
     }
 
-    /** Puts a cursor to a place, or the nearest one on the picture. */
+    /** Moves a cursor to a place, or the nearest one on the picture. */
     public void put(int cursor, double millis, double hertz) {
         places[cursor] = new CursorPlace(
                 Math.max(0, Math.min(spanMillis, millis)), Math.max(leastHertz, Math.min(mostHertz, hertz)));
     }
 
-    /** The cursor nearest to a place, by the shares of the axes between them. */
+    /** The cursor nearest to a place, by shares of the axes. */
     public int nearest(double millis, double hertz) {
         return distance(0, millis, hertz) <= distance(1, millis, hertz) ? 0 : 1;
     }
@@ -66,7 +66,7 @@ public final class ScopeCursors {
         return places[1].hertz() - places[0].hertz();
     }
 
-    /** The frequency whose period lies between the cursors; infinite if they stand at one time. */
+    /** The frequency with the period between the cursors; infinite if they are at one time. */
     public double periodHertz() {
         return 1000 / Math.abs(differenceMillis());
     }

@@ -3,8 +3,8 @@ package simgsm.scope;
 import simgsm.dtmf.ToneTrace;
 
 /**
- * A tone scope without its picture: which trace it shows, and how. Traces come in at any rate; a frozen scope keeps the one
- * that it showed, and asks for no further key. Not thread-safe.
+ * The state of a tone scope: the trace shown, and the way it is shown. Traces arrive at any rate; a frozen scope
+ * keeps its trace, and asks for no further key. Not thread-safe.
  */
 public final class ScopeInstrument {
     /** Milliseconds of the wave in {@link Picture#LEVELS}. */
@@ -15,7 +15,7 @@ public final class ScopeInstrument {
     public static final double LEAST_HERTZ = 600;
     public static final double MOST_HERTZ = 1750;
 
-    /** What is drawn. */
+    /** The kinds of picture. */
     public enum Picture {
         /** The wave and the levels of the eight tones. */
         LEVELS,
@@ -36,7 +36,7 @@ public final class ScopeInstrument {
 
     public ScopeInstrument() {}
 
-    /** @return whether the picture changes */
+    /** @return true if the picture changes */
     public boolean show(ToneTrace trace) {
         ToneTrace before = trace();
         newest = trace;
@@ -46,12 +46,12 @@ public final class ScopeInstrument {
         return trace() != before;
     }
 
-    /** The trace to be drawn. */
+    /** The trace to draw. */
     public ToneTrace trace() {
         return isFrozen ? frozen : prediction.held().orElse(newest);
     }
 
-    /** Keeps the trace that is shown, or goes on with the newest. */
+    /** Keeps the current trace, or continues with the newest. */
     public void freeze(boolean freeze) {
         frozen = trace();
         isFrozen = freeze;
@@ -69,7 +69,7 @@ public final class ScopeInstrument {
         return picture;
     }
 
-    /** Of the picture that is chosen; drawn only if {@link #hasCursors}. */
+    /** Cursors of the selected picture; drawn only if {@link #hasCursors}. */
     public ScopeCursors cursors() {
         return picture == Picture.LEVELS ? onWave : onSpectrogram;
     }
@@ -91,17 +91,17 @@ public final class ScopeInstrument {
         return isComparing;
     }
 
-    /** Hides keys without a question, while another scope asks for the same ones. */
+    /** Hides keys without a question, during another scope's. */
     public void conceal(boolean concealed) {
         isConcealed = concealed;
     }
 
-    /** Whether keys are hidden, for a question of this scope or of another. */
+    /** True if keys are hidden, for a question of this scope or of another. */
     public boolean isHiding() {
         return isConcealed || prediction.isHiding();
     }
 
-    /** Which keys are to be read off the picture. */
+    /** The questions for keys to read off the picture. */
     public KeyPrediction prediction() {
         return prediction;
     }

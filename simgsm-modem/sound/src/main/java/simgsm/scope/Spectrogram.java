@@ -5,9 +5,9 @@ package simgsm.scope;
  * 10 ms.
  */
 public final class Spectrogram {
-    /** From one frequency to the next. */
+    /** Interval of frequencies. */
     public static final double STEP_HERTZ = 31.25;
-    /** From one spectrum to the next, in samples. */
+    /** Interval of spectra, in samples. */
     public static final int HOP_SAMPLES = 80;
     /** Lower levels are shown as this one. */
     public static final double FLOOR_DBM0 = -60;
@@ -35,7 +35,7 @@ public final class Spectrogram {
         return dbm0.length;
     }
 
-    /** The level of a sine of this frequency in a spectrum, 0 to 4000 Hz; of noise, of what falls into 31.25 Hz. */
+    /** The level of a sine of this frequency in a spectrum, 0 to 4000 Hz; for noise, its level in 31.25 Hz. */
     public double dbm0(int column, double hertz) {
         double bin = Math.max(0, Math.min(WINDOW / 2 - 2, hertz / STEP_HERTZ));
         int below = (int) bin;

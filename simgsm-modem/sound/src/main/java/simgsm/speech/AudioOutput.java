@@ -1,6 +1,6 @@
 package simgsm.speech;
 
-/** An output for speech. Never blocks: speech beyond what the device can take is dropped. */
+/** An output for speech. Never blocks: speech beyond the device's capacity is dropped. */
 public interface AudioOutput extends AutoCloseable {
     /** Plays nothing. */
     AudioOutput SILENT = new AudioOutput() {
@@ -19,7 +19,7 @@ public interface AudioOutput extends AutoCloseable {
     /** @param samples 8 kHz mono, copied before the call returns */
     void play(short[] samples);
 
-    /** Whether a device is open. */
+    /** True if a device is open. */
     boolean isAudible();
 
     @Override

@@ -6,13 +6,13 @@ import java.util.Deque;
 import java.util.function.Consumer;
 
 /**
- * Interleaves both directions of a call: left sent, right received. The sent frames set the time; received ones that are
- * late or come in bursts follow each other without a gap if they are at most 200 ms late.
+ * Interleaves both directions of a call: left sent, right received. The sent frames set the time; received frames
+ * that are late or bursty are continuous if at most 200 ms late.
  */
 final class CallInterleaver {
-    /** Frames of 20 ms that a received frame may be late; after that silence replaces it. */
+    /** Longest delay of a received frame in frames of 20 ms; then silence replaces it. */
     static final int LONGEST_LAG_FRAMES = 10;
-    /** Received frames that may be ahead of those sent; after that silence is added as sent. */
+    /** Longest lead of received frames over sent ones; then silence is added as sent. */
     static final int LONGEST_LEAD_FRAMES = 25;
     /** Frames in a block: 200 ms. */
     private static final int BLOCK_FRAMES = 10;
@@ -26,7 +26,7 @@ final class CallInterleaver {
     private short[] block = new short[2 * BLOCK_FRAMES * SpeechCodec.SAMPLES_PER_FRAME];
     private int fill;
 
-    /** @param blocks receives the samples, left and right in turn */
+    /** @param blocks receives the samples, left and right alternating */
     CallInterleaver(Consumer<short[]> blocks) {
         this.blocks = blocks;
     }

@@ -5,7 +5,7 @@ import java.util.Deque;
 
 /** Mixes both directions of a call, one frame for each frame sent. */
 public final class CallMixer {
-    /** Received frames that may wait; in a longer burst the oldest is dropped. */
+    /** Most waiting received frames; in a longer burst the oldest is dropped. */
     private static final int MAX_WAITING = 3;
 
     private final Deque<short[]> waiting = new ArrayDeque<>();
@@ -33,7 +33,7 @@ public final class CallMixer {
         return mixed;
     }
 
-    /** Drops the frames that wait, at the end of the call. */
+    /** Drops waiting frames at the end of the call. */
     public void clear() {
         waiting.clear();
     }

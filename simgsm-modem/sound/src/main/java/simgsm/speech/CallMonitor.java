@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Plays the calls of several stations on one output, one call at a time: that of the selected station, or, without a
+ * Plays the calls of several stations on one output, one call at a time: the selected station's, or, without a
  * selection, the one that began first.
  */
 public final class CallMonitor {
@@ -29,7 +29,7 @@ public final class CallMonitor {
         selected = station == null ? "" : station;
     }
 
-    /** Whether a device is open. */
+    /** True if a device is open. */
     public boolean isAudible() {
         return output.isAudible();
     }

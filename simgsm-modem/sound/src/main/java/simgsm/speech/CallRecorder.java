@@ -17,7 +17,7 @@ public final class CallRecorder implements CallAudioListener {
 
     private static final int CHANNELS = 2;
     private static final int GAP_SAMPLES = SpeechCodec.SAMPLES_PER_SECOND / 2 * CHANNELS;
-    /** Blocks that may wait for a slow disk: 13 s of speech. */
+    /** Most blocks waiting for a slow disk: 13 s of speech. */
     private static final int QUEUE_BLOCKS = 64;
 
     private static final long CLOSE_SECONDS = 2;
@@ -97,7 +97,7 @@ public final class CallRecorder implements CallAudioListener {
         }
     }
 
-    /** Writes the rest, for at most 2 s. Any thread may call it, more than once. */
+    /** Writes the rest, for at most 2 s. Any thread may call it, repeatedly. */
     @Override
     public void close() {
         try {

@@ -1,6 +1,6 @@
 package simgsm.speech;
 
-/** The 16-bit fixed-point operations in which GSM 06.10 is written (ETS 300 961, 5.1): with its saturation and rounding. */
+/** The 16-bit fixed-point operations of GSM 06.10 (ETS 300 961, 5.1), with its saturation and rounding. */
 final class FixedPoint {
     static final int MOST = Short.MAX_VALUE;
     static final int LEAST = Short.MIN_VALUE;

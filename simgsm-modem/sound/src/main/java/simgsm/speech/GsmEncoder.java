@@ -118,8 +118,8 @@ final class GsmEncoder {
     }
 
     /**
-     * Cross-correlation in single precision, as libgsm computes it: where sums exceed 24 bits, on the loudest periodic
-     * signals, several lags have equal sums, and the first is used.
+     * Cross-correlation in single precision, as in libgsm: if sums exceed 24 bits, on the loudest periodic signals,
+     * several lags have equal sums, and the first is used.
      */
     private float correlation(int lag) {
         float sum = 0;

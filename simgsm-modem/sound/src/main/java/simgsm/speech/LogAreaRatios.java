@@ -3,7 +3,7 @@ package simgsm.speech;
 /** LAR, the coded form of the short-term filter (ETS 300 961, 5.2.4 to 5.2.9). */
 final class LogAreaRatios {
     static final int ORDER = 8;
-    /** First sample of each part of the frame that has its own filter (table 3.2). */
+    /** First sample of each part of the frame with its own filter (table 3.2). */
     static final int[] PART_STARTS = {0, 13, 27, 40, 160};
 
     private static final int[] A = {20480, 20480, 20480, 20480, 13964, 15360, 8534, 9036};

@@ -81,7 +81,7 @@ final class RegularPulseExcitation {
         mantissa -= 8;
     }
 
-    /** The error as the decoder reconstructs it. */
+    /** The error as reconstructed by the decoder. */
     void decode(GsmFrame frame, int j, int[] e) {
         split(frame.largest[j]);
         int shift = 6 - exponent;

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * write input samples, read output samples. Output sample n is at the time of input sample n * inRate / outRate.
  */
 public final class Resampler {
-    /** The transition band of the filter, which a Kaiser window sets. */
+    /** The transition band of the filter, set by a Kaiser window. */
     public enum Slope {
         /** For listening: passes 0 to 90 % of the lower Nyquist frequency, attenuates aliases by 80 dB above 110 %. */
         STEEP(25, 8),
@@ -92,7 +92,7 @@ public final class Resampler {
         return sum;
     }
 
-    /** Time from an output sample to the last input sample that it needs. */
+    /** Time from an output sample to the last input sample needed. */
     public double lookAheadSeconds() {
         return half / (double) inRate;
     }

@@ -1,8 +1,6 @@
 package simgsm.speech;
 
-/**
- * Codes 20 ms frames as octets and back. A codec may have a state, so each direction of each call needs its own.
- */
+/** Encodes and decodes frames of 20 ms. A codec may have a state, so each direction of each call needs its own. */
 public interface SpeechCodec {
     int SAMPLES_PER_SECOND = 8000;
     int FRAME_MILLIS = 20;
@@ -25,7 +23,7 @@ public interface SpeechCodec {
             this.octetsPerFrame = octetsPerFrame;
         }
 
-        /** By its name in options: one of those that phones and modems speak. @throws IllegalArgumentException for another */
+        /** The codec with this name in options. @throws IllegalArgumentException for an unknown name */
         public static Kind named(String name) {
             return switch (name) {
                 case "alaw" -> A_LAW;

@@ -3,23 +3,23 @@ package simgsm.speech;
 import java.util.Random;
 
 /**
- * Decodes the frames of one direction of a call and stands in for those that are lost, as GSM 06.11 (TS 46.011, clause 5 and
- * the example of clause 6): the first lost frame repeats the last good one, each further is 3 dB weaker (4 steps of the block
- * amplitude), and after 16, which are 320 ms, there is silence.
+ * Decodes the frames of one direction of a call and substitutes lost ones by GSM 06.11 (TS 46.011, clause 5 and the
+ * example of clause 6): the first lost frame repeats the last good one, each further one is 3 dB weaker (4 steps of
+ * the block amplitude), and after 16 (320 ms) there is silence.
  *
- * <p>G.711 has no parameters to weaken; there the last frame's samples are repeated and weakened alike.
+ * <p>G.711 has no parameters; the last frame's samples are repeated and attenuated alike.
  */
 public final class SubstitutingDecoder {
-    /** Lost frames in a row until silence. */
+    /** Consecutive lost frames until silence. */
     private static final int FRAMES_TO_SILENCE = 16;
-    /** Of the coded block amplitude, of which 8 steps are 6 dB. */
+    /** Steps of block amplitude; 8 steps = 6 dB. */
     private static final int STEPS_PER_FRAME = 4;
 
     private static final double STEPS_PER_HALF = 8;
     private static final int GRID_POSITIONS = 4;
 
     private final SpeechCodec codec;
-    /** Grid positions of weakened frames are random, against a buzz of 50 Hz; the seed makes runs alike. */
+    /** Grid positions of attenuated frames are random, against a buzz of 50 Hz; the seed makes runs reproducible. */
     private final Random grids = new Random(0);
     /** Null before the first frame. */
     private byte[] lastGood;
@@ -34,7 +34,7 @@ public final class SubstitutingDecoder {
         return codec.kind();
     }
 
-    /** @param octets one frame, not changed afterwards; IllegalArgumentException if its length is wrong */
+    /** @param octets one frame, not changed afterwards; IllegalArgumentException for a wrong length */
     public short[] decode(byte[] octets) {
         short[] samples = codec.decode(octets);
         lastGood = octets;
@@ -42,7 +42,7 @@ public final class SubstitutingDecoder {
         return samples;
     }
 
-    /** The samples that stand for one lost frame. */
+    /** The substitute of one lost frame. */
     public short[] substitute() {
         lostInRow++;
         if (lastGood == null || lostInRow > FRAMES_TO_SILENCE) {

@@ -39,7 +39,7 @@ public final class WavWriter implements Closeable {
         Files.write(path, all);
     }
 
-    /** Appends samples. @param samples one per channel in turn */
+    /** Appends samples. @param samples channels alternating */
     public void write(short[] samples) throws IOException {
         if (octets + 2L * samples.length > MOST_DATA_OCTETS) {
             throw new IOException("a WAV file holds no more than 4 GiB");

@@ -1,8 +1,8 @@
 package simgsm.tone;
 
 /**
- * Generates a cadence, sample by sample. Bursts rise and fall softly within their own
- * length, so that they do not click; lengths are exact in samples. Owned by one thread.
+ * Generates a cadence. Bursts rise and fall softly within their length, to avoid clicks; lengths are exact in
+ * samples. Owned by one thread.
  */
 public final class CadencePlayer {
     private static final int SAMPLES_PER_MILLI = 8;
@@ -15,15 +15,14 @@ public final class CadencePlayer {
     private int sampleInStep;
     private Sine[] sines = SILENCE;
 
-    /** Nothing plays. */
     public CadencePlayer() {}
 
-    /** Plays a cadence from its beginning until {@link #stop}, in place of what plays. */
+    /** Plays a cadence from its beginning until {@link #stop}, instead of the current one. */
     public void start(ToneCadence newCadence) {
         begin(newCadence, Long.MAX_VALUE);
     }
 
-    /** Plays a cadence from its beginning for this time, in place of the current one. */
+    /** Plays a cadence from its beginning for this time, instead of the current one. */
     public void start(ToneCadence newCadence, int totalMillis) {
         begin(newCadence, (long) totalMillis * SAMPLES_PER_MILLI);
     }
@@ -38,12 +37,12 @@ public final class CadencePlayer {
         cadence = null;
     }
 
-    /** Nothing plays, not even a pause. */
+    /** True if nothing plays, not even a pause. */
     public boolean isIdle() {
         return cadence == null;
     }
 
-    /** Adds what plays to the frame, as loud as 16 bits allow. */
+    /** Adds the sound to the frame, clipped to 16 bits. */
     public void addTo(short[] frame) {
         for (int i = 0; i < frame.length && cadence != null; i++) {
             double sum = frame[i] + next();

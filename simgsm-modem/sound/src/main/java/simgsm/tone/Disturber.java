@@ -4,16 +4,16 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 
 /**
- * Does to sound what a {@link ToneExperiment} says. Frequencies are shifted by playing faster or slower, so what comes out
- * is shorter or longer by as much; noise is measured against the loudest sound of late; a codec comes last. The same sound is disturbed in the
- * same way each time. Owned by one thread.
+ * Applies a {@link ToneExperiment} to sound. Frequencies are shifted by playing faster or slower, which changes the
+ * length by as much; noise is relative to the loudest recent sound; the codec is last. The result is reproducible.
+ * Owned by one thread.
  */
 public final class Disturber {
-    /** Two tones of -10 dBm0: what the noise is measured against until something louder than silence has come. */
+    /** Two tones of -10 dBm0: reference of the noise until a sound louder than silence. */
     private static final double USUAL_POWER = square(ToneLevel.amplitude(-10));
-    /** Below -40 dBm0 nothing counts as sound. */
+    /** Below -40 dBm0 is silence. */
     private static final double SILENCE_POWER = square(ToneLevel.amplitude(-40)) / 2;
-    /** In a frame of 20 ms: half a decibel a second. */
+    /** Per frame of 20 ms: half a decibel a second. */
     private static final double DECAY = Math.pow(10, -0.05 / 50);
 
     private static final int ARM = 8;
@@ -25,20 +25,20 @@ public final class Disturber {
     private SplittableRandom random = new SplittableRandom(1);
     private double power = USUAL_POWER;
     private boolean heard;
-    /** The last samples of the sound as it is, and what has come since. */
+    /** The last undisturbed samples, and the ones received since. */
     private float[] past = new float[2 * ARM];
-    /** Where the next sample lies in {@link #past}. */
+    /** Index of the next sample in {@link #past}. */
     private double position = ARM;
 
     public Disturber() {}
 
-    /** From the next frame on. */
+    /** Effective from the next frame. */
     public void set(ToneExperiment newExperiment) {
         experiment = newExperiment;
         recoder.set(newExperiment.codec());
     }
 
-    /** Forgets the sound so far: the next frame begins anew. */
+    /** Clears all state for a new sound. */
     public void clear() {
         recoder.clear();
         random = new SplittableRandom(1);
@@ -48,7 +48,7 @@ public final class Disturber {
         position = ARM;
     }
 
-    /** @return the frame disturbed; shorter or longer where frequencies are shifted */
+    /** @return the disturbed frame; shorter or longer if frequencies are shifted */
     public short[] disturbed(short[] frame) {
         follow(frame);
         double[] sound = experiment.shiftPercent() == 0 ? unshifted(frame) : shifted(frame);
@@ -109,7 +109,7 @@ public final class Disturber {
         return sum;
     }
 
-    /** A sinc under a Hann window for each phase; its error below 1.8 kHz is some 60 dB down. */
+    /** A sinc under a Hann window for each phase; its error below 1.8 kHz is about -60 dB. */
     private static float[][] taps() {
         float[][] all = new float[PHASES + 1][2 * ARM];
         for (int phase = 0; phase <= PHASES; phase++) {

@@ -7,26 +7,26 @@ import java.util.Optional;
  * frequencies and cadences.
  */
 public enum ProgressTone {
-    /** The exchange waits for digits. A mobile needs none: it sends the whole number at once. */
+    /** The exchange waits for digits. Unused by mobiles, which send the whole number at once. */
     DIAL,
     /** The called phone rings. */
     RING_BACK,
     /** The called party is engaged. */
     BUSY,
-    /** The network has no way free. */
+    /** The network has no free circuit. */
     CONGESTION,
-    /** Another call waits. */
+    /** Another call is waiting. */
     CALL_WAITING,
     /** The call cannot be completed as dialled: an announcement would follow. */
     SPECIAL_INFORMATION,
-    /** The radio has been lost in the middle of a call. */
+    /** The radio connection was lost during a call. */
     CALL_DROPPED;
 
     /**
-     * What a caller hears when a call comes to nothing (TS 22.001, annex F; of "special information" the causes for which
-     * another try with the same number is of no use).
+     * The tone of a failed call (TS 22.001, annex F; "special information" for causes that make another try with the
+     * same number useless).
      *
-     * @param cause decimal, as TS 24.008, table 10.5.123 numbers causes
+     * @param cause decimal, by TS 24.008, table 10.5.123
      */
     public static Optional<ProgressTone> ofCause(int cause) {
         return Optional.ofNullable(

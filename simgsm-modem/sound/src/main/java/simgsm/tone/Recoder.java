@@ -4,15 +4,15 @@ import java.util.Arrays;
 import java.util.Optional;
 import simgsm.speech.SpeechCodec;
 
-/** Sound as it is after a codec: coded and decoded in frames of 20 ms. Owned by one thread. */
+/** Encodes and decodes sound by a codec in frames of 20 ms. Owned by one thread. */
 final class Recoder {
     private Optional<SpeechCodec.Kind> kind = Optional.empty();
     private SpeechCodec coder;
     private SpeechCodec decoder;
-    /** What does not fill a frame yet. */
+    /** The incomplete frame. */
     private short[] rest = new short[0];
 
-    /** @param newKind empty for the sound as it is */
+    /** @param newKind empty to leave the sound unchanged */
     void set(Optional<SpeechCodec.Kind> newKind) {
         if (!newKind.equals(kind)) {
             kind = newKind;
@@ -26,7 +26,7 @@ final class Recoder {
         rest = new short[0];
     }
 
-    /** The next stretch; the frames that it completes, none or several. */
+    /** Accepts the next stretch. @return the completed frames, none or several */
     short[] recoded(short[] samples) {
         if (kind.isEmpty()) {
             return samples;

@@ -1,8 +1,8 @@
 package simgsm.tone;
 
 /**
- * A sine by rotation of a phasor. In double precision its amplitude drifts by less than 1e-12 in a minute, so that only
- * the rounding to 16 bits is left as noise.
+ * A sine by rotation of a phasor. In double precision its amplitude drifts by less than 1e-12 in a minute, so the
+ * only noise is the rounding to 16 bits.
  */
 public final class Sine {
     private static final double SAMPLES_PER_SECOND = 8000;

@@ -3,15 +3,15 @@ package simgsm.tone;
 import java.util.List;
 
 /**
- * How a call-progress tone goes: bursts and pauses, over and over. One burst alone never pauses: a continuous tone.
+ * The repeated bursts and pauses of a call-progress tone. A single burst is a continuous tone.
  *
- * @param steps at least one, the first of which sounds
+ * @param steps at least one; the first is a burst
  */
 public record ToneCadence(List<Step> steps) {
     private static final int LONGEST_MILLIS = 3_600_000;
 
     /**
-     * A burst, or a pause when it has no frequencies.
+     * A burst, or a pause if it has no frequencies.
      *
      * @param millis at least 1
      * @param dbm0 level of each frequency, at most 3.14

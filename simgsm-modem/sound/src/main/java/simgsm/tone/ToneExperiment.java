@@ -4,16 +4,15 @@ import java.util.Optional;
 import simgsm.speech.SpeechCodec;
 
 /**
- * What a tone scope does to the sound before it listens, so that a class sees where detection ends. Only the scope hears
- * it; what is heard and sent in the call stays as it is.
+ * A disturbance of a tone scope's sound, which shows the limits of detection. The call itself is not changed.
  *
- * @param snrDecibels the tones' power over that of added white noise in the whole band of speech, 0 to 4 kHz, -20 to 60;
- *     infinite for none
- * @param shiftPercent how much all frequencies are raised, -10 to 10
- * @param codec through which the sound goes at last, as on its way to the far end; empty for none
+ * @param snrDecibels the tones' power over that of added white noise in the whole band of speech, 0 to 4 kHz, -20 to
+ *     60; infinite for none
+ * @param shiftPercent rise of all frequencies, -10 to 10
+ * @param codec applied last, as between the ends of a call; empty for none
  */
 public record ToneExperiment(double snrDecibels, double shiftPercent, Optional<SpeechCodec.Kind> codec) {
-    /** The sound as it is. */
+    /** The undisturbed sound. */
     public static final ToneExperiment NONE = new ToneExperiment(Double.POSITIVE_INFINITY, 0);
 
     /** Without a codec. */

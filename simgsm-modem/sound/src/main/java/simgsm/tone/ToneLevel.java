@@ -1,8 +1,8 @@
 package simgsm.tone;
 
 /**
- * Levels in dBm0 against 16-bit samples: the loudest sine that A-law can carry, a full-scale one, is at 3.14 dBm0
- * (ITU-T G.711, table 5), so 0 dBm0 peaks at 22 827 and -10 dBm0 at 7218.
+ * Levels in dBm0 against 16-bit samples: A-law's loudest sine, a full-scale one, is at 3.14 dBm0 (ITU-T G.711, table
+ * 5), so 0 dBm0 peaks at 22 827 and -10 dBm0 at 7218.
  */
 public final class ToneLevel {
     public static final double FULL_SCALE_DBM0 = 3.14;

@@ -10,8 +10,8 @@ import java.util.Map;
 /** The call-progress tones of one part of the world. */
 public enum ToneSet {
     /**
-     * TS 22.001, annex F, its European column: all of 425 Hz but special information. Levels as ITU-T E.180 would have
-     * them at a point of 0 dBr, -10 dBm0 within 5 dB: at its lower half, softer than keys.
+     * TS 22.001, annex F, its European column: 425 Hz for all but special information. ITU-T E.180 recommends -10
+     * dBm0 within 5 dB at a point of 0 dBr; these are in its lower half, softer than keys.
      */
     EUROPEAN {
         private static final double LEVEL = -13;
@@ -41,8 +41,8 @@ public enum ToneSet {
     },
 
     /**
-     * North America's Precise Tone Plan with its levels, which are those of each of the two frequencies; special
-     * information as "vacant code", in its own three frequencies and lengths.
+     * North America's Precise Tone Plan with its levels, each of one frequency; special information as "vacant code",
+     * with its own three frequencies and lengths.
      */
     AMERICAN {
         @Override
@@ -79,7 +79,7 @@ public enum ToneSet {
         return cadences.get(tone);
     }
 
-    /** @param word {@code eu} or {@code us}, as command lines say it */
+    /** @param word {@code eu} or {@code us}, as in command lines */
     public static ToneSet of(String word) {
         return switch (word) {
             case "eu" -> EUROPEAN;

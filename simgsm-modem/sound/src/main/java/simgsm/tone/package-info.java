@@ -1,7 +1,8 @@
 /**
- * Call-progress tones, the level of a tone, and the experiments that a tone scope does to sound: noise, shifted frequencies, a codec. 8 kHz,
- * 16-bit mono samples; knows no audio device and no clock, it counts samples.
+ * Call-progress tones, the level of a tone, and the experiments of a tone scope: noise, shifted frequencies, a codec.
+ * 8 kHz, 16-bit mono samples; time is counted in samples, without audio device or clock.
  *
- * <p>Read first: {@link simgsm.tone.ToneSet} for the tones of a country's network, {@link simgsm.tone.Disturber} for the experiments.
+ * <p>Read first: {@link simgsm.tone.ToneSet} for the tones of a country's network, {@link simgsm.tone.Disturber} for
+ * the experiments.
  */
 package simgsm.tone;
