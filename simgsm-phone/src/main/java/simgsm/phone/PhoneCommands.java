@@ -18,9 +18,11 @@ import simgsm.console.Event;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.Refusal;
+import simgsm.phone.handset.UserCodes;
 import simgsm.phone.store.StoredMessage;
 import simgsm.sms.ChannelList;
 import simgsm.ss.ServiceCode;
+import simgsm.ss.UssdText;
 
 /** The console's commands. Each ends on the owner thread before the next is read, so errors are in order. */
 final class PhoneCommands implements Console.Commands {
@@ -35,6 +37,7 @@ final class PhoneCommands implements Console.Commands {
             .add("play", PhoneCommands::play)
             .add("sms", PhoneCommands::sms)
             .add("ussd", PhoneCommands::ussd)
+            .add("name", PhoneCommands::name)
             .add("inbox", (phone, command) -> phone.inbox())
             .add("channels", PhoneCommands::channels)
             .add("memory", PhoneCommands::memory)
@@ -118,6 +121,17 @@ final class PhoneCommands implements Console.Commands {
             throw new CommandException("ussd: expected ussd CODE, found nothing after it");
         }
         perform(command, handset -> handset.ussd(text));
+    }
+
+    private void name(ConsoleCommand command) throws CommandException {
+        String name = command.text().strip();
+        if (name.isEmpty()) {
+            throw new CommandException("name: expected name TEXT, found nothing after it");
+        }
+        if (!UssdText.fits(UserCodes.ofName(name))) {
+            throw new CommandException("name: expected at most 74 characters, found " + name.length());
+        }
+        run(handset -> handset.userCodes().name(name));
     }
 
     private void inbox() throws CommandException {

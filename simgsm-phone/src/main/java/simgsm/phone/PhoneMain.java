@@ -92,6 +92,12 @@ public final class PhoneMain {
             out.ready(ready);
             window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
         });
+        if (console.isEmpty()) {
+            window.onLessonBeside(name -> BegunLesson.start(
+                    name,
+                    arguments,
+                    fields -> phone.execute(() -> phone.handset().userCodes().result(fields))));
+        }
         console.ifPresent(
                 out -> window.withConsole(() -> Program.runConsole(out, arguments, new PhoneCommands(out, phone))));
         try (PhoneControls controls = new PhoneControls(phone)) {

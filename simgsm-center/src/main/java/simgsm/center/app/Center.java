@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.capture.Capture;
 import simgsm.center.journal.FileDisk;
@@ -63,6 +64,7 @@ public final class Center implements AutoCloseable {
     private final EventCounts counts = new EventCounts();
     private final Optional<WebPort> web;
     private final Optional<RecordFiles> records;
+    private volatile Supplier<List<ClassRow>> classRows = List::of;
 
     private Center(DataDirectory data, CenterLoop loop, CenterSettings settings) throws IOException {
         this.data = data;
@@ -226,6 +228,20 @@ public final class Center implements AutoCloseable {
             // a capture shows terminals only
             FirstExchange.with(address, port(), new byte[0]);
         }
+    }
+
+    /** Reports an event to the listener of {@link #start}, on the exchange's thread. */
+    public void report(ExchangeEvent event) {
+        loop.post(exchange -> exchange.report(event));
+    }
+
+    /** Gives the console's command {@code class} its rows. */
+    public void listClass(Supplier<List<ClassRow>> rows) {
+        classRows = rows;
+    }
+
+    List<Event> classRows() {
+        return classRows.get().stream().map(Event::from).toList();
     }
 
     /**

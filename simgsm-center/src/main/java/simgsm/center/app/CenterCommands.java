@@ -41,6 +41,7 @@ public final class CenterCommands implements Console.Commands {
                     "broadcasts",
                     (to, command) -> to.list(
                             command, exchange -> exchange.broadcasts().stream().map(Event::from)))
+            .add("class", (to, command) -> to.console.emitList("class", to.center.classRows()))
             .add("handover", CenterCommands::handover);
 
     private final Center center;

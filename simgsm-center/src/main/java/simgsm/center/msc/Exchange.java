@@ -31,6 +31,7 @@ import simgsm.center.msc.link.PeerUser;
 import simgsm.center.msc.link.TerminalAccess;
 import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.center.msc.sms.MobileMessages;
+import simgsm.center.msc.ss.UserReports;
 import simgsm.center.msc.ss.UssdDialogues;
 import simgsm.center.smsc.ApplicationPort;
 import simgsm.center.smsc.MessageState;
@@ -91,7 +92,7 @@ public final class Exchange {
         Function<Msisdn, Optional<Link>> locations =
                 number -> register.ofNumber(number).flatMap(mobility::locationOf);
         MobileMessages mobiles = new MobileMessages(locations);
-        UssdDialogues services = new UssdDialogues(locations, settings.language(), settings.callWaiting(), this::store);
+        UssdDialogues services = new UssdDialogues(locations, settings.language(), settings.callWaiting(), reports(), this::store);
         shortMessages = new ShortMessageCenter(
                 civil, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);
@@ -115,6 +116,26 @@ public final class Exchange {
     /** Decides from the next traffic channel on when a call over towers moves to another cell. */
     public void setHandover(HandoverAlgorithm handover) {
         controller.setHandover(handover);
+    }
+
+    private UserReports reports() {
+        return new UserReports() {
+            @Override
+            public void named(Msisdn number, String name) {
+                report(new ExchangeEvent.Named(number, name));
+            }
+
+            @Override
+            public void lessonResult(
+                    Msisdn number, String lesson, String step, String result, int tries, int hints) {
+                report(new ExchangeEvent.LessonResult(number, lesson, step, result, tries, hints));
+            }
+        };
+    }
+
+    /** Tells the operator of something that happened outside the network. */
+    public void report(ExchangeEvent event) {
+        listener.accept(event);
     }
 
     /** Takes over what the store held at the start. To be called once, before all other methods. */

@@ -27,6 +27,15 @@ public sealed interface ExchangeEvent {
     record CallChanged(long id, Msisdn from, Msisdn to, CallProgress state, Optional<Cause> cause)
             implements ExchangeEvent {}
 
+    /** A subscriber has said the user's name: 1 to 30 characters. */
+    @EventLine("named number= name=")
+    record Named(Msisdn number, String name) implements ExchangeEvent {}
+
+    /** A student's result in a step of a lesson, pass or fail. */
+    @EventLine("lesson-result number= lesson= step= result= tries= hints=")
+    record LessonResult(Msisdn number, String lesson, String step, String result, int tries, int hints)
+            implements ExchangeEvent {}
+
     /** A short message is accepted, delivered, expired, rejected or deleted. */
     @EventLine("sms id= from=from.digits to=to.digits state=")
     record MessageChanged(long id, Msisdn from, Msisdn to, MessageState state) implements ExchangeEvent {}

@@ -145,7 +145,7 @@ class CenterConsoleTest {
         assertEquals(
                 List.of(
                         "ready port=1234",
-                        "error text=\"unknown command dance, expected subscribers, calls, messages, message, broadcast, broadcasts, handover, wait or"
+                        "error text=\"unknown command dance, expected subscribers, calls, messages, message, broadcast, broadcasts, class, handover, wait or"
                                 + " quit\"",
                         "error text=\"calls: expected nothing after it, found please\"",
                         "error text=\"broadcast: expected CHANNEL TEXT, found nothing after it\"",

@@ -39,6 +39,7 @@ public final class Handset {
     private final CallHistory history;
     private final HandsetLog events;
     private final ScreenNavigation screens;
+    private final UserCodes userCodes;
     private final HomeKeys home;
     private final KeySender keysInBand;
     private final SignalledKeySender keysSignalled;
@@ -86,6 +87,7 @@ public final class Handset {
                 () -> this.settings,
                 () -> AboutPhone.lines(own, station, store.contacts()));
         home = new HomeKeys(screens);
+        userCodes = new UserCodes(code -> station.sendUssd(code));
     }
 
     /** The texts stored for the next run: names, calls, messages, settings. */
@@ -189,6 +191,11 @@ public final class Handset {
     /** Sends a USSD code, or the reply awaited by the network. */
     public Optional<Refusal> ussd(String text) {
         return codes.send(text);
+    }
+
+    /** Tells the network of its user. */
+    public UserCodes userCodes() {
+        return userCodes;
     }
 
     ServiceCodes codes() {
@@ -336,6 +343,7 @@ public final class Handset {
         } else if (!submission.defers(event)) {
             follow(event);
             report(event);
+            userCodes.accept(event);
             settled.check();
         }
     }

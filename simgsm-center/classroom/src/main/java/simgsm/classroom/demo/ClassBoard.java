@@ -6,9 +6,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import simgsm.center.app.ClassRow;
 import simgsm.classroom.ui.ClassView;
 import simgsm.console.Event;
 
@@ -20,6 +21,7 @@ final class ClassBoard {
     /** The distance within which a robot's middle counts as at the goal. */
     static final double GOAL_RADIUS_METERS = 0.5;
 
+    private static final String PASS = "pass";
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
     private final Map<String, Result> results = new LinkedHashMap<>();
@@ -45,6 +47,9 @@ final class ClassBoard {
         private boolean hasPlayed;
 
         private double seconds = Double.NaN;
+        private String lesson = "";
+        /** The latest result of each step, by lesson and step. */
+        private final Map<String, String> steps = new LinkedHashMap<>();
 
         private Result(String phone, String number, double goalX, double goalY) {
             this.phone = phone;
@@ -66,26 +71,61 @@ final class ClassBoard {
             return !Double.isNaN(seconds);
         }
 
-        /** Phone, robot, orders, keys, collisions, seconds. */
+        /** Phone, name, robot, orders, keys, collisions, seconds, lesson, steps of it that are passed. */
         List<String> cells() {
             return List.of(
                     phone,
+                    name,
                     number,
                     Integer.toString(orders),
                     Integer.toString(keys),
                     Integer.toString(collisions),
-                    isAtGoal() ? String.format(Locale.ROOT, "%.1f", seconds) : "");
+                    isAtGoal() ? String.format(Locale.ROOT, "%.1f", seconds) : "",
+                    lesson,
+                    score());
+        }
+
+        private String score() {
+            long passed = steps.entrySet().stream()
+                    .filter(step -> step.getKey().startsWith(lesson + " "))
+                    .filter(step -> step.getValue().startsWith(PASS))
+                    .count();
+            return lesson.isEmpty() ? "" : Long.toString(passed);
+        }
+
+        private boolean told(Event event) {
+            Map<String, String> fields = event.fields();
+            if (event.name().equals("lesson-result")) {
+                lesson = fields.get("lesson");
+                String result = fields.get("result") + " tries=" + fields.get("tries") + " hints=" + fields.get("hints");
+                steps.merge(lesson + " " + fields.get("step"), result, (old, next) -> old.startsWith(PASS) ? old : next);
+                return true;
+            }
+            boolean isNew = !fields.getOrDefault("name", "").equals(name);
+            name = fields.getOrDefault("name", "");
+            return isNew;
+        }
+
+        /** All steps of all lessons. */
+        String steps() {
+            return steps.entrySet().stream()
+                    .map(step -> step.getKey() + " " + step.getValue())
+                    .collect(Collectors.joining("; "));
+        }
+
+        /** A row of the console's command {@code class}. */
+        ClassRow row() {
+            return new ClassRow(phone, name, number, orders, collisions, lesson, score());
         }
 
         Event event() {
-            List<String> cells = cells();
             return Event.of("result")
                     .with("number", phone)
                     .with("robot", number)
-                    .with("orders", cells.get(2))
-                    .with("keys", cells.get(3))
-                    .with("collisions", cells.get(4))
-                    .with("seconds", cells.get(5));
+                    .with("orders", orders)
+                    .with("keys", keys)
+                    .with("collisions", collisions)
+                    .with("seconds", cells().get(6));
         }
     }
 
@@ -95,17 +135,20 @@ final class ClassBoard {
     }
 
     /**
-     * Makes a browser a student's phone.
+     * What a student's phone or browser tells of its user: {@code joined} or {@code named} with {@code name=}, or {@code
+     * lesson-result}.
      *
-     * @param name typed there, may be empty;
-     * @return true if a result has changed
+     * @return whether a result has changed
      */
-    boolean joined(String phone, String name) {
-        Optional<Result> student = results.values().stream()
-                .filter(result -> result.phone.equals(phone) && !result.name.equals(name))
-                .findFirst();
-        student.ifPresent(result -> result.name = name);
-        return student.isPresent();
+    boolean told(Event event) {
+        return results.values().stream()
+                .filter(result -> result.phone.equals(event.fields().get("number")))
+                .anyMatch(result -> result.told(event));
+    }
+
+    /** The rows of the console's command {@code class}, in the order of the numbers. */
+    List<ClassRow> list() {
+        return results.values().stream().map(Result::row).toList();
     }
 
     /**
@@ -190,7 +233,7 @@ final class ClassBoard {
     List<ClassView.Row> rows() {
         List<ClassView.Row> rows = new ArrayList<>();
         for (Result result : ranked()) {
-            rows.add(new ClassView.Row(result.cells(), rows.isEmpty() && result.isAtGoal(), result.name));
+            rows.add(new ClassView.Row(result.cells(), rows.isEmpty() && result.isAtGoal(), result.steps()));
         }
         return rows;
     }

@@ -7,9 +7,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import simgsm.center.app.CenterSettings;
+import simgsm.center.app.ClassRow;
 import simgsm.classroom.session.Consoles;
 import simgsm.classroom.session.Session;
 import simgsm.classroom.session.SessionFailure;
@@ -27,9 +29,12 @@ import simgsm.ui.window.Display;
  * student's machine starts a phone by the printed command. Without a display the phones run here, and each moves its
  * robot.
  */
-public final class ClassDemo {
+public final class ClassDemo implements Consoles.Listener {
     /** Name of SimRobot's console. */
     static final String ROBOTS = "robots";
+
+    /** The centre's events that tell of a phone's user. */
+    private static final Set<String> TOLD = Set.of("named", "lesson-result");
 
     private static final int LEAST_STUDENTS = 2;
     private static final int MOST_STUDENTS = 40;
@@ -71,9 +76,11 @@ public final class ClassDemo {
         demo.roll.requireCards();
         try (Session session = Session.open(arguments, folder -> settings)) {
             boolean isHeadless = arguments.has("headless") || !Display.isAvailable();
-            if (isHeadless && WebLink.isWanted(arguments)) {
-                // The students' phones are browsers.
+            session.center().listClass(demo::list);
+            if (isHeadless && (WebLink.isWanted(arguments) || arguments.has("console"))) {
+                // The students' phones are browsers, or programs that they start.
                 List<String> options = demo.robotOptions(session, Stream.of("--headless"));
+                session.consoles().listen(demo);
                 return WebLink.serve(arguments, session, ROBOTS, options, demo.phoneNumbers());
             }
             if (!WebLink.isWanted(arguments)) {
@@ -101,6 +108,26 @@ public final class ClassDemo {
             out.print(ClassroomTexts.in(settings.language()).of("class.bind") + "\n");
             out.flush();
         }
+    }
+
+    private List<ClassRow> list() {
+        synchronized (board) {
+            return board.list();
+        }
+    }
+
+    @Override
+    public void event(String source, Event event) {
+        synchronized (board) {
+            isHeard(source, event);
+        }
+    }
+
+    /** Takes an event; with the board's lock held. @return whether a result has changed */
+    boolean isHeard(String source, Event event) {
+        boolean isTold = source.equals(WebLink.GATEWAY) && event.name().equals("joined")
+                || source.equals(Session.CENTRE) && TOLD.contains(event.name());
+        return isTold ? board.told(event) : source.equals(ROBOTS) && board.event(event, System.nanoTime());
     }
 
     void print(Event event) {
@@ -139,11 +166,7 @@ public final class ClassDemo {
         DemoTranscript transcript = new DemoTranscript(out) {
             @Override
             public void event(String source, Event event) {
-                if (source.equals(ROBOTS)) {
-                    synchronized (board) {
-                        board.event(event, System.nanoTime());
-                    }
-                }
+                ClassDemo.this.event(source, event);
             }
         };
         TextBundle texts = ClassroomTexts.in(settings.language());

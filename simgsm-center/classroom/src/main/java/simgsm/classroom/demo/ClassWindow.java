@@ -37,7 +37,7 @@ import simgsm.ui.window.WindowPlace;
 
 /** The teacher's windows of a class: centre, robots, a phone, and the results at the right. */
 final class ClassWindow implements ClassActions, Consoles.Listener {
-    private static final double SHARE_OF_SCREEN = 0.26;
+    private static final double SHARE_OF_SCREEN = 0.34;
 
     private final ClassDemo demo;
     private final ClassRoll roll;
@@ -82,13 +82,14 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
         OptionalInt wanted = ProgramWindow.zoomPercent(demo.arguments);
         DemoLayout layout = DemoLayout.of(
                         new WindowPlace(screen.x(), screen.y(), screen.width() - column, screen.height()), wanted)
-                .saying(isZoomGiven, wanted);
+                .saying(isZoomGiven, wanted)
+                .withFlatCenter();
         session.consoles().listen(this);
         Optional<LinkFrame> link = start(layout)
                 .map(url -> new LinkFrame(
                         language, url, Optional.of(layout.insteadOfPhone()), locked -> WebLink.lock(session, locked)));
         CenterWindow.Watch watch = new CenterWindow.Watch(
-                event -> {},
+                session.centerEvents(),
                 snapshot -> {},
                 () -> {
                     frame = ClassFrame.open(
@@ -139,17 +140,11 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
 
     @Override
     public void event(String source, Event event) {
-        if (source.equals(WebLink.GATEWAY) && event.name().equals("joined")) {
-            Map<String, String> fields = event.fields();
-            synchronized (demo.board) {
-                isChanged |= demo.board.joined(fields.get("number"), fields.getOrDefault("name", ""));
-            }
-        }
-        if (!source.equals(ClassDemo.ROBOTS)) {
-            return;
-        }
         synchronized (demo.board) {
-            isChanged |= demo.board.event(event, System.nanoTime());
+            isChanged |= demo.isHeard(source, event);
+            if (!source.equals(ClassDemo.ROBOTS)) {
+                return;
+            }
             if (event.name().equals("ready")) {
                 readyNanos = System.nanoTime();
             } else if (event.name().equals("pose")) {
@@ -165,7 +160,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
 
     @Override
     public void lessonChosen(String name) {
-        tell(ClassroomTexts.in(language).of("class.lesson", name));
+        tell(ClassroomTexts.in(language).of("class.lesson.ends", name));
     }
 
     private void tell(String text) {

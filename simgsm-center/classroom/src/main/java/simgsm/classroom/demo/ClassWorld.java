@@ -20,7 +20,7 @@ public record ClassWorld(int students) {
     private static final int GOAL_X = 5_000;
     private static final int GOAL_Y = 1_000;
     /** Width to height of a window's floor. */
-    private static final double ASPECT = 1.7;
+    private static final double ASPECT = 2.1;
 
     private static final double PER_METER = 1_000;
 

@@ -52,6 +52,17 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
         return at(area, zoom);
     }
 
+    /** With as much height for the world as the centre can leave. */
+    DemoLayout withFlatCenter() {
+        int flat = pixels(SuiteWindow.CENTER.heightUnits(), zoomPercent);
+        int gained = Math.max(0, center.height() - flat);
+        return new DemoLayout(
+                phone,
+                new WindowPlace(robot.x(), robot.y(), robot.width(), robot.height() + gained),
+                new WindowPlace(center.x(), center.y() + gained, center.width(), center.height() - gained),
+                zoomPercent);
+    }
+
     /** Warns if the command line's zoom did not fit. @return this layout */
     public DemoLayout saying(boolean isZoomGiven, OptionalInt wantedPercent) {
         if (isZoomGiven && zoomPercent < wantedPercent.getAsInt()) {

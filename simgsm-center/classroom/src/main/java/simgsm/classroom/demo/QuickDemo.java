@@ -26,6 +26,7 @@ public final class QuickDemo {
     };
 
     private static final long FAREWELL_SECONDS = 10;
+    private static final int BLOCK = 4096;
 
     private QuickDemo() {}
 
@@ -86,8 +87,8 @@ public final class QuickDemo {
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         Runtime.getRuntime().addShutdownHook(new Thread(() -> end(second), "end of the demo"));
-        if (has(words, "--end-with-input")) {
-            passEndOfInput(second);
+        if (has(words, "--end-with-input") || has(words, "--console")) {
+            passInput(second);
         }
         return second.waitFor();
     }
@@ -116,17 +117,23 @@ public final class QuickDemo {
         }
     }
 
-    private static void passEndOfInput(Process second) {
+    /** The console's commands, and the end of the input. */
+    private static void passInput(Process second) {
         Thread reader = new Thread(
                 () -> {
                     try {
-                        System.in.transferTo(OutputStream.nullOutputStream());
-                        second.getOutputStream().close();
+                        OutputStream input = second.getOutputStream();
+                        byte[] block = new byte[BLOCK];
+                        for (int count = System.in.read(block); count >= 0; count = System.in.read(block)) {
+                            input.write(block, 0, count);
+                            input.flush();
+                        }
+                        input.close();
                     } catch (IOException e) {
                         second.destroy();
                     }
                 },
-                "end of input");
+                "input");
         reader.setDaemon(true);
         reader.start();
     }

@@ -12,6 +12,7 @@ import simgsm.classroom.session.Session;
 import simgsm.classroom.session.SessionFailure;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
+import simgsm.console.Event;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
 
@@ -74,17 +75,18 @@ final class WebLink {
     }
 
     /**
-     * Runs without a display: starts SimRobot and the gateway, prints the link and performs the centre's commands until
-     * the input ends.
+     * Runs without a display: starts SimRobot and, if wanted, the gateway, prints the link and performs the centre's
+     * commands until the input ends.
      */
     static int serve(
             Arguments arguments, Session session, String robots, List<String> options, Optional<String> numbers)
             throws IOException, SessionFailure, InterruptedException, UsageException {
-        session.center().start(session.centerEvents());
-        session.start(robots, "simrobot", Session.ROBOT_NUMBER, options);
         try (Console console = Console.onStandardOutput()) {
-            String link = start(arguments, session, robots, numbers).orElseThrow();
-            console.ready(session.center().ready().with("link", link));
+            session.center().start(session.centerEvents().andThen(console::tell));
+            session.start(robots, "simrobot", Session.ROBOT_NUMBER, options);
+            Optional<String> link = start(arguments, session, robots, numbers);
+            Event ready = session.center().ready();
+            console.ready(link.map(url -> ready.with("link", url)).orElse(ready));
             Program.runConsole(console, arguments, new CenterCommands(session.center(), console));
             return console.exitStatus();
         }

@@ -12,9 +12,11 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.stream.Stream;
+import simgsm.air.Msisdn;
 import simgsm.center.app.CenterSettings;
 import simgsm.center.app.CenterWindow;
 import simgsm.center.app.DataDirectory;
+import simgsm.center.msc.ExchangeEvent;
 import simgsm.classroom.demo.DemoLayout;
 import simgsm.classroom.session.Session;
 import simgsm.classroom.session.SessionFailure;
@@ -120,6 +122,14 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
                     arguments.language());
             WindowedLesson opened =
                     new WindowedLesson(library, named.texts(), arguments.language(), run, session, window);
+            run.listen(result -> network.center()
+                    .report(new ExchangeEvent.LessonResult(
+                            new Msisdn(Session.PHONE_NUMBER),
+                            result.lesson(),
+                            result.step(),
+                            result.word(),
+                            result.tries(),
+                            result.hints())));
             CenterWindow.Watch watch = new CenterWindow.Watch(
                     session.centerEvents(),
                     session.trace(),

@@ -26,7 +26,7 @@ final class ClassCommands extends JPanel {
         rows.stream()
                 .sorted((a, b) -> a.phone().compareTo(b.phone()))
                 .forEach(row -> all.append(words.of(
-                                "class.number", row.phone(), row.cells().get(1)))
+                                "class.number", row.phone(), row.cells().get(2)))
                         .append('\n'));
         text.setText(all.toString().strip());
         ComponentNames.name(text, "class.large.text", words.of("class.commands"));

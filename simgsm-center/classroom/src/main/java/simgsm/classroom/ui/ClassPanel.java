@@ -25,6 +25,7 @@ import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.CopiedText;
 import simgsm.ui.DesktopTexts;
+import simgsm.ui.Drawing;
 import simgsm.ui.PlainText;
 import simgsm.ui.ReadingArea;
 import simgsm.ui.Symbol;
@@ -37,9 +38,12 @@ import simgsm.ui.glossary.GlossaryText;
  * display.
  */
 public final class ClassPanel extends JPanel {
-    private static final List<String> COLUMNS = List.of("phone", "robot", "orders", "keys", "collisions", "seconds");
-    /** Column widths; numbers of seven digits fit. */
-    private static final int[] WIDTHS_UNITS = {72, 72, 62, 52, 68, 86};
+    private static final List<String> COLUMNS = List.of(
+            "phone", "name", "robot", "orders", "keys", "collisions", "seconds", "lesson", "score");
+    /** What each column has to show whole beside its heading; names and lessons take the rest. */
+    private static final List<String> SAMPLES = List.of("5550100", "Maria", "5550200", "", "", "", "", "twelve", "");
+
+    private static final int CELL_MARGIN_UNITS = 10;
 
     private static final int ROW_UNITS = 26;
     private static final int CLOCK_UNITS = 22;
@@ -137,9 +141,7 @@ public final class ClassPanel extends JPanel {
             rows = view.rows();
             model.setRowCount(0);
             for (ClassView.Row row : rows) {
-                Object[] cells = row.cells().toArray();
-                cells[0] = row.student();
-                model.addRow(cells);
+                model.addRow(row.cells().toArray());
             }
             chosen.ifPresent(this::choose);
             best.setText(rows.stream()
@@ -148,9 +150,9 @@ public final class ClassPanel extends JPanel {
                     .map(row -> words.of(
                             "class.best",
                             row.student(),
-                            row.cells().get(5),
-                            row.cells().get(3),
-                            row.cells().get(4)))
+                            row.cells().get(6),
+                            row.cells().get(4),
+                            row.cells().get(5)))
                     .orElse(words.of("class.best.none")));
         }
         chosen();
@@ -229,7 +231,7 @@ public final class ClassPanel extends JPanel {
     /** The results with a header of column names. */
     String csv() {
         List<String> lines = new ArrayList<>();
-        lines.add(String.join(",", COLUMNS));
+        lines.add(String.join(",", COLUMNS) + ",steps");
         rows.stream().map(ClassView.Row::line).forEach(lines::add);
         return String.join("\r\n", lines) + "\r\n";
     }
@@ -247,8 +249,14 @@ public final class ClassPanel extends JPanel {
         setBorder(Theme.padding(12));
         setBackground(Theme.color(Ink.SURFACE));
         table.setRowHeight(Theme.px(ROW_UNITS));
-        for (int column = 0; column < WIDTHS_UNITS.length; column++) {
-            table.getColumnModel().getColumn(column).setPreferredWidth(Theme.px(WIDTHS_UNITS[column]));
+        for (int column = 0; column < COLUMNS.size(); column++) {
+            int heading = Drawing.width(
+                    table.getTableHeader().getFont(), table.getColumnName(column));
+            int sample = Drawing.width(Theme.base(), SAMPLES.get(column));
+            int least = Math.max(heading, sample) + Theme.px(CELL_MARGIN_UNITS);
+            table.getColumnModel().getColumn(column).setMinWidth(least);
+            boolean growsLess = !COLUMNS.get(column).equals("name") && !COLUMNS.get(column).equals("lesson");
+            table.getColumnModel().getColumn(column).setPreferredWidth(growsLess ? least : 2 * least);
         }
         clock.setFont(Theme.monoStrong().deriveFont(Theme.exact(CLOCK_UNITS)));
         best.setFont(Theme.strong());
@@ -268,7 +276,8 @@ public final class ClassPanel extends JPanel {
             boolean isBest = row < rows.size() && rows.get(row).isBest();
             setFont(isBest ? Theme.strong() : Theme.base());
             setBorder(Theme.padding(0, 6, 0, 2));
-            setToolTipText(column == 0 && row < rows.size() ? rows.get(row).phone() : String.valueOf(value));
+            boolean isLesson = column >= COLUMNS.indexOf("lesson") && row < rows.size();
+            setToolTipText(isLesson ? rows.get(row).steps() : String.valueOf(value));
             if (!selected) {
                 setBackground(Theme.color(isBest ? Ink.ACCENT_WASH : Ink.CARD));
             }

@@ -2,6 +2,7 @@ package simgsm.classroom.ui;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import simgsm.file.CsvLine;
 
 /**
@@ -22,23 +23,24 @@ public record ClassView(List<Row> rows, Phase phase, long seconds, Optional<Stri
     /**
      * A student's result.
      *
-     * @param cells phone, robot, orders, keys, collisions, seconds
+     * @param cells phone, name, robot, orders, keys, collisions, seconds, lesson, score
      * @param isBest true for the first result if it is at the goal
-     * @param name typed in a browser; may be empty
+     * @param steps all steps of all lessons with their results, tries and hints
      */
-    public record Row(List<String> cells, boolean isBest, String name) {
+    public record Row(List<String> cells, boolean isBest, String steps) {
         public String phone() {
             return cells.get(0);
         }
 
         /** The student's name, else the number of the phone. */
         String student() {
-            return name.isEmpty() ? phone() : name;
+            return cells.get(1).isEmpty() ? phone() : cells.get(1);
         }
 
         /** The result as a line of a CSV file. */
         String line() {
-            return CsvLine.of(cells);
+            return CsvLine.of(
+                    Stream.concat(cells.stream(), Stream.of(steps)).toList());
         }
     }
 }

@@ -40,17 +40,45 @@ class ClassBoardTest {
         event(4, "order robot=a verdict=accepted");
         event(5, "pose robot=a x=9.0 y=5.0");
         event(6.5, "pose robot=a x=9.7 y=5.2");
-        assertEquals(List.of("100", "200", "1", "2", "0", "4.5"), first());
+        assertEquals(List.of("100", "", "200", "1", "2", "0", "4.5", "", ""), first());
+    }
+
+    private boolean told(String line) {
+        try {
+            return board.told(Event.parse(line));
+        } catch (CommandException e) {
+            throw new AssertionError(e);
+        }
     }
 
     @Test
-    void theNameThatWasTypedInABrowserStandsForItsNumber() {
-        assertTrue(board.joined("101", "Ana"));
-        assertFalse(board.joined("101", "Ana"));
-        assertFalse(board.joined("5550300", "Eva"));
+    void aNameFromABrowserAndOneFromAPhoneStandBesideTheirNumbers() {
+        assertTrue(told("joined kind=web number=101 from=1.2.3.4 name=Ana"));
+        assertFalse(told("joined kind=web number=101 from=1.2.3.4 name=Ana"));
+        assertFalse(told("named number=5550300 name=Eva"));
+        assertTrue(told("named number=100 name=\"Luis G.\""));
         assertEquals(
-                List.of("", "Ana"),
-                board.rows().stream().map(ClassView.Row::name).toList());
+                List.of("Luis G.", "Ana"),
+                board.rows().stream().map(row -> row.cells().get(1)).toList());
+    }
+
+    @Test
+    void resultsOfLessonsCountThePassedStepsOfTheLatestLesson() {
+        told("lesson-result number=101 lesson=tones step=low result=fail tries=1 hints=0");
+        told("lesson-result number=101 lesson=tones step=low result=pass tries=2 hints=1");
+        told("lesson-result number=101 lesson=tones step=high result=pass tries=1 hints=0");
+        assertEquals("class number=101 name=\"\" robot=201 orders=0 collisions=0 lesson=tones score=2", row());
+        told("lesson-result number=101 lesson=tones step=high result=fail tries=5 hints=1");
+        told("lesson-result number=101 lesson=towns step=low result=fail tries=1 hints=0");
+        assertEquals("class number=101 name=\"\" robot=201 orders=0 collisions=0 lesson=towns score=0", row());
+        assertEquals(
+                "tones low pass tries=2 hints=1; tones high pass tries=1 hints=0; towns low fail tries=1 hints=0",
+                board.rows().get(1).steps());
+        assertFalse(told("lesson-result number=99 lesson=tones step=low result=pass tries=1 hints=0"));
+    }
+
+    private String row() {
+        return Event.from(board.list().get(1)).toString();
     }
 
     @Test
@@ -58,7 +86,7 @@ class ClassBoardTest {
         event(1, "keys robot=a keys=*");
         event(2, "pose robot=a x=10 y=5");
         assertFalse(event(3, "status robot=a value=Collision"));
-        assertEquals("0", first().get(4));
+        assertEquals("0", first().get(5));
     }
 
     @Test
@@ -93,11 +121,11 @@ class ClassBoardTest {
         assertTrue(board.rows().get(0).isBest());
 
         board.start(10_000_000_000L);
-        assertEquals(List.of("100", "200", "0", "0", "0", ""), first());
+        assertEquals(List.of("100", "", "200", "0", "0", "0", "", "", ""), first());
         assertFalse(board.rows().get(0).isBest());
         event(12, "keys robot=b keys=*");
         event(13, "pose robot=b x=10 y=5");
-        assertEquals(List.of("101", "201", "0", "1", "0", "3.0"), first());
+        assertEquals(List.of("101", "", "201", "0", "1", "0", "3.0", "", ""), first());
         assertEquals(3, board.seconds(13_900_000_000L));
 
         board.stop(14_000_000_000L);
@@ -111,6 +139,6 @@ class ClassBoardTest {
         assertFalse(event(1, "tone robot=a key=1"));
         assertFalse(event(1, "keys robot=c keys=1"));
         assertTrue(event(1, "order robot=a verdict=invalid"));
-        assertEquals("0", first().get(2));
+        assertEquals("0", first().get(3));
     }
 }

@@ -20,6 +20,8 @@ import javax.swing.JTextArea;
 import javax.swing.plaf.basic.BasicHTML;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.draw.Appearance;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
@@ -53,17 +55,18 @@ class ClassPanelTest {
         assertEquals("01:15", text(panel, "class.clock"));
         assertEquals(List.of(), ComponentNames.unnamed(panel));
         assertEquals(
-                "phone,robot,orders,keys,collisions,seconds\r\n5550101,5550200,1,9,0,12.5\r\n"
-                        + "5550100,5550200,1,9,0,12.5\r\n",
+                "phone,name,robot,orders,keys,collisions,seconds,lesson,score,steps\r\n"
+                        + "5550101,,5550200,1,9,0,12.5,tones,2,tones low pass\r\n"
+                        + "5550100,,5550200,1,9,0,12.5,tones,2,tones low pass\r\n",
                 panel.csv());
     }
 
     @Test
     void aNameThatAPupilTypedIsNoMarkup() {
         ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
-        panel.show(view(row("<html><b>ann", true)));
+        panel.show(view(row("5550100", "<html><b>ann", true)));
         JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
-        JComponent cell = (JComponent) table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
+        JComponent cell = (JComponent) table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
         assertNull(cell.getClientProperty(BasicHTML.propertyKey));
         JComponent best = (JComponent) ComponentNames.find(panel, "class.best").orElseThrow();
         assertNull(best.getClientProperty(BasicHTML.propertyKey));
@@ -97,12 +100,38 @@ class ClassPanelTest {
     }
 
     @Test
-    void aNameThatWasTypedInABrowserIsShownInPlaceOfTheNumber() {
+    void aTypedNameStandsBesideTheNumberAndLeads() {
         ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
-        panel.show(view(new ClassView.Row(row("5550100", true).cells(), true, "Ana"), row("5550101", false)));
+        panel.show(view(row("5550100", "Ana, \"=1\"", true), row("5550101", "=2+3", false)));
         JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
-        assertEquals("Ana", table.getValueAt(0, 0));
-        assertEquals("5550101", table.getValueAt(1, 0));
+        assertEquals("5550100", table.getValueAt(0, 0));
+        assertEquals("Ana, \"=1\"", table.getValueAt(0, 1));
+        assertTrue(text(panel, "class.best").startsWith("Ana, \"=1\" leads"));
+        assertTrue(panel.csv().contains("\r\n5550100,\"Ana, \"\"=1\"\"\",5550200,"), panel.csv());
+        assertTrue(panel.csv().contains("\r\n5550101,'=2+3,5550200,"), panel.csv());
+    }
+
+    /** The windows of a class are 34 % of the screen wide, at the zoom that leaves room for the others. */
+    @ParameterizedTest
+    @CsvSource({"1366, 0.7, en", "1366, 0.7, es", "1920, 1.05, en", "1920, 1.05, es"})
+    void noHeadingOfTheTableIsCut(int screen, double zoom, String language) {
+        Theme.install(Appearance.LIGHT, zoom);
+        try {
+            ClassPanel panel = new ClassPanel(Locale.forLanguageTag(language), students(), NO_FRAMES);
+            panel.show(view(row("5550100", true)));
+            JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
+            int least = 0;
+            for (int i = 0; i < table.getColumnCount(); i++) {
+                int heading = table.getFontMetrics(table.getTableHeader().getFont())
+                        .stringWidth(table.getColumnName(i));
+                assertTrue(table.getColumnModel().getColumn(i).getMinWidth() > heading);
+                least += table.getColumnModel().getColumn(i).getMinWidth();
+            }
+            int room = (int) (screen * 0.34) - Theme.px(24) - Theme.px(18);
+            assertTrue(least <= room, least + " pixels in " + room);
+        } finally {
+            Theme.install(Appearance.LIGHT);
+        }
     }
 
     @Test
@@ -129,7 +158,12 @@ class ClassPanelTest {
     }
 
     private static ClassView.Row row(String phone, boolean isBest) {
-        return new ClassView.Row(List.of(phone, "5550200", "1", "9", "0", "12.5"), isBest, "");
+        return row(phone, "", isBest);
+    }
+
+    private static ClassView.Row row(String phone, String name, boolean isBest) {
+        return new ClassView.Row(
+                List.of(phone, name, "5550200", "1", "9", "0", "12.5", "tones", "2"), isBest, "tones low pass");
     }
 
     private static ClassView view(ClassView.Row... rows) {

@@ -30,10 +30,11 @@ public final class UssdDialogues implements LinkUser {
             Function<Msisdn, Optional<Link>> locations,
             Locale language,
             boolean callWaiting,
+            UserReports reports,
             BiConsumer<Subscriber, Consumer<Boolean>> store) {
         procedures = new ServiceProcedures(callWaiting, store);
         this.locations = locations;
-        services = new UssdServices(this::ask, language);
+        services = new UssdServices(this::ask, reports, language);
     }
 
     private LinkDialogues on(Link link) {

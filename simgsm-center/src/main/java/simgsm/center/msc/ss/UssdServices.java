@@ -18,6 +18,14 @@ final class UssdServices {
     private static final String MENU = "*111#";
     /** The status of the robot behind a number. */
     private static final Pattern ROBOT = Pattern.compile("\\*200\\*(\\+?[0-9]{1," + Msisdn.MAX_DIGITS + "})#");
+    /** What a phone tells of its user: a name, or the result of a lesson's step. */
+    private static final Pattern NAME = Pattern.compile("\\*300\\*(.*\\S.*)#", Pattern.DOTALL);
+
+    /** Characters of a name that are kept. */
+    private static final int MOST_NAME = 30;
+
+    private static final Pattern RESULT =
+            Pattern.compile("\\*301\\*([a-z0-9-]+)\\*([a-z0-9-]+)\\*(pass|fail)\\*([0-9]{1,6})\\*([0-9]{1,6})#");
     /** The question to the robot: the order of the command language that only asks for a report. */
     private static final String REPORT_ORDER = "** #*0 **";
 
@@ -27,11 +35,13 @@ final class UssdServices {
     }
 
     private final Questions questions;
+    private final UserReports reports;
     private final Locale language;
     private final ResourceBundle texts;
 
-    UssdServices(Questions questions, Locale language) {
+    UssdServices(Questions questions, UserReports reports, Locale language) {
         this.questions = questions;
+        this.reports = reports;
         this.language = language;
         texts = ResourceBundle.getBundle(
                 "simgsm.center.msc.ss.ussd",
@@ -42,12 +52,31 @@ final class UssdServices {
     /** A mobile has begun a dialogue with this code. */
     void begin(UssdSession session, String code) {
         Matcher robot = ROBOT.matcher(code);
+        Matcher name = NAME.matcher(code);
+        Matcher result = RESULT.matcher(code);
         if (code.equals(OWN_NUMBER)) {
             session.end(session.subscriber().digits());
         } else if (code.equals(MENU)) {
             showMenu(session, "");
         } else if (robot.matches()) {
             reportRobot(session, robot.group(1));
+        } else if (name.matches()) {
+            String plain = name.group(1).replaceAll("\\p{Cntrl}+", " ").strip();
+            String shown = plain.codePoints()
+                    .limit(MOST_NAME)
+                    .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
+                    .toString();
+            reports.named(session.subscriber(), shown);
+            session.end(text("named", shown));
+        } else if (result.matches()) {
+            reports.lessonResult(
+                    session.subscriber(),
+                    result.group(1),
+                    result.group(2),
+                    result.group(3),
+                    Integer.parseInt(result.group(4)),
+                    Integer.parseInt(result.group(5)));
+            session.end(text("result." + result.group(3), result.group(1), result.group(2)));
         } else {
             session.fail(SsError.UNEXPECTED_DATA_VALUE);
         }

@@ -47,8 +47,9 @@ final class HelpDialog {
      *
      * @param hasSheets whether the teacher's sheets are shown
      * @param chosen empty if the program cannot begin one
+     * @param question key of the text that is confirmed before
      */
-    record Lessons(LessonLibrary library, boolean hasSheets, Optional<Consumer<String>> chosen) {}
+    record Lessons(LessonLibrary library, boolean hasSheets, Optional<Consumer<String>> chosen, String question) {}
 
     /**
      * Opens help, lessons and glossary as tabs.
@@ -136,7 +137,7 @@ final class HelpDialog {
     private static void begin(JDialog dialog, String name, TextBundle texts, Lessons lessons) {
         if (lessons.chosen().isPresent()) {
             int answer = JOptionPane.showConfirmDialog(
-                    dialog, message(texts.of("lessons.ends")), texts.of("lessons.title"), JOptionPane.OK_CANCEL_OPTION);
+                    dialog, message(texts.of(lessons.question())), texts.of("lessons.title"), JOptionPane.OK_CANCEL_OPTION);
             if (answer == JOptionPane.OK_OPTION) {
                 dialog.dispose();
                 lessons.chosen().get().accept(name);

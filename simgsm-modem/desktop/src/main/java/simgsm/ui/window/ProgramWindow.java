@@ -78,6 +78,7 @@ public final class ProgramWindow {
     private final CountDownLatch ended = new CountDownLatch(1);
     private Optional<Consumer<String>> lessonChosen = Optional.empty();
     private boolean hasSheets;
+    private String lessonQuestion = "lessons.ends";
 
     // on the event thread, once the window is open
     private SharedSettings shared;
@@ -200,6 +201,12 @@ public final class ProgramWindow {
         hasSheets = true;
     }
 
+    /** As {@link #onLesson}, for a program that goes on beside the lesson. */
+    public void onLessonBeside(Consumer<String> chosen) {
+        onLesson(chosen);
+        lessonQuestion = "lessons.beside";
+    }
+
     /** A console of the window's program; its end closes the window. */
     public interface ConsoleRun {
         void run() throws Exception;
@@ -297,7 +304,7 @@ public final class ProgramWindow {
                 content.help(),
                 Program.version(content.panel().getClass()),
                 language,
-                new HelpDialog.Lessons(lessons, hasSheets, lessonChosen),
+                new HelpDialog.Lessons(lessons, hasSheets, lessonChosen, lessonQuestion),
                 new SettingsPanel.Actions(speak, this::dress, this::zoomTo, memory),
                 tab);
     }
