@@ -6,9 +6,11 @@ import java.io.OutputStream;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import javax.tools.Diagnostic;
@@ -20,17 +22,21 @@ import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardJavaFileManager;
-import simgsm.file.Utf8Text;
 import simrobot.behaviour.Behaviour;
 
 /** Compiles a source file, and the files of its folder that it uses, to classes in memory. */
 final class BehaviourCompiler {
     private static final int MOST_ERRORS = 10;
 
+    /** The compiler's code of a missing brace, which it notices at the end of the file. */
+    private static final String MISSING_BRACE = "premature.eof";
+
     private final JavaCompiler compiler;
+    private final Hints hints;
 
     /** @param compiler null on a Java without a compiler */
-    BehaviourCompiler(JavaCompiler compiler) {
+    BehaviourCompiler(JavaCompiler compiler, Hints hints) {
+        this.hints = hints;
         this.compiler = compiler;
     }
 
@@ -40,7 +46,7 @@ final class BehaviourCompiler {
      * @return the classes by their names
      * @throws SourceException with at most 10 compiler errors and the line of the first
      */
-    Map<String, byte[]> compile(Path file) throws SourceException {
+    Map<String, byte[]> compile(Path file, String source) throws SourceException {
         if (compiler == null) {
             throw new SourceException(
                     0, "this Java has no compiler, expected a JDK: start SimRobot with the java of a JDK, 17 or newer");
@@ -48,7 +54,6 @@ final class BehaviourCompiler {
         DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
         Map<String, byte[]> classes = new TreeMap<>();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(found, Locale.ENGLISH, null)) {
-            String source = Utf8Text.read(file);
             Memory memory = new Memory(files, classes);
             List<String> options = List.of(
                     "-proc:none",
@@ -61,7 +66,7 @@ final class BehaviourCompiler {
             boolean done = compiler.getTask(null, memory, found, options, null, List.of(new Source(file, source)))
                     .call();
             if (!done) {
-                throw fault(found, file);
+                throw fault(found, file, SourceLines.of(source));
             }
         } catch (IOException e) {
             throw new SourceException(0, "cannot be read: " + e.getMessage());
@@ -69,7 +74,8 @@ final class BehaviourCompiler {
         return classes;
     }
 
-    private static SourceException fault(DiagnosticCollector<JavaFileObject> found, Path file) {
+    /** Each error has its line; a hint is given once. */
+    private SourceException fault(DiagnosticCollector<JavaFileObject> found, Path file, SourceLines lines) {
         List<Diagnostic<? extends JavaFileObject>> errors = found.getDiagnostics().stream()
                 .filter(each -> each.getKind() == Diagnostic.Kind.ERROR)
                 .limit(MOST_ERRORS)
@@ -78,12 +84,16 @@ final class BehaviourCompiler {
             return new SourceException(0, "cannot be compiled");
         }
         String name = file.getFileName().toString();
-        String further = errors.stream()
-                .skip(1)
-                .map(each -> " | line " + each.getLineNumber() + ": " + text(each, name))
-                .collect(Collectors.joining());
-        return new SourceException(
-                (int) Math.max(0, errors.get(0).getLineNumber()), text(errors.get(0), name) + further);
+        Set<String> causes = new HashSet<>();
+        StringBuilder text = new StringBuilder();
+        for (Diagnostic<? extends JavaFileObject> error : errors) {
+            text.append(text.isEmpty() ? "" : " | line " + error.getLineNumber() + ": ");
+            String cause = error.getCode().replaceFirst("^compiler\\.err\\.", "");
+            text.append(causes.add(cause) ? hints.with(text(error, name), cause) : text(error, name));
+        }
+        boolean isBrace = causes.contains(MISSING_BRACE) && lines.unclosed() > 0;
+        long line = isBrace ? lines.unclosed() : errors.get(0).getLineNumber();
+        return new SourceException((int) Math.max(0, line), text.toString());
     }
 
     /** @param name of the compiled file; omitted from errors in it */

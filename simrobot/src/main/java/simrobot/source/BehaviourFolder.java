@@ -103,7 +103,7 @@ public final class BehaviourFolder implements AutoCloseable {
         this.folder = folder;
         this.list = list;
         this.listener = listener;
-        this.compiler = new BehaviourCompiler(compiler);
+        this.compiler = new BehaviourCompiler(compiler, settings.hints());
         if (!Files.isDirectory(folder)) {
             throw new NotDirectoryException(folder.toString());
         }
@@ -307,27 +307,32 @@ public final class BehaviourFolder implements AutoCloseable {
 
     /** Empty if the classes are unchanged. */
     private List<BehaviourKind> ofSource(Path file) throws SourceException {
-        SortedMap<String, byte[]> classes = new TreeMap<>(compiler.compile(file));
+        String source = source(file);
+        SourceLines lines = SourceLines.of(source);
+        SortedMap<String, byte[]> classes = new TreeMap<>(compiler.compile(file, source));
         if (isSame(classes, compiled.get(file))) {
             return List.of();
         }
         Class<? extends Behaviour> type = new LoadedClasses(classes)
                 .behaviour(base(file))
                 .orElseThrow(() -> new SourceException(
-                        0,
-                        "no class that is a process, expected: public class " + base(file)
-                                + " implements simrobot.behaviour.Behaviour, with a constructor without parameters"));
-        BehaviourChild child =
-                new BehaviourChild(ChildFile.ofSource(base(file), classes, source(file), settings));
+                        lines.likely("process"),
+                        settings.hints()
+                                .with(
+                                        "no class that is a process, expected: public class " + base(file)
+                                                + " implements simrobot.behaviour.Behaviour, with a constructor without"
+                                                + " parameters",
+                                        "process")));
+        BehaviourChild child = new BehaviourChild(ChildFile.ofSource(base(file), classes, lines, settings));
         BehaviourKind kind = kind(type, child);
         compiled.put(file, classes);
         children.put(file, child);
         return List.of(kind);
     }
 
-    private static List<String> source(Path file) throws SourceException {
+    private static String source(Path file) throws SourceException {
         try {
-            return Utf8Text.read(file).lines().toList();
+            return Utf8Text.read(file);
         } catch (IOException e) {
             throw new SourceException(0, "cannot be read: " + e.getMessage());
         }

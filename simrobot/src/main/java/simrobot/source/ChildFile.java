@@ -5,8 +5,6 @@ import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
-import java.util.stream.IntStream;
 import simrobot.behaviour.BehaviourRequest;
 import simrobot.process.Decision;
 import simrobot.source.child.ChildMain;
@@ -17,15 +15,11 @@ import simrobot.source.child.PipeLine;
  *
  * @param command the program and its arguments
  * @param lines what it reads first
- * @param source the lines of the file; none of a jar
+ * @param source of the file; empty for a jar
  */
-record ChildFile(String name, List<String> command, List<String> lines, List<String> source, Hints hints) {
-    /** What a student has written where the child cannot tell the line. */
-    private static final Map<String, Pattern> LIKELY =
-            Map.of("halt", Pattern.compile("\\b(halt|exit)\\s*\\("), "null", Pattern.compile("\\breturn\\s+null\\b"));
-
+record ChildFile(String name, List<String> command, List<String> lines, SourceLines source, Hints hints) {
     static ChildFile ofSource(
-            String name, Map<String, byte[]> classes, List<String> source, ChildSettings settings) {
+            String name, Map<String, byte[]> classes, SourceLines source, ChildSettings settings) {
         List<String> lines = new ArrayList<>();
         classes.forEach((className, octets) -> lines.add(PipeLine.of(
                 "class", "name", className, "octets", Base64.getUrlEncoder().encodeToString(octets))));
@@ -34,7 +28,7 @@ record ChildFile(String name, List<String> command, List<String> lines, List<Str
 
     static ChildFile ofJar(String name, Path jar, ChildSettings settings) {
         List<String> lines = List.of(PipeLine.of("jar", "path", jar.toString()));
-        return new ChildFile(name, java(settings), lines, List.of(), settings.hints());
+        return new ChildFile(name, java(settings), lines, SourceLines.of(""), settings.hints());
     }
 
     /** A small Java: it compiles fast rather than well, and collects its garbage on one thread. */
@@ -55,14 +49,7 @@ record ChildFile(String name, List<String> command, List<String> lines, List<Str
 
     /** Returns a fault with a hint, and with the likely line if the child knows none. @param cause names the hint */
     Decision.Failed failed(int line, String cause, String text, List<BehaviourRequest> asked) {
-        return new Decision.Failed(line > 0 ? line : likelyLine(cause), hints.with(text, cause), List.copyOf(asked));
-    }
-
-    private int likelyLine(String cause) {
-        return IntStream.range(0, LIKELY.containsKey(cause) ? source.size() : 0)
-                .filter(i -> LIKELY.get(cause).matcher(source.get(i)).find())
-                .map(i -> i + 1)
-                .findFirst()
-                .orElse(0);
+        return new Decision.Failed(
+                line > 0 ? line : source.likely(cause), hints.with(text, cause), List.copyOf(asked));
     }
 }

@@ -184,8 +184,9 @@ class BehaviourFolderTest {
         open();
         write("Ahead", "        return new Steering(0.5, 0)");
         opened.scan();
-        assertEquals("failed Ahead 4 ';' expected", told.get(1));
-        assertEquals(List.of(new BehaviourList.Fault("Ahead", 4, "';' expected")), list.faults());
+        String fault = "';' expected (look at the end of this line, or of the one before: something is missing)";
+        assertEquals("failed Ahead 4 " + fault, told.get(1));
+        assertEquals(List.of(new BehaviourList.Fault("Ahead", 4, fault)), list.faults());
         assertTrue(names().contains("Ahead"));
         write("Ahead", "        return new Steering(0.75, 0);");
         opened.scan();
@@ -274,14 +275,15 @@ class BehaviourFolderTest {
     void aFileWithoutAProcessSaysWhatIsExpected(String text, String start) throws IOException {
         Files.writeString(folder.resolve("Empty.java"), text);
         open();
-        assertTrue(told.get(0).startsWith("failed Empty 0 " + start), told.toString());
+        assertTrue(told.get(0).startsWith("failed Empty 1 " + start), told.toString());
     }
 
     @Test
     void aJarNamesItsProcessesAsServices() throws IOException, SourceException {
         write("Ahead", "        return new Steering(0.5, 0);");
-        Map<String, byte[]> classes =
-                new BehaviourCompiler(ToolProvider.getSystemJavaCompiler()).compile(folder.resolve("Ahead.java"));
+        Path file = folder.resolve("Ahead.java");
+        Map<String, byte[]> classes = new BehaviourCompiler(ToolProvider.getSystemJavaCompiler(), SETTINGS.hints())
+                .compile(file, Files.readString(file));
         Files.delete(folder.resolve("Ahead.java"));
         try (JarOutputStream jar = new JarOutputStream(Files.newOutputStream(folder.resolve("ours.jar")))) {
             jar.putNextEntry(new JarEntry("Ahead.class"));
