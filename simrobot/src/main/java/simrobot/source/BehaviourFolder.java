@@ -360,7 +360,9 @@ public final class BehaviourFolder implements AutoCloseable {
             for (Class<? extends Behaviour> type : types) {
                 kinds.add(kind(type, child));
             }
-            children.put(jar, child);
+            if (!kinds.isEmpty()) {
+                children.put(jar, child);
+            }
         } catch (IOException e) {
             throw new SourceException(0, "cannot be read: " + e.getMessage());
         } catch (ServiceConfigurationError | LinkageError e) {

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Ends the child when a decision takes more than 1 s, when a thread that the file started still executes its code after 1 s,
+ * Ends the child when a decision takes more than 1 s, when a thread that the file started still executes its code at two looks, one each 0.5 s,
  * and when the file ends the Java virtual machine. Time counts in periods of this thread, so that a busy machine, which delays
  * both, makes no decision late.
  */
@@ -38,7 +38,7 @@ final class Watchdog {
             for (int period = 1; ; period++) {
                 Thread.sleep(PERIOD_MILLIS);
                 lookAtDecision();
-                if (period % PERIODS_PER_SECOND == 0) {
+                if (period % (PERIODS_PER_SECOND / 2) == 0) {
                     lookAtThreads();
                 }
             }
