@@ -13,6 +13,7 @@ import java.util.Set;
 final class Watchdog {
     private static final long PERIOD_MILLIS = 50;
     private static final int PERIODS_PER_SECOND = 20;
+    private static final int MOST_THREADS = 50;
 
     private final ChildMain child;
     private final Thread main;
@@ -37,13 +38,22 @@ final class Watchdog {
         try {
             for (int period = 1; ; period++) {
                 Thread.sleep(PERIOD_MILLIS);
-                lookAtDecision();
-                if (period % (PERIODS_PER_SECOND / 2) == 0) {
-                    lookAtThreads();
-                }
+                look(period);
             }
-        } catch (InterruptedException | OutOfMemoryError e) {
-            child.end(main.getStackTrace(), "OutOfMemoryError", "OutOfMemoryError");
+        } catch (InterruptedException e) {
+            child.end(main.getStackTrace(), "thread", "it has interrupted the watchdog");
+        }
+    }
+
+    private void look(int period) {
+        try {
+            lookAtDecision();
+            boolean isCrowd = Thread.activeCount() > MOST_THREADS;
+            if (isCrowd || period % (PERIODS_PER_SECOND / 2) == 0) {
+                lookAtThreads(isCrowd);
+            }
+        } catch (OutOfMemoryError e) {
+            // the decision that fills the memory meets this error itself, or is too late at one of the next looks
         }
     }
 
@@ -58,13 +68,14 @@ final class Watchdog {
         }
     }
 
-    private void lookAtThreads() {
+    /** @param isCrowd whether there are too many to wait for the second look */
+    private void lookAtThreads(boolean isCrowd) {
         Set<Thread> now = new HashSet<>();
         for (Map.Entry<Thread, StackTraceElement[]> each : Thread.getAllStackTraces().entrySet()) {
             Thread found = each.getKey();
             if (found != main && child.line(each.getValue()) > 0) {
                 now.add(found);
-                if (foreign.contains(found)) {
+                if (isCrowd || foreign.contains(found)) {
                     child.end(each.getValue(), "thread", "a thread of its own still runs after the decision");
                 }
             }
