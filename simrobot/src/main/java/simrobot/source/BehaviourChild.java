@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import simrobot.behaviour.BehaviourRequest;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
@@ -32,6 +33,7 @@ final class BehaviourChild implements ChildProcess.Listener {
     private static final long LATEST_NANOS = 3_000_000_000L;
 
     private static final int MOST_REQUESTS = 1000;
+    private static final int MOST_KEPT = 20;
 
     /** A loaded machine needs seconds to start a Java virtual machine. */
     private static final long STARTING_NANOS = 20_000_000_000L;
@@ -40,10 +42,14 @@ final class BehaviourChild implements ChildProcess.Listener {
     private static final int INTERRUPTED = 130;
 
     private final ChildFile file;
+    private final Consumer<Decision.Failed> startFault;
     /** Those with a question, the oldest first. */
     private final Deque<OfRobot> asked = new ArrayDeque<>();
     /** Null while none runs. */
     private ChildProcess process;
+
+    /** The newest lines. */
+    private final Deque<String> last = new ArrayDeque<>();
 
     private OfRobot lastHeard;
     private long heardNanos;
@@ -55,8 +61,10 @@ final class BehaviourChild implements ChildProcess.Listener {
     private boolean isReplaced;
     private boolean isClosed;
 
-    BehaviourChild(ChildFile file) {
+    /** @param startFault told why the process has ended before it was asked anything */
+    BehaviourChild(ChildFile file, Consumer<Decision.Failed> startFault) {
         this.file = file;
+        this.startFault = startFault;
     }
 
     /** Starts the process, so that the first decision does not wait for it. */
@@ -64,6 +72,7 @@ final class BehaviourChild implements ChildProcess.Listener {
         if (process == null && !isClosed) {
             lastHeard = null;
             asked.clear();
+            last.clear();
             heardNanos = System.nanoTime() + STARTING_NANOS;
             process = new ChildProcess(file.name(), file.command(), this);
             file.lines().forEach(process::send);
@@ -112,6 +121,11 @@ final class BehaviourChild implements ChildProcess.Listener {
     @Override
     public synchronized void heard(ChildProcess from, String line) {
         Optional<PipeLine> answer = PipeLine.parse(line);
+        // without a robot it is what an interpreter says of a file that it cannot execute
+        last.add(line);
+        if (last.size() > MOST_KEPT) {
+            last.remove();
+        }
         // one whose thread goes on between its decisions has none of the questions
         OfRobot robot = answer.flatMap(found ->
                         asked.stream().filter(each -> isOf(each, found)).findFirst())
@@ -156,8 +170,11 @@ final class BehaviourChild implements ChildProcess.Listener {
         }
         process = null;
         OfRobot culprit = asked.isEmpty() ? lastHeard : asked.peek();
-        if (culprit != null && !isExplained && status != INTERRUPTED) {
-            culprit.answer(culprit.failed(0, "halt", "it has ended its process, exit status " + status));
+        Decision.Failed fault = file.ended(status, last, culprit == null ? List.of() : culprit.requests);
+        if (culprit == null) {
+            startFault.accept(fault);
+        } else if (!isExplained && status != INTERRUPTED) {
+            culprit.answer(fault);
         }
         notifyAll();
     }
@@ -242,7 +259,7 @@ final class BehaviourChild implements ChildProcess.Listener {
             try {
                 start();
             } catch (IOException e) {
-                return failed(0, "start", "cannot be started: " + e.getMessage());
+                return failed(0, "start", e.getMessage());
             }
             if (process == null) {
                 return new Decision.Failed(0, "the file is not in the folder any more");

@@ -65,6 +65,7 @@ public final class BehaviourFolder implements AutoCloseable {
 
     private static final String SOURCE = ".java";
     private static final String JAR = ".jar";
+    private static final String PYTHON = ".py";
 
     /** A file's time of modification and size. */
     private record Stamp(long millis, long size) {}
@@ -221,7 +222,7 @@ public final class BehaviourFolder implements AutoCloseable {
         try (Stream<Path> files = Files.list(folder)) {
             // an editor's lock may be a link to nothing
             for (Path file : files.filter(Files::isRegularFile).toList()) {
-                if (isSource(file) || file.toString().endsWith(JAR)) {
+                if (Stream.of(SOURCE, JAR, PYTHON).anyMatch(file.toString()::endsWith)) {
                     BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
                     stamps.put(file, new Stamp(attributes.lastModifiedTime().toMillis(), attributes.size()));
                 }
@@ -260,7 +261,7 @@ public final class BehaviourFolder implements AutoCloseable {
     private void load(Path file) {
         try {
             BehaviourChild before = children.get(file);
-            List<BehaviourKind> kinds = isSource(file) ? ofSource(file) : ofJar(file);
+            List<BehaviourKind> kinds = kinds(file);
             list.clearFault(base(file));
             Set<String> now = new HashSet<>();
             kinds.forEach(kind -> now.add(kind.text()));
@@ -290,7 +291,7 @@ public final class BehaviourFolder implements AutoCloseable {
             try {
                 children.get(file).start();
             } catch (IOException e) {
-                fail(base(file), 0, "cannot be started: " + e.getMessage());
+                fail(base(file), 0, e.getMessage());
             }
         }
     }
@@ -303,6 +304,21 @@ public final class BehaviourFolder implements AutoCloseable {
     private void put(BehaviourKind kind) {
         list.put(kind);
         listener.loaded(kind);
+    }
+
+    private List<BehaviourKind> kinds(Path file) throws SourceException {
+        if (isSource(file)) {
+            return ofSource(file);
+        }
+        return file.toString().endsWith(JAR) ? ofJar(file) : ofPython(file);
+    }
+
+    private List<BehaviourKind> ofPython(Path file) throws SourceException {
+        ChildFile python = ChildFile.ofPython(base(file), file.toAbsolutePath(), source(file), settings);
+        BehaviourChild child = new BehaviourChild(python, fault -> fail(base(file), fault.line(), fault.text()));
+        requireFree(base(file));
+        children.put(file, child);
+        return List.of(new BehaviourKind(base(file), around -> child.ofRobot("", around.waitBudget(), patient)));
     }
 
     /** Empty if the classes are unchanged. */
@@ -323,7 +339,7 @@ public final class BehaviourFolder implements AutoCloseable {
                                                 + " implements simrobot.behaviour.Behaviour, with a constructor without"
                                                 + " parameters",
                                         "process")));
-        BehaviourChild child = new BehaviourChild(ChildFile.ofSource(base(file), classes, lines, settings));
+        BehaviourChild child = new BehaviourChild(ChildFile.ofSource(base(file), classes, lines, settings), fault -> {});
         BehaviourKind kind = kind(type, child);
         compiled.put(file, classes);
         children.put(file, child);
@@ -356,7 +372,7 @@ public final class BehaviourFolder implements AutoCloseable {
                     .map(ServiceLoader.Provider::type)
                     .filter(type -> type.getClassLoader() == loader)
                     .toList();
-            BehaviourChild child = new BehaviourChild(ChildFile.ofJar(base(jar), copy, settings));
+            BehaviourChild child = new BehaviourChild(ChildFile.ofJar(base(jar), copy, settings), fault -> {});
             for (Class<? extends Behaviour> type : types) {
                 kinds.add(kind(type, child));
             }
@@ -377,10 +393,14 @@ public final class BehaviourFolder implements AutoCloseable {
 
     private BehaviourKind kind(Class<? extends Behaviour> type, BehaviourChild child) throws SourceException {
         String name = type.getSimpleName();
+        requireFree(name);
+        return new BehaviourKind(name, around -> child.ofRobot(type.getName(), around.waitBudget(), patient));
+    }
+
+    private static void requireFree(String name) throws SourceException {
         if (BehaviourKind.BUILT_IN.stream().anyMatch(kind -> kind.text().equals(name))) {
             throw new SourceException(0, "the name " + name + " is taken, expected a class of another name");
         }
-        return new BehaviourKind(name, around -> child.ofRobot(type.getName(), around.waitBudget(), patient));
     }
 
     /** Stops scanning, and ends all children. */

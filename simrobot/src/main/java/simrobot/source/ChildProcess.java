@@ -31,9 +31,17 @@ final class ChildProcess {
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
         // its options are for SimRobot, and Java would print them first
         builder.environment().remove("JAVA_TOOL_OPTIONS");
-        process = builder.start();
+        process = start(builder);
         start(this::write, "to behaviour " + name);
         start(this::read, "from behaviour " + name);
+    }
+
+    private static Process start(ProcessBuilder builder) throws IOException {
+        try {
+            return builder.start();
+        } catch (IOException e) {
+            throw new IOException("cannot be started: expected the program " + builder.command().get(0), e);
+        }
     }
 
     private static void start(Runnable task, String name) {
