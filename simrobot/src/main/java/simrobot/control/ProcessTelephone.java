@@ -12,6 +12,10 @@ final class ProcessTelephone {
     /** A tone of 150 ms and its pause of 70 ms. */
     private static final long TONE_NANOS = 220_000_000;
 
+    private static final long PRINTING_NANOS = 1_000_000_000;
+    private static final int MOST_LINES = 100;
+    private static final int MOST_CHARACTERS = 200;
+
     private final ModemPort modem;
     private final LongSupplier callNumber;
     private final LongSupplier clockNanos;
@@ -19,6 +23,8 @@ final class ProcessTelephone {
     private long nextMessageNanos;
     private long nextToneNanos;
     private boolean isRefused;
+    private long printingNanos;
+    private int lines;
 
     ProcessTelephone(
             ModemPort modem, LongSupplier callNumber, LongSupplier clockNanos, Consumer<RobotEvent> listener) {
@@ -28,12 +34,13 @@ final class ProcessTelephone {
         this.listener = listener;
         nextMessageNanos = clockNanos.getAsLong();
         nextToneNanos = nextMessageNanos;
+        printingNanos = nextMessageNanos;
     }
 
     void perform(String process, BehaviourRequest asked) {
         long now = clockNanos.getAsLong();
         if (asked instanceof BehaviourRequest.Printed printed) {
-            printed.text().lines().forEach(line -> listener.accept(new RobotEvent.Printed(process, line)));
+            print(process, printed.text(), now);
         } else if (asked instanceof BehaviourRequest.Tones tones && now - nextToneNanos >= 0) {
             tones.keys().chars().forEach(key -> modem.sendTone(callNumber.getAsLong(), (char) key));
             nextToneNanos = now + TONE_NANOS * tones.keys().length();
@@ -48,6 +55,24 @@ final class ProcessTelephone {
             isRefused = true;
             String text = "error: sms to " + sms.to() + " is not sent, expected at most one in 10 s";
             listener.accept(new RobotEvent.Printed(process, text));
+        }
+    }
+
+    /** Reports the first 100 lines of each second, and how many more there were. */
+    private void print(String process, String text, long now) {
+        if (now - printingNanos >= PRINTING_NANOS) {
+            if (lines > MOST_LINES) {
+                listener.accept(new RobotEvent.Printed(process, "... and " + (lines - MOST_LINES) + " more lines"));
+            }
+            printingNanos = now;
+            lines = 0;
+        }
+        for (String line : text.lines().toList()) {
+            lines++;
+            if (lines <= MOST_LINES) {
+                String shown = line.substring(0, Math.min(line.length(), MOST_CHARACTERS));
+                listener.accept(new RobotEvent.Printed(process, shown));
+            }
         }
     }
 }

@@ -36,7 +36,7 @@ final class BehaviourChild implements ChildProcess.Listener {
     private static final int MOST_KEPT = 20;
 
     /** A loaded machine needs seconds to start a Java virtual machine. */
-    private static final long STARTING_NANOS = 20_000_000_000L;
+    private static final long STARTING_NANOS = 10_000_000_000L;
 
     /** The exit status of a program that the terminal's Ctrl+C has ended, together with SimRobot. */
     private static final int INTERRUPTED = 130;

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Behaviour;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 import simrobot.process.BehaviourKind;
@@ -187,5 +188,19 @@ class TelephoneOfProcessTest {
                     bench.seconds(1);
                 });
         assertEquals("sms to \"\", expected a number of 1 to 15 digits", refused.getMessage());
+    }
+
+    @Test
+    void ofManyLinesThatItPrintsTheFirstOfEachSecondAreTold() {
+        offer(senses -> {
+            BehaviourAnswer.ask(new BehaviourRequest.Printed("x".repeat(300) + "\n" + "y\n".repeat(59)));
+            return Steering.STOP;
+        });
+        bench.robot.autonomy().begin(bench.simulation.behaviours().of("Mine"));
+        bench.seconds(2.2);
+        List<String> printed = bench.lines("printed");
+        assertEquals("printed robot=robot name=Mine text=" + "x".repeat(200), printed.get(0));
+        String more = printed.stream().filter(line -> line.contains("more lines")).findFirst().orElseThrow();
+        assertEquals(100, printed.indexOf(more), more);
     }
 }

@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.File;
 import java.io.IOException;
+import java.io.Writer;
 import java.lang.reflect.Proxy;
 import java.nio.file.Files;
 import java.nio.file.NotDirectoryException;
@@ -18,13 +20,16 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
+import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.process.Decision;
@@ -346,5 +351,81 @@ class BehaviourFolderTest {
     @Test
     void aFolderThatIsNoneIsRefused() {
         assertThrows(NotDirectoryException.class, () -> new BehaviourFolder(folder.resolve("nowhere"), list, listener, SETTINGS));
+    }
+
+    @Test
+    void theOthersOfAFileGoOnInANewChildWhenOneEndsIt() throws IOException {
+        write("Halts", "        if (senses.yMeters() < 1) Runtime.getRuntime().halt(0);\n        return new Steering(0.5, 0);");
+        open();
+        SimulatedRobot other = simulation.addRobot("other", new Position(0, 3), 0);
+        assertTrue(other.autonomy().begin(list.of("Halts")));
+        simulation.run(100);
+        double before = other.xMeters();
+        begin("Halts");
+        runUntilItEnds();
+        simulation.run(200);
+        assertTrue(ends.get(0).startsWith("Halts Failed[line=4, text=it has ended its process, exit status 0"), ends.get(0));
+        assertTrue(before > 0 && other.xMeters() > before + 0.5, before + " " + other.xMeters());
+    }
+
+    @Test
+    void theProcessOfAFileThatIsDeletedEnds() throws IOException {
+        write("Ahead", "        return new Steering(0.5, 0);");
+        open();
+        begin("Ahead");
+        simulation.run(100);
+        Files.delete(folder.resolve("Ahead.java"));
+        opened.scan();
+        runUntilItEnds();
+        assertTrue(ends.get(0).startsWith("Ahead Failed[line=0, text=the file is not in the folder any more"), ends.get(0));
+    }
+
+    @Test
+    void aPythonProgramDrivesAndItsFaultHasALine() throws IOException {
+        Assumptions.assumeTrue(hasPython(), "no python3");
+        Files.writeString(
+                folder.resolve("Snake.py"),
+                String.join(
+                        "\n",
+                        "import sys",
+                        "for line in sys.stdin:",
+                        "    word, *pairs = line.split()",
+                        "    if word == 'decide':",
+                        "        senses = dict(pair.split('=') for pair in pairs)",
+                        "        speed = 1 / (1 - int(float(senses['x'])))",
+                        "        print(f\"go robot={senses['robot']} speed={speed} turn=0\")"));
+        open();
+        begin("Snake");
+        runUntilItEnds();
+        assertTrue(robot.xMeters() > 1, "x " + robot.xMeters());
+        assertTrue(
+                ends.get(0).startsWith("Snake Failed[line=6, text=ZeroDivisionError: division by zero ("), ends.get(0));
+    }
+
+    private static boolean hasPython() {
+        return Stream.of(System.getenv("PATH").split(File.pathSeparator))
+                .anyMatch(path -> Files.isExecutable(Path.of(path, "python3")));
+    }
+
+    /** As when SimRobot is killed: the pipe's end is all that a child sees of it. */
+    @ParameterizedTest
+    @ValueSource(strings = {"return Steering.STOP;", "while (true) {}"})
+    void aChildEndsWithThePipeToSimRobot(String decide) throws Exception {
+        write("Orphan", decide);
+        String source = Files.readString(folder.resolve("Orphan.java"));
+        Map<String, byte[]> classes = new BehaviourCompiler(ToolProvider.getSystemJavaCompiler(), SETTINGS.hints())
+                .compile(folder.resolve("Orphan.java"), source);
+        ChildFile file = ChildFile.ofSource("Orphan", classes, SourceLines.of(source), SETTINGS);
+        Process child = new ProcessBuilder(file.command()).start();
+        try (Writer pipe = child.outputWriter()) {
+            pipe.write(String.join("\n", file.lines()) + "\nbegin robot=1 class=Orphan\ndecide robot=1\n");
+        }
+        child.waitFor();
+    }
+
+    @Test
+    void aProgramThatIsNotThereIsNamed() {
+        IOException missing = assertThrows(IOException.class, () -> new ChildProcess("X", List.of("python9"), null));
+        assertEquals("cannot be started: expected the program python9", missing.getMessage());
     }
 }
