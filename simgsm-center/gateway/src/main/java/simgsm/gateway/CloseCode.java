@@ -2,7 +2,7 @@ package simgsm.gateway;
 
 /** Close codes of the socket {@code /phone}. */
 final class CloseCode {
-    /** RFC 6455, 7.4.1: the message is not what the program expects. */
+    /** RFC 6455, 7.4.1: the message is not the expected one. */
     static final int POLICY_VIOLATION = 1008;
 
     /** RFC 6455, 7.4.1: the program ends. */

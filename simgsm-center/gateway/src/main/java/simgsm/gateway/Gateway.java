@@ -44,7 +44,7 @@ final class Gateway implements AutoCloseable {
         return port.port();
     }
 
-    /** What a pupil opens. */
+    /** The link for pupils. */
     String link() {
         return port.url() + "#" + key;
     }

@@ -9,7 +9,7 @@ sealed interface GatewayEvent {
     /** Users of pages. */
     String WEB = "web";
 
-    /** A page has come. */
+    /** A page has connected. */
     @EventLine("joined kind= number= from= [name=]")
     record Joined(String kind, Msisdn number, String from, Optional<String> name) implements GatewayEvent {
         Joined(WebUser user) {
@@ -17,7 +17,7 @@ sealed interface GatewayEvent {
         }
     }
 
-    /** A page has gone. */
+    /** A page has disconnected. */
     @EventLine("left kind= number=")
     record Left(String kind, Msisdn number) implements GatewayEvent {
         Left(WebUser user) {

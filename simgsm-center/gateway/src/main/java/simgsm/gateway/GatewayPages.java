@@ -13,9 +13,9 @@ import simgsm.web.RequestException;
 import simgsm.web.WebPages;
 import simgsm.web.WebResponse;
 
-/** The pages' files, for everybody; the robots' pictures and states, for those who have the key. */
+/** The pages' files, for everybody; the robots' pictures and states, with the key. */
 final class GatewayPages extends WebPages {
-    /** Scripts and styles of this port only; pictures also from the script, which fetches them with the key. */
+    /** Permits scripts and styles of this port only; pictures also from the script, which fetches them with the key. */
     private static final String POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self';"
             + " img-src 'self' blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 

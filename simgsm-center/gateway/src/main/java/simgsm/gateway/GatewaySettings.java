@@ -17,7 +17,7 @@ import simgsm.console.UsageException;
  *
  * @param bind the address of the ports
  * @param web the port of the pages; 0 for any free one
- * @param firstNumber of those given to browsers
+ * @param firstNumber of the browsers' numbers
  * @param lastNumber not below the first
  * @param key in the link
  * @param robots addresses of SimRobots' web servers

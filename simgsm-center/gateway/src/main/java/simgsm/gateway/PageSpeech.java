@@ -5,21 +5,21 @@ import simgsm.speech.SpeechCodec;
 import simgsm.station.call.SpeechSource;
 
 /**
- * The speech of a page on its way to the station. A page's timer is not exact, so its frames come in bursts; they leave
- * one every 20 ms behind a cushion. A frame that is late in a sound is replaced by the one before it, and after a longer
- * stall the rest of the sound is left out, for a hole would make two keys of one.
+ * Buffers the speech of a page for the station. A page's timer is inexact, so its frames arrive in bursts; a cushion
+ * releases one every 20 ms. The last frame replaces one that is late in a sound; after a longer stall the rest of the
+ * sound is dropped, because a gap would split one key into two.
  */
 final class PageSpeech implements SpeechSource {
-    /** Frames that wait before the first one leaves: 40 ms. */
+    /** Number of frames before the first one is released: 40 ms. */
     static final int CUSHION_FRAMES = 2;
 
-    /** 2 s, longer than a page stalls; the oldest frame beyond them is dropped. */
+    /** 2 s, longer than a page stalls; the oldest frame above this is dropped. */
     static final int MOST_FRAMES = 100;
 
-    /** A page that sends nothing for longer is silent. */
+    /** Maximum of substitutes; after them a page counts as silent. */
     static final int MOST_SUBSTITUTES = 5;
 
-    /** The pause between two keys is at least so long after frames of it have been left out. */
+    /** Minimum pause between two keys after frames of it were dropped. */
     private static final int KEPT_SILENCE_FRAMES = 3;
     /** Largest sample of a silent frame: the smallest value of A-law. */
     private static final int SILENCE = 8;
@@ -27,13 +27,17 @@ final class PageSpeech implements SpeechSource {
     private final ArrayDeque<short[]> waiting = new ArrayDeque<>();
     private short[] last = new short[SpeechCodec.SAMPLES_PER_FRAME];
     private boolean isFilling = true;
-    /** True after the page has stalled within a sound, until the rest of that sound has been left out. */
+    /** True after a stall within a sound, until the rest of that sound has been dropped. */
     private boolean isInterrupted;
 
     private int substitutes;
     private int silentFrames;
 
-    /** @param frame 160 samples, kept */
+    /**
+     * Adds a frame.
+     *
+     * @param frame 160 samples, kept
+     */
     void accept(short[] frame) {
         if (waiting.size() == MOST_FRAMES) {
             waiting.removeFirst();
@@ -41,7 +45,7 @@ final class PageSpeech implements SpeechSource {
         waiting.addLast(frame);
     }
 
-    /** Forgets what waits: the call is over. */
+    /** Empties the buffer at the end of the call. */
     void clear() {
         waiting.clear();
         isFilling = true;

@@ -19,7 +19,7 @@ final class PageWords {
         page = ResourceBundle.getBundle("simgsm.gateway.messages", locale);
     }
 
-    /** What a robot's reply tone means; empty for other keys. */
+    /** The meaning of a robot's reply tone; empty for other keys. */
     String toneMeaning(char key) {
         return key >= FIRST_TONE && key <= LAST_TONE ? phone.getString("tone." + key) : "";
     }

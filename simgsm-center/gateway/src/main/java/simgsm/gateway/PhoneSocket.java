@@ -17,7 +17,7 @@ final class PhoneSocket implements WebSocketListener {
 
     private final WebSocket socket;
     private final WebUsers users;
-    /** Null until the key has come. */
+    /** Null until the key has arrived. */
     private WebUser user;
 
     PhoneSocket(WebSocket socket, WebUsers users) {

@@ -18,14 +18,17 @@ import simgsm.web.RequestException;
 import simgsm.web.UrlPaths;
 import simgsm.web.WebResponse;
 
-/** The robots' states and pictures for the pages, fetched from the web servers of SimRobots: browsers need no second port. */
+/**
+ * The robots' states and pictures for the pages, fetched from SimRobots' web servers, so that browsers need no second
+ * port.
+ */
 final class RobotPages {
     private static final int TIMEOUT_MILLIS = 3_000;
     private static final int MOST_OCTETS = 8 * 1024 * 1024;
 
     private static final System.Logger LOG = System.getLogger(RobotPages.class.getName());
 
-    /** Each page asks for the robots once a second, and each picture needs its robot's server. */
+    /** Each page requests the robots once a second, and each picture needs its robot's server. */
     private static final long KEPT_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
     /** @param items the elements of a server's JSON array */
@@ -33,7 +36,7 @@ final class RobotPages {
 
     private final List<URI> servers;
     private final Map<URI, Listing> listings = new ConcurrentHashMap<>();
-    /** Those of which it is logged that they do not answer. */
+    /** Servers already logged as not answering. */
     private final Set<URI> absent = ConcurrentHashMap.newKeySet();
 
     RobotPages(List<URI> servers) {
@@ -90,7 +93,7 @@ final class RobotPages {
                 return new Listing(list.substring(1, list.length() - 1), names, System.nanoTime());
             }
         } catch (RequestException | IllegalArgumentException e) {
-            // A SimRobot that does not answer has no robots for now.
+            // a SimRobot that does not answer has no robots for now
         }
         if (absent.add(server)) {
             LOG.log(Level.WARNING, "--robots {0}: no SimRobot answers; trying again", server);

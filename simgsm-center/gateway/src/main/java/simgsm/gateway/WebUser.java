@@ -22,16 +22,16 @@ import simgsm.web.JsonText;
 import simgsm.web.WebSocket;
 
 /**
- * One browser as a subscriber: its station, the sound in both directions, and the socket of its page while there is one.
+ * One browser as a subscriber: its station, the sound in both directions, and the socket of its page, if connected.
  * Belongs to the stations' thread.
  */
 final class WebUser {
-    /** Messages that {@code inbox} lists; the oldest beyond them is forgotten, as the network has delivered it. */
+    /** Maximum of messages in {@code inbox}; the oldest is removed, because the network has delivered it. */
     private static final int MOST_MESSAGES = 100;
 
     private static final int MOST_UNACKNOWLEDGED = 20;
 
-    /** Messages of layer 3 that a page sees when it opens its ladder. */
+    /** Number of layer 3 messages shown to a page that opens its ladder. */
     private static final int MOST_RUNGS = 40;
 
     private record Received(String from, String text, long millis) {}
@@ -78,7 +78,7 @@ final class WebUser {
         return from;
     }
 
-    /** What the page's user is called; empty if they did not say. */
+    /** The name of the page's user; may be empty. */
     String name() {
         return name;
     }
@@ -87,12 +87,12 @@ final class WebUser {
         return page.isPresent();
     }
 
-    /** How often a page has gone. */
+    /** Number of times that a page was lost. */
     int absences() {
         return absences;
     }
 
-    /** Whether the station detaches for good. */
+    /** True if the station detaches for good. */
     boolean isLeaving() {
         return isLeaving;
     }
@@ -101,7 +101,11 @@ final class WebUser {
         isLeaving = true;
     }
 
-    /** Queues a text. @throws IllegalArgumentException if as many wait for the network as may, or the text is too long */
+    /**
+     * Queues a text.
+     *
+     * @throws IllegalArgumentException if the queue is full, or the text is too long
+     */
     void send(Msisdn to, String text) {
         if (unacknowledged >= MOST_UNACKNOWLEDGED) {
             throw new IllegalArgumentException(MOST_UNACKNOWLEDGED + " messages wait for the network already");
@@ -114,13 +118,17 @@ final class WebUser {
         return station.snapshot().callState() != MobileCallState.NULL;
     }
 
-    /** A page has come; an older one ends. It is told the messages of before, and only then may the network send more. @param newName of its user */
+    /**
+     * Connects a page; an older one is closed. It receives the earlier messages before the network may send more.
+     *
+     * @param newName of its user
+     */
     void attach(WebSocket socket, String newName) {
         name = newName;
         Optional<WebSocket> older = page;
         page = Optional.of(socket);
         if (older.isPresent()) {
-            // The page that has lost its connection has lost its call.
+            // a page that has lost its connection has lost its call
             station.hangUp();
             older.get().close(CloseCode.OPENED_ELSEWHERE, "opened elsewhere");
         }
@@ -133,7 +141,11 @@ final class WebUser {
         station.setMemoryAvailable(true);
     }
 
-    /** The page has gone. Its call ends, so that the robot stands; the network keeps its messages. @return false if another page has come */
+    /**
+     * Disconnects the page. Its call ends, so that the robot stops; the network keeps its messages.
+     *
+     * @return false if another page has connected
+     */
     boolean detach(WebSocket socket) {
         boolean isLast = page.filter(current -> current == socket).isPresent();
         if (isLast) {
@@ -150,7 +162,7 @@ final class WebUser {
         page.ifPresent(socket -> socket.close(code, reason));
     }
 
-    /** 20 ms of the page's sound. */
+    /** Handles 20 ms of the page's sound. */
     void hear(byte[] octets) {
         if (isConnected) {
             speech.accept(codec.decode(octets));
@@ -207,7 +219,7 @@ final class WebUser {
         }
     }
 
-    /** The page shows its ladder, or no longer: the messages of layer 3 are told while it does, the latest at once. */
+    /** Starts or stops reporting layer 3 messages for the page's ladder, the latest at once. */
     void showLadder(boolean isShown) {
         isLadderShown = isShown;
         if (isShown) {
@@ -219,7 +231,7 @@ final class WebUser {
         tell(Event.of("tone").with("key", key).with("meaning", texts.toneMeaning(key)));
     }
 
-    /** Lists what has been received, and marks it as read. */
+    /** Lists the received messages, and marks them as read. */
     void tellInbox() {
         tellMessages();
         tell(Event.of("end").with("of", "inbox").with("count", inbox.size()));

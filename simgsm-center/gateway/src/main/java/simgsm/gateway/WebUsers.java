@@ -18,9 +18,9 @@ import simgsm.web.RequestException;
 import simgsm.web.WebResponse;
 import simgsm.web.WebSocket;
 
-/** The browsers that are subscribers: each has a number of its own for as long as its page is open, and 60 s more. */
+/** The browsers that are subscribers: each has a number while its page is open, and for 60 s more. */
 final class WebUsers {
-    /** Most browsers at once. */
+    /** Maximum of browsers. */
     static final int MOST = 200;
 
     private static final long RETURN_NANOS = TimeUnit.SECONDS.toNanos(60);
@@ -36,7 +36,7 @@ final class WebUsers {
     private final SecureRandom random = new SecureRandom();
     private final PageWords texts;
     private final Map<Long, WebUser> byNumber = new TreeMap<>();
-    /** Place of the number after the one given last, counted from the first. */
+    /** Offset of the number after the last assigned one. */
     private int given;
 
     private boolean isLocked;
@@ -54,7 +54,11 @@ final class WebUsers {
         return keys;
     }
 
-    /** A page shows its key and says its user's name. @return empty if it is refused: its socket closes */
+    /**
+     * Admits a page with its key and its user's name.
+     *
+     * @return empty if it is refused: its socket closes
+     */
     Optional<WebUser> join(WebSocket socket, String key, String token, String name) {
         try {
             keys.operator(key, socket.peer(), System.nanoTime());
@@ -82,7 +86,7 @@ final class WebUsers {
     }
 
     private Optional<WebUser> newUser() {
-        // The number that was given back first is given out last, for messages to its last user may still come.
+        // numbers returned first are assigned last, because messages to the last user may still arrive
         for (int i = 0; i < most(); i++) {
             long number = settings.firstNumber() + (given + i) % most();
             if (!byNumber.containsKey(number)) {
@@ -106,7 +110,7 @@ final class WebUsers {
         return Optional.empty();
     }
 
-    /** Closes a socket whose page has not shown its key after this time. */
+    /** Closes a socket whose page has not sent its key in time. */
     void expectKey(WebSocket socket, BooleanSupplier isShown) {
         thread.after(KEY_NANOS, () -> {
             if (!isShown.getAsBoolean()) {
@@ -115,7 +119,7 @@ final class WebUsers {
         });
     }
 
-    /** A page's socket has ended; within 60 s its token brings the number back. */
+    /** Handles the end of a page's socket; within 60 s its token restores the number. */
     void pageGone(WebUser user, WebSocket socket) {
         if (user.detach(socket)) {
             listener.accept(new GatewayEvent.Left(user));
@@ -134,7 +138,11 @@ final class WebUsers {
         thread.remove(user.station(), () -> byNumber.remove(number, user));
     }
 
-    /** Ends a user at once. @return false if nobody has the number */
+    /**
+     * Ends a user at once.
+     *
+     * @return false if the number is unused
+     */
     boolean drop(Msisdn number) {
         Optional<WebUser> user = byNumber.values().stream()
                 .filter(each -> each.number().equals(number))
@@ -146,7 +154,7 @@ final class WebUsers {
         return user.isPresent();
     }
 
-    /** Whether browsers without a token are refused. */
+    /** @param locked true to refuse browsers without a token */
     void setLocked(boolean locked) {
         isLocked = locked;
     }

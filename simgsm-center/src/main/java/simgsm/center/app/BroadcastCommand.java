@@ -12,13 +12,13 @@ import simgsm.console.Console;
 import simgsm.console.ConsoleCommand;
 
 /**
- * {@code broadcast CHANNEL TEXT}; before the channel there may be {@code lang=es every=30 times=10 update=3}, and
- * {@code broadcast stop ID} ends one that is repeated.
+ * {@code broadcast CHANNEL TEXT}, with optional {@code lang=es every=30 times=10 update=3} before the channel; {@code
+ * broadcast stop ID} ends a repeated one.
  */
 final class BroadcastCommand {
     private static final Pattern OPTION = Pattern.compile("(lang|every|times|update)=(.*)");
     private static final String EXPECTED = "broadcast: expected CHANNEL TEXT, found ";
-    /** With {@code every=} and without {@code times=}. */
+    /** The number of times with {@code every=} alone. */
     private static final OptionalInt UNTIL_STOPPED = OptionalInt.empty();
 
     private final Center center;

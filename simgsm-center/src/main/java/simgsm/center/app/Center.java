@@ -93,9 +93,9 @@ public final class Center implements AutoCloseable {
     }
 
     /**
-     * Locks the data directory and opens the ports; terminals are accepted from {@link #start} on.
+     * Locks the data directory and opens the ports; {@link #start} begins accepting terminals.
      *
-     * @throws IOException naming the directory or port that is not available
+     * @throws IOException naming the unavailable directory or port
      */
     public static Center open(CenterSettings settings, Path data, int port) throws IOException {
         InetAddress address = settings.address();
@@ -154,13 +154,13 @@ public final class Center implements AutoCloseable {
         loop.post(exchange -> tickets.forEach(ticket -> exchange.committed(loop.nowNanos(), ticket, isDurable)));
     }
 
-    /** Where programs on this machine find the centre, as {@code --center} takes it. */
+    /** The centre's address for programs on this machine, in the form of {@code --center}. */
     public String reachedAt() {
         InetAddress near = address.isAnyLocalAddress() ? InetAddress.getLoopbackAddress() : address;
         return new HostPort(near.getHostAddress(), port()).toString();
     }
 
-    /** Whether it listens on an address that other machines reach. */
+    /** True if it listens on an address that other machines reach. */
     boolean isReachedByOthers() {
         return !address.isLoopbackAddress();
     }
@@ -253,12 +253,16 @@ public final class Center implements AutoCloseable {
         return loop.ask(question);
     }
 
-    /** Sends a text to all attached subscribers. @throws IllegalArgumentException saying what is wrong with the order */
+    /**
+     * Broadcasts a text to all attached subscribers.
+     *
+     * @throws IllegalArgumentException naming the fault of the order
+     */
     BroadcastView broadcast(BroadcastOrder order) {
         return ask(exchange -> exchange.broadcast(loop.nowNanos(), order));
     }
 
-    /** The first event of a console, with the ports that are open. */
+    /** The first event of a console, with the open ports. */
     public Event ready() {
         return withPort(withPort(Event.of("ready").with("port", port()), "smpp", smppPort()), "http", httpPort());
     }
@@ -272,11 +276,11 @@ public final class Center implements AutoCloseable {
     public record HandoverChosen(String algorithm, int margin) {}
 
     /**
-     * Chooses when calls over towers move to another cell, from their next traffic channel on.
+     * Sets the handover algorithm of calls over towers, from their next traffic channel on.
      *
-     * @param text as {@code --handover} takes it
-     * @return what was chosen, as an event
-     * @throws IllegalArgumentException saying what was expected
+     * @param text as for {@code --handover}
+     * @return the choice as an event
+     * @throws IllegalArgumentException naming the expected text
      */
     public Event setHandover(String text) {
         HandoverAlgorithm algorithm = HandoverAlgorithm.of(text);
@@ -287,14 +291,14 @@ public final class Center implements AutoCloseable {
         return Event.from(new HandoverChosen(text, algorithm.marginDecibels()));
     }
 
-    /** @return false if no broadcast with this id is repeated */
+    /** @return false if no repeated broadcast has this id */
     boolean stopBroadcast(int id) {
         return ask(exchange -> exchange.stopBroadcast(id));
     }
 
     /**
-     * Updates {@link #snapshot} from now on, at most 10 times a second, and shows each to a listener on the exchange's
-     * thread. To be called before {@link #start}.
+     * Updates {@link #snapshot} from now on, at most 10 times a second, and passes each to a listener on the exchange's
+     * thread. Called before {@link #start}.
      */
     public void publishSnapshots(Consumer<ExchangeSnapshot> listener) {
         loop.observe(SNAPSHOT_PERIOD_NANOS, exchange -> {

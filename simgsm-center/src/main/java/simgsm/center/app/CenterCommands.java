@@ -73,7 +73,7 @@ public final class CenterCommands implements Console.Commands {
         }
     }
 
-    /** What has happened to one message. */
+    /** Prints the history of one message. */
     private void message(ConsoleCommand command) throws CommandException {
         String id = command.words(1, "message ID").get(0);
         if (!id.matches("[0-9]{1,18}")) {

@@ -26,12 +26,12 @@ import simgsm.tone.ToneSet;
  * @param httpPort empty for no HTTP
  * @param records folder of call and message records; empty for none
  * @param home the SIMs that may register
- * @param tones made by the network; empty when phones make them
+ * @param tones made by the network; empty if phones make them
  * @param limits of connections
- * @param callWaiting whether a second call is offered to a busy phone
- * @param speaksUdp whether speech goes as RTP over UDP
- * @param setupSeconds T303: how long a called phone may leave SETUP unanswered
- * @param handover decides when a call over towers moves to another cell
+ * @param callWaiting true to offer a second call to a busy phone
+ * @param speaksUdp true to send speech as RTP over UDP
+ * @param setupSeconds T303: time for a called phone to answer SETUP
+ * @param handover decides on handovers of calls over towers
  */
 public record CenterSettings(
         InetAddress address,
@@ -55,7 +55,7 @@ public record CenterSettings(
     public static final int DEFAULT_PORT = 3003;
     private static final int MAX_PORT = 0xffff;
 
-    /** @throws IOException naming the file of SIMs that cannot be read */
+    /** @throws IOException naming an unreadable file of SIMs */
     public static CenterSettings read(Arguments arguments) throws UsageException, IOException {
         return new CenterSettings(
                 arguments.bindAddress(),
@@ -98,7 +98,9 @@ public record CenterSettings(
         return arguments.path("capture").map(file -> CapturePlan.of(file, limitMib));
     }
 
-    /** Challenges and temporary identities are unpredictable, unless {@code --seed} makes a run repeatable. */
+    /**
+     * The source of challenges and temporary identities: unpredictable, unless {@code --seed} makes a run repeatable.
+     */
     private static RandomGenerator random(Arguments arguments) throws UsageException {
         return arguments.has("seed")
                 ? new SplittableRandom(arguments.integer("seed", 0, Long.MIN_VALUE, Long.MAX_VALUE))

@@ -47,13 +47,13 @@ public final class CenterWindow implements CenterActions {
     private Optional<String> lesson = Optional.empty();
 
     /**
-     * What else happens with the centre and its window.
+     * The surroundings of the centre and its window.
      *
      * @param opened run on the event thread when the window is made
-     * @param spoken receives, on the event thread, each other language that the user chooses
-     * @param mayBeginLesson whether the window's help begins lessons, each of which ends what runs
-     * @param takenNumbers those of others, which no program that the window starts gets
-     * @param link what the window's button for the browsers' link does; empty for no such button
+     * @param spoken receives each newly chosen language on the event thread
+     * @param mayBeginLesson true if the window's help begins lessons, which end all running programs
+     * @param takenNumbers numbers that the window must not assign to started programs
+     * @param link action of the window's button for the browsers' link; empty for no such button
      */
     public record Watch(
             Consumer<ExchangeEvent> events,
@@ -77,7 +77,7 @@ public final class CenterWindow implements CenterActions {
      * Shows the window and returns when it is closed.
      *
      * @param children running children that end with the window; null for none
-     * @return the lesson that the user has chosen to begin, if any
+     * @return the lesson chosen by the user, if any
      */
     public static Optional<String> run(
             Center center,
@@ -173,7 +173,7 @@ public final class CenterWindow implements CenterActions {
         return center.home().isClosed() ? spareCard() : free(next);
     }
 
-    /** A SIM that is not attached, preferably one that was not given out before. */
+    /** A SIM that is not attached, preferably one not assigned before. */
     private synchronized String spareCard() throws IOException {
         Set<String> attached = center.ask(exchange -> exchange.subscribers().stream()
                 .filter(Subscriber::isAttached)
@@ -194,7 +194,7 @@ public final class CenterWindow implements CenterActions {
         return chosen;
     }
 
-    /** The next number that has never registered and that the watch has not taken. */
+    /** The next number that has never registered and is not taken. */
     private String free(AtomicLong next) {
         return center.ask(exchange -> {
             String number = Long.toString(next.getAndIncrement());
@@ -205,7 +205,7 @@ public final class CenterWindow implements CenterActions {
         });
     }
 
-    /** A program that has ended is started again as it was; else the next free number is used. */
+    /** Restarts an ended program unchanged, or starts one with the next free number. */
     private synchronized void start(String jar, AtomicLong next, Function<WindowCascade, WindowPlace> place)
             throws IOException {
         if (children == null) {

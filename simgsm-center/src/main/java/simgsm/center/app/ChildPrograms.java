@@ -11,17 +11,17 @@ import simgsm.console.QuickStart;
 import simgsm.ui.window.WindowPlace;
 
 /**
- * Other programs of the suite as child processes. The standard input of each is a pipe from this process, and each ends with
- * its input, so they exit with this process, even on SIGKILL.
+ * Other programs of the suite as child processes. Each reads its standard input from a pipe of this process and ends
+ * with it, so all exit with this process, even on SIGKILL.
  */
 public final class ChildPrograms implements AutoCloseable {
     private static final long FAREWELL_MILLIS = 8_000;
-    /** For a program that writes an archive of its classes at its end, with its window closed. */
+    /** Time for a program that writes an archive of its classes after its window is closed. */
     private static final long ARCHIVING_MILLIS = 60_000;
 
     private final ProgramFolder programs;
     private final List<Child> started = new CopyOnWriteArrayList<>();
-    /** They read no input, so its end does not end them. */
+    /** Programs without input, which its end does not end. */
     private final List<Process> tools = new CopyOnWriteArrayList<>();
 
     private record Child(String jar, String number, List<String> arguments, Process process, long farewellMillis) {}
@@ -31,7 +31,7 @@ public final class ChildPrograms implements AutoCloseable {
     }
 
     /**
-     * Looks for the programs where this program lies.
+     * Finds the programs in this program's folder.
      *
      * @throws IOException if this program runs neither from a jar nor from an image
      */
@@ -42,7 +42,7 @@ public final class ChildPrograms implements AutoCloseable {
     /**
      * Starts a program. Its standard error is this program's; the caller reads or discards its standard output.
      *
-     * @param number the telephone number that it registers with; empty for none
+     * @param number its telephone number; may be empty
      */
     public Process start(String jar, String number, List<String> arguments, ProcessBuilder.Redirect output)
             throws IOException {
@@ -62,16 +62,16 @@ public final class ChildPrograms implements AutoCloseable {
     }
 
     /**
-     * Starts a program that ends by itself and registers nowhere. Its standard error is merged into its standard output,
-     * which the caller reads.
+     * Starts a program that ends by itself and registers nowhere. Its standard error is merged into its standard
+     * output, which the caller reads.
      *
-     * @param folder in which it runs
+     * @param folder working directory
      */
     public Process startTool(String jar, List<String> arguments, Path folder) throws IOException {
         return start(programs.command(jar, QuickStart.options(programs, jar, false)), arguments, folder);
     }
 
-    /** Starts a Java source file as a program, likewise. */
+    /** Starts a Java source file as a program; see {@link #startTool}. */
     public Process startSource(Path source, List<String> arguments, Path folder) throws IOException {
         List<String> command = ProgramFolder.java(QuickStart.options());
         command.add(source.toString());
@@ -91,8 +91,8 @@ public final class ChildPrograms implements AutoCloseable {
     }
 
     /**
-     * Starts the first program of this jar that was started here and has ended since: with its number and arguments, so in its
-     * place and world. Its standard output is discarded.
+     * Restarts the first ended program of this jar with its number and arguments, so in its place and world. Its
+     * standard output is discarded.
      *
      * @return the new process; empty if none has ended
      */
@@ -106,7 +106,7 @@ public final class ChildPrograms implements AutoCloseable {
         return Optional.of(start(jar, ended.get().number, ended.get().arguments, ProcessBuilder.Redirect.DISCARD));
     }
 
-    /** Where the first program of this jar that still runs was put on the screen; empty if none was. */
+    /** The window's place of the first running program of this jar; empty if it was given none. */
     Optional<WindowPlace> placeOf(String jar) {
         return started.stream()
                 .filter(child ->
@@ -117,7 +117,7 @@ public final class ChildPrograms implements AutoCloseable {
     }
 
     /**
-     * Closes their standard input, and destroys those that have not ended after 8 s, or 60 s in a run that writes archives;
+     * Closes their standard input, and destroys those still running after 8 s, or 60 s in a run that writes archives;
      * tools at once.
      */
     @Override
@@ -127,7 +127,7 @@ public final class ChildPrograms implements AutoCloseable {
             try {
                 child.process.getOutputStream().close();
             } catch (IOException e) {
-                // It has gone already.
+                // already ended
             }
         }
         long from = System.nanoTime();

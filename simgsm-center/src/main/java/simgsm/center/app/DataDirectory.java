@@ -19,9 +19,9 @@ public final class DataDirectory implements AutoCloseable {
     }
 
     /**
-     * Creates the directory if it is missing, and locks it.
+     * Creates the directory if missing, and locks it.
      *
-     * @throws IOException naming the directory if it cannot be made or another process holds it
+     * @throws IOException naming the directory if it cannot be created or another process holds it
      */
     static DataDirectory take(Path directory) throws IOException {
         return new DataDirectory(FolderLock.take(directory, LOCK_FILE, "another centre"));

@@ -16,13 +16,13 @@ import simgsm.file.SecretFile;
 import simgsm.sim.SimFile;
 
 /**
- * Which SIMs may register.
+ * The SIMs that may register.
  *
  * @param file lists the cards of a closed network; empty for an open one
  * @param cards of the file
  */
 public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredEquipment) {
-    /** @throws IOException naming the file, and the line, that is invalid */
+    /** @throws IOException naming the invalid file and line */
     static HomeSettings read(Arguments arguments) throws UsageException, IOException {
         Optional<Path> file = arguments.path("hlr");
         file.ifPresent(SecretFile::check);
@@ -50,7 +50,7 @@ public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredE
         return file.isPresent();
     }
 
-    /** The numbers whose cards may be used, in the file's order. */
+    /** The numbers of the cards, in the file's order. */
     public List<Msisdn> numbers() {
         return cards.subscriptions().stream()
                 .filter(subscription -> !subscription.isBarred())
@@ -58,7 +58,7 @@ public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredE
                 .toList();
     }
 
-    /** The options with which a terminal with this number is started. */
+    /** The options that start a terminal with this number. */
     public List<String> wordsFor(String number) {
         List<String> words = new ArrayList<>(List.of("--number", number));
         file.ifPresent(

@@ -27,9 +27,9 @@ import simgsm.sim.Milenage;
 import simgsm.sim.SimCard;
 import simgsm.sim.SimFile;
 
-/** {@code --new-sim}: makes SIMs with new keys, and writes each to the list and to a file of its own. */
+/** {@code --new-sim}: makes SIMs with new keys, and writes each to the list and to a separate file. */
 public final class NewSims {
-    /** In one run. */
+    /** Maximum in one run. */
     static final int MOST_AT_ONCE = 1_000;
 
     private static final String HEADING = "# SimGSM: the SIMs of a closed network; keep it secret, the keys are in it";
@@ -48,8 +48,8 @@ public final class NewSims {
     /**
      * Makes SIMs for these numbers.
      *
-     * @param out names the written files
-     * @throws UsageException if there is one already
+     * @param out receives the names of the written files
+     * @throws UsageException if one of them exists
      */
     public static void make(Path list, Set<Msisdn> numbers, PrintStream out) throws UsageException, IOException {
         SimFile present = Files.exists(list) ? SimFile.read(list) : SimFile.EMPTY;
@@ -60,7 +60,7 @@ public final class NewSims {
         write(list, cards, out);
     }
 
-    /** @throws IllegalArgumentException saying what was expected */
+    /** @throws IllegalArgumentException naming the expected text */
     static Set<Msisdn> numbers(String list) {
         Set<Msisdn> numbers = new LinkedHashSet<>();
         for (String range : list.split(",", -1)) {
@@ -145,7 +145,7 @@ public final class NewSims {
         }
     }
 
-    /** Appends to a file that only its owner may read; a new one is removed if it cannot be written. */
+    /** Appends to a file that only its owner may read; removes a new one if it cannot be written. */
     private static void writeSecretly(Path file, String text) throws IOException {
         boolean isNew = !Files.exists(file);
         try (FileChannel channel = PrivateFiles.open(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND)) {

@@ -5,13 +5,14 @@ import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowPlace;
 
 /**
- * Places of the windows of started programs, each 36 pixels further down and inwards than the one before: phones from the top
- * left corner; robots over the first one, so that phone and centre stay in view, or from the top right where there is none.
+ * Places of the windows of started programs, each 36 pixels below and to the right or left of the last: phones from the
+ * top left corner; robots over the first one, so that phone and centre remain visible, or from the top right without
+ * one.
  */
 final class WindowCascade {
     private static final int STEP = 36;
     private static final int STEPS = 10;
-    /** Of a robot's window with its frame, in pixels. */
+    /** Width of a robot's window with its frame, in pixels. */
     private static final int ROBOT_WIDTH = 1_130;
 
     private final WindowPlace area;
@@ -28,7 +29,7 @@ final class WindowCascade {
         return new WindowPlace(area.x() + step, area.y() + step, 0, 0);
     }
 
-    /** @param first the place of the SimRobot that runs already; it ends at the same right and lower edge */
+    /** @param first the place of the running SimRobot; the new one has the same right and lower edge */
     WindowPlace nextRobot(Optional<WindowPlace> first, double zoom) {
         return first.filter(place -> place.width() > 0)
                 .map(place -> over(place, zoom))
@@ -42,7 +43,7 @@ final class WindowCascade {
         return new WindowPlace(first.x() + right, first.y() + down, first.width() - right, first.height() - down);
     }
 
-    /** As many steps as leave the least length; then from the beginning again. */
+    /** Steps inwards while the minimum length remains; then restarts. */
     private int inwards(int length, double least) {
         int steps = Math.min(STEPS, Math.max(0, (int) ((length - least) / STEP)));
         return steps == 0 ? 0 : (robots % steps + 1) * STEP;

@@ -37,14 +37,17 @@ import simgsm.rr.FrequencyList;
 import simgsm.timer.Timers;
 
 /**
- * The base station controller: the towers, and the mobiles that are reached by them. Towards the towers it speaks RSL as osmo-bsc does;
- * towards the exchange each mobile is a {@link Link} like that of a terminal with its own cell.
+ * The base station controller: the towers and their mobiles. To the towers it speaks RSL like osmo-bsc; to the exchange
+ * each mobile is a {@link Link} like a terminal's with its own cell.
  */
 public final class BaseStationController implements BroadcastChannel {
     private static final System.Logger LOG = System.getLogger(BaseStationController.class.getName());
 
     private static final ChannelNumber PCH = ChannelNumber.of(ChannelNumber.Kind.PCH_AGCH, 0);
-    /** Combined common channels: 3 blocks less one for access grant, in each of 5 multiframes (TS 45.002, 6.5). */
+    /**
+     * Number of paging groups with combined common channels: 3 blocks less one for access grant, in each of 5
+     * multiframes (TS 45.002, 6.5).
+     */
     private static final int PAGING_GROUPS = 10;
 
     private static final int IMSI_MODULUS = 1_000;
@@ -59,10 +62,10 @@ public final class BaseStationController implements BroadcastChannel {
     private int handoverReference;
 
     /**
-     * @param links what all links share
-     * @param uplink takes what mobiles send
+     * @param links context of all links
+     * @param uplink receives the mobiles' messages
      * @param known finds the link of a registered subscriber
-     * @param mustProve whether a mobile that names the subscriber of this link has to prove it first
+     * @param mustProve true if a mobile that names the subscriber of this link has to prove it first
      */
     public BaseStationController(
             Link.Context links,
@@ -78,10 +81,10 @@ public final class BaseStationController implements BroadcastChannel {
     }
 
     /**
-     * A peer has said that it is a tower. It takes the place of an older link with its unit id, as at osmo-bsc; here that has to come
-     * from the same host or to be silent, and to be 10 s old.
+     * Accepts a peer as a tower. It replaces an older link with its unit id, as in osmo-bsc, if that is from the same
+     * host or silent, and at least 10 s old.
      *
-     * @throws IllegalArgumentException if it cannot be one beside the others, which stay as they are
+     * @throws IllegalArgumentException if it conflicts with the others, which remain
      */
     public PeerUser towerConnected(Peer peer, CcmMessage.IdentityResponse identity) {
         TowerControl old = towers.get(identity.unitId());
@@ -109,7 +112,7 @@ public final class BaseStationController implements BroadcastChannel {
         return tower;
     }
 
-    /** The parameters that the tower has sent; the rest from the first position whose cell no other tower has. */
+    /** The parameters sent by the tower; the rest from the first position with an unused cell. */
     private static TowerPlan planOf(CcmMessage.IdentityResponse identity, List<TowerControl> others) {
         TowerPlan plan = TowerPlan.of(identity, 0);
         for (int position = 1; position <= others.size() && isUsed(plan.cell(), others); position++) {
@@ -122,7 +125,7 @@ public final class BaseStationController implements BroadcastChannel {
         return others.stream().anyMatch(tower -> tower.plan().cell().equals(cell));
     }
 
-    /** All cells must fit one frequency list, because each lists all others. */
+    /** Checks that all cells fit one frequency list, because each lists all others. */
     private static void checkFrequencies(TowerPlan newcomer, List<TowerControl> others) {
         Set<Integer> frequencies = new TreeSet<>(Set.of(newcomer.cell().frequency()));
         others.forEach(tower -> frequencies.add(tower.plan().cell().frequency()));
@@ -135,7 +138,11 @@ public final class BaseStationController implements BroadcastChannel {
         }
     }
 
-    /** Each cell lists all others. @param newcomer has not received its list yet */
+    /**
+     * Updates the neighbours of each cell.
+     *
+     * @param newcomer has not received its list yet
+     */
     private void listNeighbours(TowerControl newcomer) {
         for (TowerControl tower : List.copyOf(towers.values())) {
             List<Integer> others = towers.values().stream()
@@ -160,7 +167,7 @@ public final class BaseStationController implements BroadcastChannel {
         return uplink;
     }
 
-    /** From the next traffic channel on. */
+    /** Sets the algorithm from the next traffic channel on. */
     public void setHandover(HandoverAlgorithm handover) {
         settings = new CellSettings(settings.t3212SixMinutes(), handover);
     }
@@ -169,7 +176,7 @@ public final class BaseStationController implements BroadcastChannel {
         return settings;
     }
 
-    /** The tower with this cell. */
+    /** The tower of this cell. */
     Optional<TowerControl> tower(NeighbourCell cell) {
         return towers.values().stream()
                 .filter(tower -> tower.plan().cell().frequency() == cell.frequency()
@@ -183,8 +190,8 @@ public final class BaseStationController implements BroadcastChannel {
     }
 
     /**
-     * The mobile that sends this first message; a location update, a mobile that is not known, and one that has to prove who it is
-     * get a new one.
+     * The mobile of this first message; a new one for a location update, an unknown mobile, and one that has to prove
+     * its identity.
      */
     TowerMobile mobileOf(OctetString firstMessage, TowerControl tower) {
         return identityIn(firstMessage)
@@ -239,7 +246,7 @@ public final class BaseStationController implements BroadcastChannel {
         towers.values().forEach(tower -> tower.send(message));
     }
 
-    /** Towers that are connected, with the number of their free channels. */
+    /** Connected towers with the number of their free channels. */
     public Map<String, Long> freeChannels() {
         Map<String, Long> free = new LinkedHashMap<>();
         towers.values().forEach(tower -> free.put(tower.toString(), tower.freeChannels()));

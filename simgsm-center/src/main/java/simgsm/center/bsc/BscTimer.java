@@ -7,27 +7,27 @@ import java.util.concurrent.TimeUnit;
  * tower, as with osmo-bsc.
  */
 public enum BscTimer {
-    /** IMMEDIATE ASSIGNMENT is not followed by the mobile's first message. */
+    /** Waits for the mobile's first message after IMMEDIATE ASSIGNMENT. */
     T3101(3),
-    /** HANDOVER COMMAND is not followed by HANDOVER COMPLETE or HANDOVER FAILURE. */
+    /** Waits for HANDOVER COMPLETE or HANDOVER FAILURE after HANDOVER COMMAND. */
     T3103(5),
-    /** ASSIGNMENT COMMAND is not followed by ASSIGNMENT COMPLETE or ASSIGNMENT FAILURE. */
+    /** Waits for ASSIGNMENT COMPLETE or ASSIGNMENT FAILURE after ASSIGNMENT COMMAND. */
     T10(6),
-    /** CHANNEL MODE MODIFY is not acknowledged by the mobile; X13 of osmo-bsc. */
+    /** Waits for the mobile's answer to CHANNEL MODE MODIFY; X13 of osmo-bsc. */
     MODE_OF_MOBILE(5),
-    /** MODE MODIFY REQUEST is not answered by the tower; X14 of osmo-bsc. */
+    /** Waits for the tower's answer to MODE MODIFY REQUEST; X14 of osmo-bsc. */
     MODE_OF_TOWER(5),
-    /** After CHANNEL RELEASE the tower has not confirmed that the radio links are down. */
+    /** Waits for the end of the radio links after CHANNEL RELEASE. */
     T3109(5),
     /** From the end of the radio links to the end of the channel, so that the mobile has left it. */
     T3111(2),
-    /** Seconds in IMMEDIATE ASSIGNMENT REJECT for which a mobile does not try again. */
+    /** Seconds in IMMEDIATE ASSIGNMENT REJECT during which a mobile does not retry. */
     T3122(10),
-    /** A call waits for a free traffic channel. */
+    /** Limits a call's wait for a free traffic channel. */
     T11(5),
-    /** The tower does not answer CHANNEL ACTIVATION. */
+    /** Waits for the tower's answer to CHANNEL ACTIVATION. */
     ACTIVATION(4),
-    /** The tower does not acknowledge RF CHANNEL RELEASE. */
+    /** Waits for the tower's answer to RF CHANNEL RELEASE. */
     RF_RELEASE(4);
 
     private final int seconds;

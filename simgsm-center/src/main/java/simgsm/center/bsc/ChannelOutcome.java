@@ -16,7 +16,7 @@ import simgsm.octets.OctetString;
  * @param title of the message
  */
 record ChannelOutcome(String title, ConnectionEvent event) {
-    /** The outcome in a layer 3 message; empty for any other message, and one that cannot be decoded. */
+    /** The outcome in a layer 3 message; empty for any other message or an invalid one. */
     static Optional<ChannelOutcome> of(OctetString layer3) {
         if (layer3.length() < 2 || layer3.octet(0) != Layer3Header.RADIO_RESOURCE) {
             return Optional.empty();

@@ -6,10 +6,10 @@ import simgsm.air.ProtocolViolation;
 import simgsm.rr.RequestReference;
 
 /**
- * A mobile's request for a channel, as the tower has received it.
+ * A mobile's request for a channel, as received by the tower.
  *
- * @param reference comes back in the answer
- * @param accessDelay the timing advance that the mobile needs, in bits
+ * @param reference repeated in the answer
+ * @param accessDelay the timing advance of the mobile, in bits
  */
 record ChannelRequest(RequestReference reference, int accessDelay) {
     static ChannelRequest of(RslPdu message) throws ProtocolViolation {

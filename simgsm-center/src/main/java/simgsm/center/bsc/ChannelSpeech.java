@@ -12,8 +12,8 @@ import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 
 /**
- * The speech of one traffic channel as RTP over UDP between exchange and tower: ip.access CRCX asks the tower for its port, MDCX gives it
- * ours. Packets of either payload type pass unchanged in both directions.
+ * The speech of one traffic channel as RTP over UDP between exchange and tower: ip.access CRCX requests the tower's
+ * port, MDCX sends ours. Packets of either payload type pass unchanged in both directions.
  */
 final class ChannelSpeech {
     private static final System.Logger LOG = System.getLogger(ChannelSpeech.class.getName());
@@ -32,7 +32,7 @@ final class ChannelSpeech {
         this.channel = channel;
     }
 
-    /** Asks the tower for a connection. */
+    /** Requests a connection of the tower. */
     void create() {
         isRefused = false;
         port = channel.tower().openMedia(channel::heard);
@@ -41,7 +41,7 @@ final class ChannelSpeech {
                 .with(RslElement.RTP_PAYLOAD, RtpPacket.GSM_FULL_RATE));
     }
 
-    /** The tower's answer to CRCX. */
+    /** Handles the tower's answer to CRCX. */
     void created(RslPdu answer) throws ProtocolViolation {
         if (port == null || isOpen) {
             return;
@@ -85,7 +85,7 @@ final class ChannelSpeech {
         return octets;
     }
 
-    /** The tower has no resources for speech, which is no protocol error. */
+    /** Handles a tower without resources for speech, which is no protocol error. */
     void refused() {
         refused("the tower refuses it");
     }
@@ -99,17 +99,21 @@ final class ChannelSpeech {
         }
     }
 
-    /** Whether this activation of the channel has no speech and will have none. */
+    /** True if this activation of the channel has no speech and will have none. */
     boolean isRefused() {
         return isRefused;
     }
 
-    /** Sends a packet. @return false if there is no path yet */
+    /**
+     * Sends a packet.
+     *
+     * @return false if the path is not connected yet
+     */
     boolean send(byte[] rtp) {
         return isOpen && port.sendMedia(rtp);
     }
 
-    /** The channel ends, and with it the tower's connection. */
+    /** Ends the channel, and with it the tower's connection. */
     void close() {
         isOpen = false;
         isRefused = false;

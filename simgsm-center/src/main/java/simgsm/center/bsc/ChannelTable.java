@@ -14,7 +14,7 @@ public final class ChannelTable {
         FREE,
         /** CHANNEL ACTIVATION is sent. */
         ACTIVATING,
-        /** A mobile uses the channel, or is on its way to it. */
+        /** A mobile uses the channel, or is moving to it. */
         ACTIVE,
         /** SACCH and SAPI 3 are being closed. */
         CLOSING,
@@ -22,7 +22,7 @@ public final class ChannelTable {
         LEAVING,
         /** RF CHANNEL RELEASE is sent. */
         FREEING,
-        /** The tower has not answered, or has refused; the channel is not used until it does. */
+        /** The tower has not answered, or has refused; the channel is unused until it answers. */
         BROKEN
     }
 
@@ -31,14 +31,14 @@ public final class ChannelTable {
         ACTIVATE,
         ACTIVATED,
         REFUSED,
-        /** The mobile goes to another channel or is lost: the channel ends at once. */
+        /** The mobile has moved to another channel or is lost: the channel ends at once. */
         ABANDON,
         /** The radio connection ends in order. */
         RELEASE,
         LINKS_CLOSED,
         T3109_EXPIRED,
         T3111_EXPIRED,
-        /** The tower has been silent for the time of the state. */
+        /** The time of the state has expired without an answer of the tower. */
         UNANSWERED,
         FREED
     }
@@ -70,7 +70,7 @@ public final class ChannelTable {
                 .on(LEAVING, T3111_EXPIRED, FREEING, SEND_RF_RELEASE)
                 .on(FREEING, FREED, FREE, TELL_FREE)
                 .on(FREEING, UNANSWERED, BROKEN)
-                // A late answer mends the channel.
+                // A late answer repairs the channel.
                 .on(BROKEN, ACTIVATED, FREEING, SEND_RF_RELEASE)
                 .on(BROKEN, FREED, FREE, TELL_FREE);
     }

@@ -22,11 +22,11 @@ public final class ConnectionTable {
         GRANTED(BscTimer.T3101, T3101_EXPIRED),
         /** The mobile is on its channel. */
         DEDICATED,
-        /** So it is, and waits for a traffic channel; T11 runs from the first attempt. */
+        /** Dedicated, waiting for a traffic channel; T11 runs from the first attempt. */
         QUEUED,
         /** CHANNEL MODE MODIFY is sent, for speech on a traffic channel that carries signalling. */
         CHANGING_MODE(BscTimer.MODE_OF_MOBILE, MODE_UNANSWERED),
-        /** The mobile has acknowledged it; MODE MODIFY REQUEST is sent to the tower. */
+        /** The mobile has acknowledged the mode; MODE MODIFY REQUEST is sent to the tower. */
         CHANGING_CHANNEL(BscTimer.MODE_OF_TOWER, MODE_UNANSWERED),
         /** The traffic channel is being activated. */
         PREPARING_ASSIGNMENT,
@@ -38,7 +38,7 @@ public final class ConnectionTable {
         HANDING_OVER(BscTimer.T3103, T3103_EXPIRED),
         ENDED;
 
-        /** The longest stay in a state, and the event at its end. */
+        /** The maximum time in a state, and the event at its end. */
         record Guard(BscTimer timer, ConnectionEvent expiry) {}
 
         private final Optional<Guard> guard;
@@ -61,14 +61,14 @@ public final class ConnectionTable {
     public enum ConnectionEvent {
         CHANNEL_ACTIVE,
         CHANNEL_FAILED,
-        /** The first message has come, on the first channel. */
+        /** The first message has arrived, on the first channel. */
         MOBILE_ARRIVED,
         T3101_EXPIRED,
         ASSIGN,
-        /** The channel itself can carry speech. */
+        /** The current channel can carry speech. */
         MODIFY,
         MODE_ACCEPTED,
-        /** The mobile or the tower does not have the mode, or does not answer. */
+        /** The mobile or the tower does not support the mode, or does not answer. */
         MODE_REFUSED,
         MODE_UNANSWERED,
         QUEUE,
@@ -77,7 +77,7 @@ public final class ConnectionTable {
         SPEECH_UNUSED,
         HANDOVER,
         COMPLETED,
-        /** The mobile is back on the old channel. */
+        /** The mobile has returned to the old channel. */
         RETURNED,
         T10_EXPIRED,
         T3103_EXPIRED,
@@ -103,7 +103,7 @@ public final class ConnectionTable {
         ABANDON_CHANNEL,
         ABANDON_TARGET,
         REFUSE_SPEECH,
-        /** Looks again for a traffic channel, if a call still needs one. */
+        /** Searches again for a traffic channel, if a call still needs one. */
         SEEK_SPEECH,
         RELEASE_CHANNEL,
         TELL_LOST

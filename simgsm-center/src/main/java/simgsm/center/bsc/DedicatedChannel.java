@@ -43,11 +43,11 @@ final class DedicatedChannel {
     /** Release mode: local end (TS 48.058, 9.3.20). */
     private static final int LOCAL_END = 1;
 
-    /** Why a channel is activated (TS 48.058, 9.3.3). */
+    /** Reason of a channel's activation (TS 48.058, 9.3.3). */
     enum Purpose {
         IMMEDIATE_ASSIGNMENT(0),
         ASSIGNMENT(1),
-        /** The cells are not synchronised. */
+        /** the cells are not synchronised */
         HANDOVER(2);
 
         private final int code;
@@ -106,12 +106,12 @@ final class DedicatedChannel {
                 number, tower.plan().trainingSequence(), tower.plan().cell().frequency());
     }
 
-    /** The command by which a mobile in this cell moves to this channel. */
+    /** The command that moves a mobile in this cell to this channel. */
     RadioResource assignmentCommand() {
         return new RadioResource.AssignmentCommand(description(), POWER_LEVEL, RadioResource.SPEECH_FULL_RATE);
     }
 
-    /** The command by which a mobile in another cell moves to this channel. */
+    /** The command that moves a mobile in another cell to this channel. */
     RadioResource handoverCommand() {
         return new RadioResource.HandoverCommand(
                 tower.plan().cell(),
@@ -121,12 +121,16 @@ final class DedicatedChannel {
                 Optional.of(RadioResource.SPEECH_FULL_RATE));
     }
 
-    /** The command by which the mobile on this channel begins to speak on it. */
+    /** The command that starts speech on this channel. */
     RadioResource modeCommand() {
         return new RadioResource.ChannelModeModify(description(), RadioResource.SPEECH_FULL_RATE);
     }
 
-    /** Gives the channel to a connection. @param reference of a handover, else unused */
+    /**
+     * Assigns the channel to a connection.
+     *
+     * @param reference of a handover, else unused
+     */
     void activate(RadioConnection connection, Purpose why, int delay, int reference) {
         user = connection;
         purpose = why;
@@ -138,12 +142,12 @@ final class DedicatedChannel {
         machine.fire(ChannelEvent.ACTIVATE);
     }
 
-    /** The radio connection ends; CHANNEL RELEASE has been sent. */
+    /** Ends the radio connection; CHANNEL RELEASE has been sent. */
     void release() {
         machine.fire(ChannelEvent.RELEASE);
     }
 
-    /** The mobile does not come, or is lost. */
+    /** Ends the channel of a mobile that is absent or lost. */
     void abandon() {
         machine.fire(ChannelEvent.ABANDON);
     }
@@ -158,7 +162,7 @@ final class DedicatedChannel {
         return canCarrySpeech() && isForSpeech;
     }
 
-    /** Asks the tower for the mode for speech, which the mobile has already. */
+    /** Requests the mode for speech, which the mobile already has, from the tower. */
     void modifyMode() {
         isChangingMode = true;
         tower.send(RslPdu.of(RslType.MODE_MODIFY_REQUEST, number).with(RslElement.CHANNEL_MODE, mode(true)));
@@ -167,7 +171,7 @@ final class DedicatedChannel {
     private void modeModified(boolean isDone) {
         if (isChangingMode && machine.state() == ChannelState.ACTIVE) {
             isChangingMode = false;
-            // A call that has waited too long for it has ended, and made no path for its speech.
+            // a call that has waited too long has ended without a speech path
             isForSpeech = user.modeModified(this, isDone) && isDone;
         }
     }
@@ -189,7 +193,7 @@ final class DedicatedChannel {
         tower.send(message);
     }
 
-    /** Takes a message of the tower about this channel. */
+    /** Handles a message of the tower for this channel. */
     void receive(RslPdu message) throws ProtocolViolation {
         switch (message.type()) {
             case CHANNEL_ACTIVATION_ACKNOWLEDGE -> machine.fire(ChannelEvent.ACTIVATED);
@@ -212,7 +216,7 @@ final class DedicatedChannel {
             case DATA_INDICATION, ERROR_INDICATION, CONNECTION_FAILURE, HANDOVER_DETECTION -> tell(message);
             case MEASUREMENT_RESULT -> measured(message);
             default -> {
-                // The other answers need no action.
+                // the other answers need no action
             }
         }
     }
@@ -264,7 +268,7 @@ final class DedicatedChannel {
                 user.channelEnded(this);
             }
             default -> {
-                // No timer runs in the other states; the connection supervises the mobile.
+                // no timer runs in the other states; the connection supervises the mobile
             }
         }
     }
@@ -333,21 +337,21 @@ final class DedicatedChannel {
         };
     }
 
-    /** The speech of this channel's mobile has arrived. */
+    /** Passes on speech of this channel's mobile. */
     void heard(byte[] rtp) {
         if (machine.state() == ChannelState.ACTIVE) {
             user.heard(rtp);
         }
     }
 
-    /** Tower and exchange have no way for this channel's speech. */
+    /** Handles the lack of a path for this channel's speech between tower and exchange. */
     void speechRefused() {
         if (machine.state() == ChannelState.ACTIVE) {
             user.speechRefused(this);
         }
     }
 
-    /** The tower is gone. */
+    /** Ends the channel with its tower. */
     void lost() {
         timers().cancel(guard);
         speech.close();

@@ -5,9 +5,9 @@ import simgsm.center.bsc.handover.HandoverDecision;
 import simgsm.center.bsc.handover.Measurement;
 import simgsm.center.bsc.handover.NeighbourCell;
 
-/** Finds the free traffic channel in another cell to which a mobile is handed over. */
+/** Finds a free traffic channel in another cell for a mobile's handover. */
 final class HandoverTarget {
-    /** RXLEV that a neighbour needs for a directed retry: -90 dBm. */
+    /** Minimum RXLEV of a neighbour for a directed retry: -90 dBm. */
     private static final int DIRECTED_RETRY_LEVEL = 20;
 
     private final BaseStationController controller;
@@ -16,14 +16,18 @@ final class HandoverTarget {
         this.controller = controller;
     }
 
-    /** Where the decision moves a call. @param decision has been given the latest measurement; null on a signalling channel */
+    /**
+     * The decision's target.
+     *
+     * @param decision has been given the latest measurement; null on a signalling channel
+     */
     Optional<DedicatedChannel> better(DedicatedChannel channel, HandoverDecision decision) {
         return decision == null || !channel.carriesSpeech()
                 ? Optional.empty()
                 : decision.target().flatMap(wanted -> free(wanted.cell(), channel));
     }
 
-    /** Directed retry: the strongest neighbour in which a call that waits finds a traffic channel. */
+    /** Directed retry: a traffic channel in the strongest neighbour for a waiting call. */
     Optional<DedicatedChannel> elsewhere(DedicatedChannel channel, Measurement measurement) {
         return measurement.neighbours().stream()
                 .filter(each -> each.level() >= DIRECTED_RETRY_LEVEL)

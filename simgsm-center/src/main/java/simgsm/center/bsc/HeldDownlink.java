@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Queue;
 import simgsm.octets.OctetString;
 
-/** Downlink layer 3 that waits for the end of an assignment or handover, and the release that follows it. */
+/** Downlink layer 3 held during an assignment or handover, and the release after it. */
 final class HeldDownlink {
     private record Message(int sapi, OctetString layer3) {}
 
@@ -19,7 +19,11 @@ final class HeldDownlink {
         hasRelease = true;
     }
 
-    /** Sends the messages on a channel. @return whether the connection is to be released after them */
+    /**
+     * Sends the messages on a channel.
+     *
+     * @return true if the connection is to be released afterwards
+     */
     boolean sendOn(DedicatedChannel channel) {
         while (!messages.isEmpty()) {
             Message next = messages.remove();

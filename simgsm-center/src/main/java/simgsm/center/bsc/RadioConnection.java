@@ -38,12 +38,12 @@ final class RadioConnection {
     private DedicatedChannel channel;
     /** The channel of a running assignment or handover; null otherwise. */
     private DedicatedChannel target;
-    /** Null before the first message has told who the mobile is. */
+    /** Null until the first message has identified the mobile. */
     private TowerMobile mobile;
 
     private OctetString firstMessage;
     private boolean isSpeechNeeded;
-    /** Since when the call waits for a traffic channel, over failed directed retries. */
+    /** Start of the call's wait for a traffic channel, including failed directed retries. */
     private OptionalLong waitingSinceNanos = OptionalLong.empty();
     /** True once the mobile has reached the target cell; its speech is then sent only there. */
     private boolean isDetected;
@@ -56,7 +56,7 @@ final class RadioConnection {
         this.channel = first;
     }
 
-    /** Begins with a mobile's request, for which this channel is activated. */
+    /** Begins with a mobile's request and the channel activated for it. */
     static void begin(BaseStationController controller, ChannelRequest request, DedicatedChannel first) {
         RadioConnection connection = new RadioConnection(controller, request, first);
         first.activate(connection, Purpose.IMMEDIATE_ASSIGNMENT, request.accessDelay(), 0);
@@ -66,7 +66,7 @@ final class RadioConnection {
         return channel;
     }
 
-    /** The mobile has proved who it is. */
+    /** Assigns the connection to the mobile that has proved its identity. */
     void belongTo(TowerMobile proved) {
         mobile = proved;
     }
@@ -75,7 +75,7 @@ final class RadioConnection {
         return machine.state() == ConnectionState.ASSIGNING || machine.state() == ConnectionState.HANDING_OVER;
     }
 
-    // From the exchange.
+    // Sends a message of the exchange.
 
     void send(int sapi, OctetString layer3) {
         if (isSuspended()) {
@@ -107,7 +107,7 @@ final class RadioConnection {
         }
     }
 
-    /** Looks for a traffic channel, and waits for one if none is free. */
+    /** Searches for a traffic channel, and waits for one if none is free. */
     void seekSpeech() {
         if (!isSpeechNeeded || channel.carriesSpeech()) {
             return;
@@ -125,12 +125,12 @@ final class RadioConnection {
         }
     }
 
-    /** Since when this connection waits for a traffic channel; the first is served first. */
+    /** Start of this connection's wait for a traffic channel; the oldest is served first. */
     long waitingSinceNanos() {
         return waitingSinceNanos.orElseThrow();
     }
 
-    /** Sends speech to both cells until the mobile is known to have reached the target. */
+    /** Sends speech to both cells until the mobile has reached the target. */
     void sendSpeech(byte[] rtp) {
         boolean isMoving = target != null && machine.state() == ConnectionState.HANDING_OVER;
         if (!isMoving || !isDetected) {
@@ -147,12 +147,12 @@ final class RadioConnection {
         }
     }
 
-    /** Another connection of the same mobile has begun, or its link is over. */
+    /** Ends the connection because another one of the same mobile has begun, or its link has ended. */
     void lost() {
         machine.fire(ConnectionEvent.LOST);
     }
 
-    // From the channels.
+    // Handles the activation of a channel.
 
     void channelActive(DedicatedChannel active) {
         machine.fire(ConnectionEvent.CHANNEL_ACTIVE);
@@ -162,26 +162,30 @@ final class RadioConnection {
         machine.fire(ConnectionEvent.CHANNEL_FAILED);
     }
 
-    /** The mobile must have left the channel by now. */
+    /** Handles the end of a channel, which the mobile has left by now. */
     void channelEnded(DedicatedChannel ended) {
         if (ended == channel && machine.state() == ConnectionState.ENDED) {
             disconnected();
         }
     }
 
-    /** The tower has answered MODE MODIFY REQUEST. @return false if it is too late */
+    /**
+     * Handles the tower's answer to MODE MODIFY REQUEST.
+     *
+     * @return false if it is too late
+     */
     boolean modeModified(DedicatedChannel of, boolean isDone) {
         return of == channel && machine.fire(isDone ? ConnectionEvent.CHANNEL_ACTIVE : ConnectionEvent.MODE_REFUSED);
     }
 
-    /** A channel has no speech: a call that needs it ends, as soon as the mobile is there. */
+    /** Handles a channel without speech: a call that needs it ends, once the mobile has arrived. */
     void speechRefused(DedicatedChannel on) {
         if (on == channel && !isSuspended()) {
             refuseSpeech();
         }
     }
 
-    /** The tower of one of the channels is gone. */
+    /** Handles the loss of a channel's tower. */
     void channelLost(DedicatedChannel gone) {
         if (gone == target) {
             targetLost();
@@ -244,7 +248,11 @@ final class RadioConnection {
         }
     }
 
-    /** Takes the messages that end an assignment or handover. @return false for any other */
+    /**
+     * Handles the end of an assignment or handover.
+     *
+     * @return false for any other message
+     */
     private boolean receiveRadioResource(DedicatedChannel from, OctetString layer3) {
         Optional<ChannelOutcome> outcome = ChannelOutcome.of(layer3);
         outcome.ifPresent(found -> {

@@ -47,7 +47,7 @@ final class SystemInformationBlocks {
         return filled(access(out), BLOCK);
     }
 
-    /** The neighbours of mobiles in idle mode. */
+    /** The neighbours for mobiles in idle mode. */
     OctetString type2() {
         OctetWriter out =
                 begin(22, 0x1a).string(FrequencyList.encode(neighbours)).octet(ALL_COLOUR_CODES);
@@ -62,14 +62,14 @@ final class SystemInformationBlocks {
         return filled(access(out).octet(0x29), BLOCK);
     }
 
-    /** A part of type 3, more often. */
+    /** A part of type 3, sent more often. */
     OctetString type4() {
         OctetWriter out = area(begin(12, 0x1c));
         selection(out);
         return filled(access(out), BLOCK);
     }
 
-    /** The neighbours of mobiles on a dedicated channel; marked as the second list, which reports name by BA-USED. */
+    /** The neighbours for mobiles on a dedicated channel; marked as the second list, which reports name by BA-USED. */
     OctetString type5() {
         byte[] list = FrequencyList.encode(neighbours).toArray();
         list[0] |= SECOND_LIST;
@@ -100,7 +100,9 @@ final class SystemInformationBlocks {
         return octets(out, RANDOM_ACCESS);
     }
 
-    /** Cell selection parameters (10.5.2.4): hysteresis in steps of 2 dB, power level; NECI, least level for access. */
+    /**
+     * Cell selection parameters (10.5.2.4): hysteresis in steps of 2 dB, power level; NECI, minimum level for access.
+     */
     private void selection(OctetWriter out) {
         octets(out, plan.hysteresisDecibels() / 2 << 5 | POWER_LEVEL, NECI | plan.accessMinimum());
     }

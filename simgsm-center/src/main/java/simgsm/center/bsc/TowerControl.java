@@ -38,13 +38,13 @@ import simgsm.timer.Timers;
 final class TowerControl implements PeerUser, Lifeline {
     private static final System.Logger LOG = System.getLogger(TowerControl.class.getName());
 
-    /** Protocol errors after which the link is closed. */
+    /** Number of protocol errors after which the link is closed. */
     private static final int MAX_VIOLATIONS = 100;
 
-    /** Protocol errors, and error reports of the tower, that are warnings in the log. */
+    /** Number of protocol errors, and of the tower's error reports, that are logged as warnings. */
     private static final int MAX_LOGGED = 3;
 
-    /** Two towers with one unit id cannot take turns faster than this. */
+    /** Minimum age of a link that a tower with the same unit id may replace. */
     private static final long LEAST_CONNECTION_NANOS = TimeUnit.SECONDS.toNanos(10);
 
     private static final ChannelNumber BCCH = ChannelNumber.of(Kind.BCCH, 0);
@@ -54,7 +54,7 @@ final class TowerControl implements PeerUser, Lifeline {
     private static final int TYPE_5 = 0x05;
 
     private static final int TYPE_6 = 0x06;
-    /** Messages whose layer 3 the ladder shows in their place, and measurements, of which there are too many. */
+    /** Messages replaced by their layer 3 in the ladder, and measurements, which are too frequent. */
     private static final Set<RslType> UNTRACED = EnumSet.of(
             RslType.DATA_REQUEST,
             RslType.DATA_INDICATION,
@@ -70,7 +70,7 @@ final class TowerControl implements PeerUser, Lifeline {
     private final Timers timers;
     private final Map<ChannelNumber, DedicatedChannel> channels = new HashMap<>();
     private final List<DedicatedChannel> inOrder = new ArrayList<>();
-    /** In the order in which their calls began to wait. */
+    /** Connections in the order of their waits. */
     private final List<RadioConnection> queue = new ArrayList<>();
 
     private List<Integer> neighbours = List.of();
@@ -133,7 +133,11 @@ final class TowerControl implements PeerUser, Lifeline {
         sendSacch(TYPE_6, blocks.type6());
     }
 
-    /** The other cells have changed. @param frequencies in the order in which reports count them */
+    /**
+     * Sets the other cells.
+     *
+     * @param frequencies in the order of reports
+     */
     void setNeighbours(List<Integer> frequencies, boolean isTold) {
         boolean isChanged = !frequencies.equals(neighbours);
         neighbours = frequencies;
@@ -171,31 +175,31 @@ final class TowerControl implements PeerUser, Lifeline {
         return isClosed ? Optional.empty() : free(true);
     }
 
-    /** Channels that are free. */
+    /** Number of free channels. */
     long freeChannels() {
         return inOrder.stream().filter(DedicatedChannel::isFree).count();
     }
 
-    /** The connection waits for a traffic channel. */
+    /** Adds a connection to the queue for a traffic channel. */
     void queue(RadioConnection connection) {
         queue.remove(connection);
         queue.add(connection);
         queue.sort(Comparator.comparingLong(RadioConnection::waitingSinceNanos));
     }
 
-    /** The connection waits no longer. */
+    /** Removes a connection from the queue. */
     void unqueue(RadioConnection connection) {
         queue.remove(connection);
     }
 
-    /** A channel has become free: connections that wait may go on. */
+    /** Serves waiting connections after the release of a channel. */
     void freed() {
         while (!queue.isEmpty() && freeTrafficChannel().isPresent()) {
             queue.remove(0).seekSpeech();
         }
     }
 
-    /** Requests for a channel get an SDCCH, else a traffic channel for signalling, else a reject. */
+    /** Assigns an SDCCH to a request, else a traffic channel for signalling, else rejects it. */
     private void request(RslPdu message) throws ProtocolViolation {
         ChannelRequest request = ChannelRequest.of(message);
         Optional<DedicatedChannel> channel = free(false).or(() -> free(true));
@@ -263,7 +267,7 @@ final class TowerControl implements PeerUser, Lifeline {
         }
     }
 
-    /** The values of a MEASUREMENT RESULT; neighbours on frequencies that the cell does not list are left out. */
+    /** Decodes a MEASUREMENT RESULT; ignores neighbours on frequencies that the cell does not list. */
     Measurement measurement(RslPdu message) throws ProtocolViolation {
         int number = message.octet(RslElement.MEASUREMENT_RESULT_NUMBER);
         boolean usesDtx = (message.octet(RslElement.UPLINK_MEASUREMENTS) & 0x40) != 0;
@@ -295,7 +299,7 @@ final class TowerControl implements PeerUser, Lifeline {
                         .toList());
     }
 
-    /** The mobile's report; one that cannot be read counts as missing, since it is not the tower's. */
+    /** The mobile's report; an invalid one counts as missing, because it is not the tower's fault. */
     private static Optional<MeasurementResults> reportIn(OctetString layer3) {
         try {
             return Layer3Codec.decode(layer3.toArray(), Direction.UPLINK)
@@ -328,7 +332,11 @@ final class TowerControl implements PeerUser, Lifeline {
         peer.drop("internal error");
     }
 
-    /** Another link says that it is this tower. @throws IllegalArgumentException if it may not take its place */
+    /**
+     * Checks if another link may replace this one of the same tower.
+     *
+     * @throws IllegalArgumentException if it may not
+     */
     void checkReplaceable(Peer newcomer) {
         if (!newcomer.host().equals(peer.host()) && !peer.isSilent()) {
             throw new IllegalArgumentException("unit id " + unitId + " is in use from " + peer.host());

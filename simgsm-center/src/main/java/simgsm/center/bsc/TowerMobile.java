@@ -10,7 +10,7 @@ import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.RadioAccess;
 import simgsm.octets.OctetString;
 
-/** A mobile that is reached by towers: on its radio connection if it has one, else by paging in its location area. */
+/** A mobile of the towers: reached on its radio connection, or by paging in its location area. */
 final class TowerMobile implements RadioAccess {
     private final BaseStationController controller;
     private final Link link;
@@ -27,7 +27,7 @@ final class TowerMobile implements RadioAccess {
         return link;
     }
 
-    /** The mobile begins a radio connection; an older one is lost. */
+    /** Begins a radio connection; an older one is lost. */
     void connected(RadioConnection begun) {
         connection.ifPresent(RadioConnection::lost);
         connection = Optional.of(begun);
@@ -43,7 +43,7 @@ final class TowerMobile implements RadioAccess {
         connected(proved);
     }
 
-    /** The radio connection is over. */
+    /** Handles the end of the radio connection. */
     void disconnected(RadioConnection ended) {
         if (connection.filter(own -> own == ended).isPresent()) {
             connection = Optional.empty();
@@ -52,7 +52,7 @@ final class TowerMobile implements RadioAccess {
         }
     }
 
-    /** Without a subscriber the mobile is made anew with its next message. */
+    /** Removes a mobile without a subscriber; its next message creates another. */
     private void forgetIfUnknown() {
         if (!link.hasSubscriber()) {
             link.forget();

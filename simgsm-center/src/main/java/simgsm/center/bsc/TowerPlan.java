@@ -9,8 +9,8 @@ import simgsm.air.LocationArea;
 import simgsm.air.RadioResource.CellDescription;
 
 /**
- * A tower's place in the network. A tower that sends only its unit id gets the first of ARFCN 100 with BSIC 10, 110 with
- * 11 ... that no connected tower has, and location area 1.
+ * A tower's parameters in the network. A tower that sends only its unit id gets the first unused of ARFCN 100 with BSIC
+ * 10, 110 with 11 ..., and location area 1.
  *
  * @param cell ARFCN of its one carrier, and BSIC
  * @param cellIdentity 0 to 65535
@@ -29,7 +29,11 @@ record TowerPlan(
         int hysteresisDecibels) {
     private static final int TIMESLOTS = 8;
 
-    /** The plan of a tower. @param position from 0, which gives what the tower does not tell */
+    /**
+     * The plan of a tower.
+     *
+     * @param position from 0, selects the defaults of missing parameters
+     */
     static TowerPlan of(CcmMessage.IdentityResponse identity, int position) {
         TowerIdentity tower = TowerIdentity.of(identity, position);
         return new TowerPlan(
@@ -44,7 +48,7 @@ record TowerPlan(
     }
 
     /**
-     * The dedicated channels in the order in which they are given out: SDCCH/4 beside the common channels in timeslot 0, traffic
+     * The dedicated channels in the order of their assignment: SDCCH/4 with the common channels in timeslot 0, traffic
      * channels in the last timeslots, SDCCH/8 in those between.
      */
     List<ChannelNumber> channels() {
@@ -66,7 +70,7 @@ record TowerPlan(
         }
     }
 
-    /** The base station's colour code is the training sequence of all its channels. */
+    /** The training sequence of all channels, equal to the base station's colour code. */
     int trainingSequence() {
         return cell.identityCode() & 0x07;
     }

@@ -7,15 +7,15 @@ import java.time.Instant;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * A running capture. Packets are added without waiting for the disk; a thread writes them. When the disk is full, capturing
- * stops; when it is too slow, packets are left out. Both are logged, and the centre goes on.
+ * A running capture. A thread writes the packets, so adding one never waits for the disk. A full disk ends the capture;
+ * a slow one causes dropped packets. Both are logged, and the centre continues.
  */
 public final class Capture implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Capture.class.getName());
-    /** Packets that wait for the disk; two such buffers exist at most. */
+    /** Maximum of waiting packets; at most two such buffers exist. */
     private static final int MOST_WAITING_OCTETS = 16 * 1024 * 1024;
 
-    /** Packets of this time are written together. */
+    /** Time of collecting packets for one write. */
     private static final int GATHERING_MILLIS = 50;
 
     private static final long NANOS_PER_MICRO = 1_000;
@@ -33,13 +33,13 @@ public final class Capture implements AutoCloseable {
     private Capture(CapturePlan plan) throws IOException {
         this.plan = plan;
         this.file = PcapFile.create(plan.file());
-        // The file holds whole records at any time, so the thread may end with the process.
+        // the file always holds whole records, so the thread may end with the process
         thread.setDaemon(true);
         thread.start();
     }
 
     /**
-     * Begins a capture.
+     * Starts a capture.
      *
      * @throws IOException naming the file that cannot be written
      */
@@ -68,7 +68,7 @@ public final class Capture implements AutoCloseable {
         return sessions.getAndIncrement();
     }
 
-    /** Takes one IP packet, header and all. */
+    /** Adds one IP packet with its header. */
     void packet(byte[] packet) {
         Instant now = Instant.now();
         synchronized (lock) {
@@ -98,7 +98,11 @@ public final class Capture implements AutoCloseable {
         }
     }
 
-    /** Waits for packets. @return false once there are none and no more will come */
+    /**
+     * Waits for packets.
+     *
+     * @return false at the end of all packets
+     */
     private boolean takeTurn() {
         synchronized (lock) {
             try {

@@ -5,8 +5,8 @@ import java.nio.file.Path;
 /**
  * File and limit of a capture.
  *
- * @param file is overwritten if it exists
- * @param limitOctets a file of this length is renamed to {@link #previous()}, and a new one begun
+ * @param file overwritten if it exists
+ * @param limitOctets length after which the file is renamed to {@link #previous()}, and a new one begun
  */
 public record CapturePlan(Path file, long limitOctets) {
     public static final int DEFAULT_LIMIT_MIB = 1024;
@@ -19,7 +19,7 @@ public record CapturePlan(Path file, long limitOctets) {
         return new CapturePlan(file, limitMib * OCTETS_PER_MIB);
     }
 
-    /** The name of the part before the current one: {@code lesson.1.pcap} of {@code lesson.pcap}. */
+    /** The name of the last full part: {@code lesson.1.pcap} of {@code lesson.pcap}. */
     Path previous() {
         String name = file.getFileName().toString();
         int dot = name.lastIndexOf('.');

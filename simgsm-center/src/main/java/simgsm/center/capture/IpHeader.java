@@ -5,12 +5,12 @@ import java.net.InetAddress;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
-/** Writes IP headers between two addresses: IPv4 (RFC 791), or IPv6 (RFC 8200) where either of them is. */
+/** Writes IP headers between two addresses: IPv4 (RFC 791), or IPv6 (RFC 8200) if either address is. */
 final class IpHeader {
     static final int TCP = 6;
     static final int UDP = 17;
 
-    /** A UDP checksum that is computed as 0 (RFC 768). */
+    /** Sent instead of a computed UDP checksum of 0 (RFC 768). */
     private static final short ZERO_AS_SENT = (short) 0xffff;
 
     private static final int VERSION_4_LENGTH_5 = 0x45;
@@ -77,11 +77,13 @@ final class IpHeader {
         }
     }
 
-    /** The checksum of a segment or datagram whose own is still 0 (RFC 9293, 3.1, and RFC 768: with its pseudo header). */
+    /**
+     * The checksum of a segment or datagram with checksum field 0, and its pseudo header (RFC 9293, 3.1, and RFC 768).
+     */
     short checksum(byte[] packet, int protocol, int from, int segmentLength) {
         long sum = sum(peer, 0, peer.length) + sum(center, 0, center.length) + protocol + segmentLength;
         short checksum = folded(sum + sum(packet, from, segmentLength));
-        // 0 would say that there is none
+        // 0 would mean no checksum
         return protocol == UDP && checksum == 0 ? ZERO_AS_SENT : checksum;
     }
 

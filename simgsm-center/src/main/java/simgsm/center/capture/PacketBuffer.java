@@ -16,7 +16,7 @@ final class PacketBuffer {
         this.mostOctets = mostOctets;
     }
 
-    /** @return false if there is no room */
+    /** @return false if the buffer is full */
     boolean add(int seconds, int micros, byte[] packet) {
         int length = RECORD_HEADER_LENGTH + packet.length;
         if (records.remaining() < length && !grow(records.position() + length)) {
@@ -44,7 +44,7 @@ final class PacketBuffer {
         return records.position();
     }
 
-    /** The records, to be written; {@link #clear} follows. */
+    /** The records to write; {@link #clear} follows. */
     ByteBuffer contents() {
         return records.duplicate().flip();
     }

@@ -9,7 +9,10 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import simgsm.file.PrivateFiles;
 
-/** A classic pcap file, big-endian, microseconds. Whole records only, so that it can be opened at any time. */
+/**
+ * A classic pcap file, big-endian, microseconds. It always contains whole records, so that it can be opened at any
+ * time.
+ */
 final class PcapFile {
     /** LINKTYPE_RAW: each packet begins with its IPv4 or IPv6 header. */
     private static final int LINK_TYPE_RAW = 101;
@@ -61,7 +64,7 @@ final class PcapFile {
         size += count;
     }
 
-    /** Renames this file, replacing an older one of that name, and begins a new one. */
+    /** Renames this file, replacing an older one, and begins another. */
     PcapFile startAnew(Path aside) throws IOException {
         channel.close();
         Files.move(path, aside, StandardCopyOption.REPLACE_EXISTING);
@@ -72,7 +75,7 @@ final class PcapFile {
         channel.close();
     }
 
-    /** Closes the file after a failure; a record written in part is cut off if possible. */
+    /** Closes the file after a failure; truncates an incomplete record if possible. */
     void abandon() {
         try (channel) {
             channel.truncate(size);

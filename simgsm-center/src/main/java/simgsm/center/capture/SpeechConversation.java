@@ -11,8 +11,8 @@ import simgsm.abis.MgcpMessage;
 import simgsm.abis.MgcpMessage.MediaAddress;
 
 /**
- * The speech of one connection as RTP over UDP, the form that Wireshark reads and plays without any setting. Each session of
- * speech has ports of its own and is announced by MGCP within the TCP conversation; 400 ms of silence end it.
+ * The speech of one connection as RTP over UDP, which Wireshark reads and plays without settings. Each session of
+ * speech has separate ports, announced by MGCP within the TCP conversation; 400 ms of silence end it.
  */
 final class SpeechConversation {
     /** The first port of RTP sessions, as media gateways use them. */
@@ -28,12 +28,12 @@ final class SpeechConversation {
     private final IpHeader ip;
     private final String peerHost;
     private final String centerHost;
-    /** Of the session; 0 before the first. */
+    /** The session's port; 0 before the first. */
     private int centerPort;
 
     private int session;
     private long latestNanos;
-    /** Ports of datagrams that were announced here: the peer's in the high half, the centre's in the low one. */
+    /** Announced ports of datagrams: the peer's in the high half, the centre's in the low one. */
     private final Set<Integer> announced = new HashSet<>();
 
     SpeechConversation(
@@ -49,7 +49,11 @@ final class SpeechConversation {
         centerHost = center.getAddress().getHostAddress();
     }
 
-    /** A speech frame. @param nowNanos of any clock that goes on */
+    /**
+     * Adds a speech frame.
+     *
+     * @param nowNanos of any monotonic clock
+     */
     void speech(boolean isFromPeer, byte[] rtp, long nowNanos) {
         if (centerPort == 0 || nowNanos - latestNanos > SILENCE_NANOS) {
             end();
@@ -60,9 +64,9 @@ final class SpeechConversation {
     }
 
     /**
-     * A datagram with these ports, as it was on the wire.
+     * Adds a datagram with its real ports.
      *
-     * @param isAnnounced whether MGCP was on the wire, too; a tower's ports are in RSL, which Wireshark does not follow
+     * @param isAnnounced true if MGCP was on the wire; a tower's ports are in RSL, which Wireshark does not follow
      */
     void datagram(boolean isFromPeer, int toPeer, int toCenter, byte[] rtp, boolean isAnnounced) {
         if (!isAnnounced && announced.add(toPeer << 16 | toCenter)) {

@@ -33,7 +33,7 @@ final class TcpConversation implements WireTap {
     private final Side peer;
     private final Side center;
     private final SpeechConversation speech;
-    /** Whether the terminal's media are agreed upon by MGCP on this connection. */
+    /** True if MGCP negotiates the terminal's media on this connection. */
     private boolean hasMgcp;
 
     private boolean isOver;
@@ -86,7 +86,11 @@ final class TcpConversation implements WireTap {
         speech.datagram(isFromPeer, peerPort, centerPort, rtp, hasMgcp);
     }
 
-    /** One message of signalling. @param wire a whole IPA frame */
+    /**
+     * Adds one message of signalling.
+     *
+     * @param wire a whole IPA frame
+     */
     void message(boolean isFromPeer, byte[] wire) {
         Side from = isFromPeer ? peer : center;
         Side to = isFromPeer ? center : peer;

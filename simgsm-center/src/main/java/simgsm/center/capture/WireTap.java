@@ -4,7 +4,7 @@ import simgsm.abis.IpaFrame;
 
 /** Receives the frames of one connection. */
 public interface WireTap {
-    /** For a connection that is not captured. */
+    /** Used for connections that are not captured. */
     WireTap NONE = new WireTap() {
         @Override
         public void received(IpaFrame frame) {}
@@ -21,7 +21,7 @@ public interface WireTap {
 
     void received(IpaFrame frame);
 
-    /** @param wire a frame that has been sent, as on the wire */
+    /** @param wire a frame sent, as on the wire */
     void sent(byte[] wire);
 
     /** A datagram of speech has been sent or received, with these ports. */

@@ -4,19 +4,19 @@ import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
- * Gathers commits that are written with one synchronisation. On a slow disk a group waits for as many commits as the last
- * two had together, for a tenth of a synchronisation at most: so senders who wait for an answer each are answered together,
- * and not one half of them after the other.
+ * Groups commits for one synchronisation. On a slow disk a group waits for as many commits as the last two had
+ * together, at most a tenth of a synchronisation, so that senders who wait for each answer are answered together, not
+ * in two alternating halves.
  */
 final class CommitGroups<T> {
-    /** On a faster disk no group waits. */
+    /** Synchronisation time below which no group waits. */
     private static final long SLOW_NANOS = 10_000_000;
 
     private static final int SHARE = 10;
 
-    /** Where commits come from. */
+    /** Supplies commits. */
     interface Source<T> {
-        /** The next commit; null if none comes in this time. */
+        /** The next commit; null after this time. */
         T next(long nanos) throws InterruptedException;
     }
 
@@ -29,7 +29,11 @@ final class CommitGroups<T> {
         this.clock = clock;
     }
 
-    /** Adds what follows the first commit of a group. @param most commits in a group */
+    /**
+     * Adds commits after the first one of a group.
+     *
+     * @param most commits in a group
+     */
     void gather(List<T> group, int most, Source<T> source) throws InterruptedException {
         long end = clock.getAsLong() + (syncNanos < SLOW_NANOS ? 0 : syncNanos / SHARE);
         int expected = last + beforeLast;
@@ -42,7 +46,11 @@ final class CommitGroups<T> {
         } while (next != null && group.size() < most);
     }
 
-    /** A group was written. @param nanos what that took */
+    /**
+     * Notes a written group.
+     *
+     * @param nanos duration of the write
+     */
     void written(int commits, long nanos) {
         beforeLast = last;
         last = commits;

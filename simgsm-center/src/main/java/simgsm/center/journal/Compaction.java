@@ -9,8 +9,7 @@ import java.util.List;
 import simgsm.center.smsc.StoreEntry;
 
 /**
- * Writes the journal's state into a snapshot, in steps, reads it back, gives it its name, and only then deletes the files
- * that it replaces.
+ * Writes the journal's state to a snapshot, in steps, verifies it, renames it, and finally deletes the replaced files.
  */
 final class Compaction {
     private static final System.Logger LOG = System.getLogger(Journal.class.getName());
@@ -22,7 +21,7 @@ final class Compaction {
     private final long number;
     private final Iterator<StoreEntry> rest;
     private final JournalSegment snapshot;
-    /** Null until all is written. */
+    /** Null until everything is written. */
     private SnapshotProof proof;
 
     /**
@@ -36,7 +35,11 @@ final class Compaction {
         this.snapshot = JournalSegment.begin(disk.create(FileNames.unfinished()), 0, Long.MAX_VALUE);
     }
 
-    /** Writes or reads the next entries. @return whether the snapshot has replaced the older files */
+    /**
+     * Writes or verifies the next entries.
+     *
+     * @return true once the snapshot has replaced the older files
+     */
     boolean step() throws IOException {
         if (rest.hasNext()) {
             writeNext();
@@ -76,7 +79,7 @@ final class Compaction {
         return snapshot.size();
     }
 
-    /** A file that cannot be deleted is ignored by the next start. */
+    /** the next start ignores a file that cannot be deleted */
     private void removeSuperseded() {
         try {
             for (String name : disk.names()) {
@@ -98,7 +101,7 @@ final class Compaction {
             }
             disk.delete(FileNames.unfinished());
         } catch (IOException | UncheckedIOException e) {
-            // The next compaction overwrites it; the next start deletes it.
+            // the next compaction overwrites it; the next start deletes it
         }
     }
 }

@@ -4,11 +4,11 @@ package simgsm.center.journal;
  * A part of a file without valid records.
  *
  * @param from its first octet
- * @param to the octet after its last one
- * @param isTail whether no valid record follows, as after a crash while a record was written
+ * @param to end, exclusive
+ * @param isTail true if no valid record follows, as after a crash during a write
  */
 record Damage(String file, long from, long to, boolean isTail) {
-    /** What is wrong and where. */
+    /** The damage and its position in words. */
     String place() {
         return file + (isTail ? ": torn at octet " + from : ": damaged from octet " + from + " to " + (to - 1));
     }

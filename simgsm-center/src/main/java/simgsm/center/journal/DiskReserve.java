@@ -5,8 +5,8 @@ import java.nio.ByteBuffer;
 import java.util.Set;
 
 /**
- * A file of zeros that becomes the next segment when the disk is full, so that the ends of messages are recorded and none is
- * delivered twice. It is written in place: no other file can take its room.
+ * A file of zeros that becomes the next segment when the disk is full, so that the ends of messages are recorded and
+ * none is delivered twice. It is written in place, so no other file can take its space.
  */
 final class DiskReserve {
     private static final int PIECE = 64 * 1024;
@@ -27,7 +27,7 @@ final class DiskReserve {
         }
     }
 
-    /** @param octets to be held by {@link #isFilled}; 0 at first */
+    /** @param octets target size of {@link #isFilled}; 0 at first */
     void hold(long octets) {
         wanted = octets;
     }
@@ -36,7 +36,11 @@ final class DiskReserve {
         return size;
     }
 
-    /** Takes the octets that are missing, as far as the disk has them. @return whether it holds all */
+    /**
+     * Adds missing octets if the disk has space.
+     *
+     * @return true if the reserve is complete
+     */
     boolean isFilled() {
         try {
             if (file == null && wanted > 0) {
@@ -53,7 +57,7 @@ final class DiskReserve {
         }
     }
 
-    /** Makes it a segment as large as the room. */
+    /** Converts it to a segment of its size. */
     JournalSegment become(String name, long previousRecords) throws IOException {
         if (size == 0) {
             throw new IOException("no room is held back");
@@ -75,7 +79,7 @@ final class DiskReserve {
             try {
                 closing.close();
             } catch (IOException e) {
-                // Nothing is lost: it holds zeros.
+                // nothing is lost: it contains zeros
             }
         }
     }

@@ -18,7 +18,10 @@ import simgsm.center.smsc.StoreEntry;
 import simgsm.octets.OctetString;
 import simgsm.sms.SmsAddress;
 
-/** Converts store entries to octets and back: the kind, then the fields in order, as {@link DataOutputStream} writes them. */
+/**
+ * Converts store entries to octets and back: the kind, then the fields in order, in the format of {@link
+ * DataOutputStream}.
+ */
 final class EntryCodec {
     private static final int ACCEPTED = 1;
     private static final int ENDED = 2;

@@ -2,7 +2,7 @@ package simgsm.center.journal;
 
 import java.util.Optional;
 
-/** What a file's records say of the file. */
+/** Information of a file's records about the file. */
 final class FileContents {
     private long records;
     private long writtenRecords;
@@ -30,17 +30,17 @@ final class FileContents {
         cutOctets = reader.end() - goodOctets;
     }
 
-    /** Records that are known to have been written and are not there. */
+    /** Number of records certainly written but missing. */
     long lostRecords() {
         return writtenRecords - records;
     }
 
-    /** Records up to the last that is there. */
+    /** Number of records up to the last one present. */
     long writtenRecords() {
         return writtenRecords;
     }
 
-    /** Records of the segment before; 0 if the file does not say. */
+    /** Number of records of the previous segment; 0 if the file has no such mark. */
     long previousRecords() {
         return previousRecords;
     }
@@ -50,24 +50,24 @@ final class FileContents {
         return cutOctets;
     }
 
-    /** Whether the first mark is there. */
+    /** True if the first mark is present. */
     boolean isOpened() {
         return isOpened;
     }
 
-    /** Whether the first mark is missing and entries are there: version 1.0.0 wrote none. */
+    /** True if the first mark is missing before entries: version 1.0.0 wrote none. */
     boolean isOfFirstFormat() {
         return !isOpened && records > 0;
     }
 
-    /** Whether the end mark is the last record. */
+    /** True if the end mark is the last record. */
     boolean isClosed() {
         return isClosed;
     }
 
     /**
-     * Whether the process may have died while it wrote the octets at the end: the first record of a file is synchronised
-     * alone, so at most that one can be torn at the file's start.
+     * True if the octets at the end may be an interrupted write: the first record of a file is synchronised alone, so
+     * at most that one can be torn at the file's start.
      */
     boolean isTornAsByDeath() {
         return records > 0 || goodOctets + cutOctets <= FileMark.RECORD_LENGTH;

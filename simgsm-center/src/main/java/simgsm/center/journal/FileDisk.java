@@ -54,7 +54,7 @@ public final class FileDisk implements Disk {
         try {
             lock = channel.tryLock();
         } catch (OverlappingFileLockException e) {
-            // A journal of this process.
+            // a journal of this process
         } finally {
             if (lock == null) {
                 channel.close();

@@ -11,7 +11,7 @@ sealed interface FileMark {
     /**
      * The first record of a file.
      *
-     * @param previousRecords records in the previous segment, by which the end of that one is checked; 0 if there is none
+     * @param previousRecords records in the previous segment, to verify its end; 0 if there is none
      */
     record Opened(long previousRecords) implements FileMark {
         @Override
@@ -46,7 +46,7 @@ sealed interface FileMark {
                 .array();
     }
 
-    /** The mark in a record's contents; empty if they are an entry. */
+    /** The mark in a record's contents; empty for an entry. */
     static Optional<FileMark> decode(byte[] contents) {
         if (contents.length != 1 + Long.BYTES) {
             return Optional.empty();

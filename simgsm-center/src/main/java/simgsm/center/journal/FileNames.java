@@ -26,12 +26,12 @@ final class FileNames {
         return UNFINISHED;
     }
 
-    /** The room held back for the ends of messages. */
+    /** The space reserved for the ends of messages. */
     static String reserve() {
         return "reserve";
     }
 
-    /** The copy of a file's octets that could not be read, from this position on. */
+    /** The copy of a file's unreadable octets from this position on. */
     static String damaged(String name, long from) {
         return name + "-" + from + ".damaged";
     }
@@ -44,7 +44,7 @@ final class FileNames {
         return number(SNAPSHOT, name);
     }
 
-    /** Whether a snapshot with this number replaces the file. */
+    /** True if a snapshot with this number replaces the file. */
     static boolean isSuperseded(String name, long snapshot) {
         return segmentNumber(name).filter(number -> number <= snapshot).isPresent()
                 || snapshotNumber(name).filter(number -> number < snapshot).isPresent();

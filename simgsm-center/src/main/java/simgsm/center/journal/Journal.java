@@ -12,11 +12,11 @@ import simgsm.center.smsc.StoreEntry;
 import simgsm.center.smsc.StoredState;
 
 /**
- * The store on disk: groups of entries appended to segments, and from time to time a snapshot that replaces all segments
- * before it. Without thread and clock; one owner drives it.
+ * The store on disk: groups of entries appended to segments, and occasional snapshots that replace all earlier
+ * segments. Without thread and clock; one owner drives it.
  *
- * <p>While the disk fails, new messages are refused. Entries of any other kind tell what has happened already; they are
- * kept in memory and written first when the disk works again.
+ * <p>While the disk fails, new messages are refused. Entries of other kinds report past events; they are kept in memory
+ * and written first after the recovery.
  */
 public final class Journal {
     private static final System.Logger LOG = System.getLogger(Journal.class.getName());
@@ -38,21 +38,21 @@ public final class Journal {
         }
     }
 
-    /** Held back for the ends of messages: 79 000. */
+    /** Space reserved for the ends of 79 000 messages. */
     private static final long RESERVE_OCTETS = 4 << 20;
 
     private final Disk disk;
     private final Limits limits;
     private final JournalState state;
-    /** Entries that the disk has not taken, in order; repetitions are kept once. */
+    /** Entries not yet on disk, in order; repetitions are kept once. */
     private final Set<StoreEntry> owed = new LinkedHashSet<>();
 
     private final DiskReserve reserve;
     private JournalSegment segment;
-    /** Whether the segment is what was the reserve: the disk is full. */
+    /** True if the segment was the reserve: the disk is full. */
     private boolean isReserve;
 
-    /** Whether the segment may hold octets of a failed append. */
+    /** True if the segment may contain octets of a failed append. */
     private boolean isSuspect;
 
     private boolean isFailing;
@@ -60,7 +60,7 @@ public final class Journal {
     private long lastNumber;
     /** Records in the last closed segment. */
     private long lastRecords;
-    /** Octets in closed files; of these, those that the compaction under way replaces. */
+    /** Octets in closed files, and the part replaced by the running compaction. */
     private long closedOctets;
 
     private long replacedOctets;
@@ -76,7 +76,7 @@ public final class Journal {
     }
 
     /**
-     * Reads the directory; damage is logged by file and position, and the valid records are kept.
+     * Reads the directory; logs damage by file and position, and keeps the valid records.
      *
      * @throws IOException if the disk cannot be read
      */
@@ -96,7 +96,7 @@ public final class Journal {
         return journal;
     }
 
-    /** Holds back room on the disk, into which the ends of messages are written when it is full. */
+    /** Reserves disk space for the ends of messages when the disk is full. */
     public void holdReserve() {
         holdReserve(RESERVE_OCTETS);
     }
@@ -117,7 +117,11 @@ public final class Journal {
         return state.stored();
     }
 
-    /** Makes entries durable, all or none. @return whether that has succeeded */
+    /**
+     * Makes entries durable, all or none.
+     *
+     * @return true if that has succeeded
+     */
     public boolean commit(List<StoreEntry> entries) {
         List<StoreEntry> all = new ArrayList<>(owed.size() + entries.size());
         all.addAll(owed);
@@ -129,7 +133,7 @@ public final class Journal {
             failed(entries, e);
             return isSaved() && entries.stream().noneMatch(StoreEntry.Accepted.class::isInstance);
         }
-        // what has written nothing does not tell whether there is room
+        // a commit without a write does not show if there is space
         if (isFailing && !all.isEmpty()) {
             LOG.log(Level.WARNING, "the disk takes the journal again");
             isFailing = false;
@@ -146,7 +150,7 @@ public final class Journal {
         entries.forEach(state::apply);
     }
 
-    /** Whether the last commit has failed; an empty commit tries again to write the kept entries. */
+    /** True if the last commit has failed; an empty commit retries the kept entries. */
     public boolean isFailing() {
         return isFailing;
     }
@@ -161,7 +165,11 @@ public final class Journal {
         }
     }
 
-    /** Writes the kept entries into the room held back. @return whether none is left */
+    /**
+     * Writes the kept entries to the reserve.
+     *
+     * @return true if none is left
+     */
     private boolean isSaved() {
         try {
             if (!owed.isEmpty() && !isReserve) {
@@ -187,7 +195,7 @@ public final class Journal {
         isReserve = true;
     }
 
-    /** Cuts the file to its durable part after a failure, and opens the next segment if necessary. */
+    /** Truncates the file to its durable part after a failure, and opens the next segment if necessary. */
     private void prepare() throws IOException {
         repair();
         if (isReserve && !reserve.isFilled()) {
@@ -231,12 +239,12 @@ public final class Journal {
         closing.close();
     }
 
-    /** Whether {@link #compact} has work to do. */
+    /** True if {@link #compact} has work to do. */
     public boolean isCompacting() {
         return compaction != null;
     }
 
-    /** Begins a compaction if one is due, or does the next step of it; each takes milliseconds. */
+    /** Begins a compaction if one is due, or performs its next step; each takes milliseconds. */
     public void compact() {
         try {
             if (compaction == null) {
@@ -272,7 +280,7 @@ public final class Journal {
         return closedOctets + (segment == null ? 0 : segment.size());
     }
 
-    /** Tries once more to write the kept entries, and closes the segment. */
+    /** Retries the kept entries, and closes the segment. */
     public void close() {
         if (isFailing) {
             commit(List.of());

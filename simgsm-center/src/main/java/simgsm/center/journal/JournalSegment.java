@@ -39,7 +39,11 @@ final class JournalSegment {
         return records;
     }
 
-    /** Appends entries with one write. @param isSynchronised whether they are durable then, and not with a later append */
+    /**
+     * Appends entries with one write.
+     *
+     * @param isSynchronised true to make them durable now, not with a later append
+     */
     void append(List<StoreEntry> entries, boolean isSynchronised) throws IOException {
         write(entries.stream().map(EntryCodec::encode).toList(), isSynchronised);
     }
@@ -65,7 +69,7 @@ final class JournalSegment {
         records = sequence;
     }
 
-    /** Removes the octets that a failed append may have left. */
+    /** Removes octets of a failed append. */
     void repair() throws IOException {
         file.truncate(size);
         file.sync();

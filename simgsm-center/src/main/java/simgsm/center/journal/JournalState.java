@@ -18,18 +18,18 @@ import simgsm.center.smsc.StoreEntry;
 import simgsm.center.smsc.StoredState;
 
 /**
- * The sum of all entries so far: what a restart needs. Messages are shared with the short message centre, so a waiting one
- * costs only a map entry here.
+ * The sum of all entries so far, as needed by a restart. Messages are shared with the short message centre, so a
+ * waiting one costs only a map entry here.
  */
 final class JournalState {
-    /** Repetitions are recognised for this time, and among the latest {@code maxRecent} messages. */
+    /** Time during which repetitions are recognised, among the latest {@code maxRecent} messages. */
     private static final Duration RECENT = Duration.ofHours(1);
 
     /** Approximate octets of an accepted message on disk besides its SUBMIT. */
     private static final int MESSAGE_OCTETS = 100;
 
     private final SortedMap<Long, ShortMessage> waiting = new TreeMap<>();
-    /** Messages that have ended and whose report is due. */
+    /** Ended messages with a pending report. */
     private final SortedMap<Long, StoredState.Unreported> unreported = new TreeMap<>();
 
     private final Deque<ShortMessage> recent = new ArrayDeque<>();
@@ -76,7 +76,11 @@ final class JournalState {
         }
     }
 
-    /** Removes a message in whatever state. @return null if it is unknown */
+    /**
+     * Removes a message in any state.
+     *
+     * @return null if it is unknown
+     */
     private ShortMessage forget(long id) {
         StoredState.Unreported hasEnded = unreported.remove(id);
         ShortMessage gone = hasEnded == null ? waiting.remove(id) : hasEnded.message();
@@ -93,12 +97,12 @@ final class JournalState {
         return octets + (long) (recent.size() + known.size()) * 2 * MESSAGE_OCTETS;
     }
 
-    /** Messages that wait or whose report is due. */
+    /** Number of messages that wait or have a pending report. */
     int messages() {
         return waiting.size() + unreported.size();
     }
 
-    /** The shortest sequence of entries with the same sum, as it is now; made one by one while it is read. */
+    /** The shortest sequence of entries with the current sum, generated while it is read. */
     Iterator<StoreEntry> image() {
         List<ShortMessage> endedLately = recent.stream()
                 .filter(message -> !waiting.containsKey(message.id()) && !unreported.containsKey(message.id()))

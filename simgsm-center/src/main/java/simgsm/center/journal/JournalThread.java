@@ -11,11 +11,11 @@ import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.StoreEntry;
 
 /**
- * The thread that owns the journal. Commits that arrive while the disk is busy, and on a slow disk a little later, are
- * written as one group with one synchronisation.
+ * The thread that owns the journal. It writes commits that arrive while the disk is busy, and on a slow disk a little
+ * later, as one group with one synchronisation.
  */
 public final class JournalThread implements MessageStore, AutoCloseable {
-    /** Commits in a group; about 1 MB, or less in a small heap. */
+    /** Maximum of commits in a group; about 1 MB, or less in a small heap. */
     private static final int MAX_GROUP = HeapShare.count(4_000, 1_500);
 
     private static final long RETRY_MILLIS = 500;
@@ -26,7 +26,7 @@ public final class JournalThread implements MessageStore, AutoCloseable {
         }
     }
 
-    /** Ends the thread after all orders before it. */
+    /** Ends the thread after all preceding orders. */
     private static final Order END = new Order(NO_TICKET, List.of());
 
     /** Receives the outcome of each group, on the journal's thread. */
@@ -47,7 +47,7 @@ public final class JournalThread implements MessageStore, AutoCloseable {
         this.answers = answers;
     }
 
-    /** @param failed is called when the thread has ended by an exception; nothing is stored any more */
+    /** @param failed called when an exception has ended the thread; nothing is stored afterwards */
     public void start(Consumer<Throwable> failed) {
         onFailure = failed;
         thread.start();
@@ -85,7 +85,7 @@ public final class JournalThread implements MessageStore, AutoCloseable {
         journal.close();
     }
 
-    /** Takes the next group: waits for one, but not while compacting, and at most 0.5 s while the disk fails. */
+    /** Takes the next group; waits for one, but not while compacting, and at most 0.5 s while the disk fails. */
     private void collect(List<Order> group) {
         try {
             Order first = journal.isCompacting()
@@ -100,7 +100,7 @@ public final class JournalThread implements MessageStore, AutoCloseable {
         }
     }
 
-    /** While the disk fails, new messages are refused in groups of their own, so that the ends beside them are stored. */
+    /** Separates new messages from ends while the disk fails, because new messages are refused and ends are stored. */
     private Order next(Order first, long nanos) throws InterruptedException {
         Order head = orders.peek();
         if (journal.isFailing()) {

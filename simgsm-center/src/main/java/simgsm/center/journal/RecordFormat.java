@@ -12,7 +12,7 @@ final class RecordFormat {
     static final int HEADER_LENGTH = 20;
     static final int MAX_CONTENTS = 64 * 1024;
 
-    /** Start of every record, by which a reader finds the next one after damage. */
+    /** Start of every record, used to find the next one after damage. */
     static final int MARK = 0xf5a70e5d;
 
     private RecordFormat() {}

@@ -6,7 +6,7 @@ import java.util.function.Consumer;
 
 /** Reads a file's records in order; octets between valid records are reported and skipped. */
 final class RecordReader {
-    /** 256 KiB and more: several of the longest records. */
+    /** Window of at least 256 KiB: several of the longest records. */
     private static final int WINDOW = 4 * (RecordFormat.HEADER_LENGTH + RecordFormat.MAX_CONTENTS);
 
     private static final long NONE = -1;
@@ -20,7 +20,7 @@ final class RecordReader {
     private long position;
     private long lastSequence = NONE;
     private long damagedFrom = NONE;
-    /** Whether all octets since {@link #damagedFrom} are 0: room that a segment has not used. */
+    /** True if all octets since {@link #damagedFrom} are 0: unused space of a segment. */
     private boolean isBlank;
 
     private long records;
@@ -57,7 +57,7 @@ final class RecordReader {
         return records;
     }
 
-    /** The number of records that the file held up to the last valid one: {@link #records} and those lost before it. */
+    /** Number of records in the file up to the last valid one: {@link #records} and those lost before it. */
     long writtenRecords() {
         return Math.max(0, lastSequence);
     }
@@ -67,7 +67,7 @@ final class RecordReader {
         return damagedFrom == NONE ? position : damagedFrom;
     }
 
-    /** The end of the records and of what is damaged after them; to be asked when all is read. */
+    /** The end of the records and of the damage after them; valid after reading everything. */
     long end() {
         return end;
     }

@@ -13,14 +13,13 @@ import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 
 /**
- * Reads the newest whole snapshot and the segments after it into the journal's state. A snapshot that is not whole counts
- * only where the files that it has replaced are not there any more. Octets that cannot be read are copied to a file of their
- * own before they are cut off.
+ * Reads the newest whole snapshot and the segments after it into the journal's state. An incomplete snapshot counts
+ * only if the files that it replaced are gone. Unreadable octets are copied to a separate file before they are cut off.
  */
 final class Recovery {
     private static final System.Logger LOG = System.getLogger(Journal.class.getName());
 
-    /** The number of no snapshot; segments are numbered from 1. */
+    /** Means no snapshot; segments are numbered from 1. */
     private static final long NONE = 0;
 
     /** Octets copied at once. */
@@ -31,7 +30,7 @@ final class Recovery {
     private final SharedValues shared = new SharedValues();
     private final RecoveryReport report = new RecoveryReport();
     private long lastNumber;
-    /** The segment read last; null if none was. */
+    /** The last segment read; null if none was. */
     private FileContents before;
 
     private long octets;
@@ -97,7 +96,7 @@ final class Recovery {
         return names.stream().map(numberOf).flatMap(Optional::stream).collect(Collectors.toCollection(TreeSet::new));
     }
 
-    /** The newest snapshot that is whole, or that nothing is left to replace; 0 if there is none. */
+    /** The newest snapshot that is whole, or whose replaced files are gone; 0 if there is none. */
     private long newestUsable(NavigableSet<Long> snapshots, Set<String> names) throws IOException {
         for (long number : snapshots.descendingSet()) {
             boolean hasOlder = names.stream().anyMatch(name -> FileNames.isSuperseded(name, number));
@@ -108,7 +107,7 @@ final class Recovery {
         return NONE;
     }
 
-    /** A snapshot that is not whole is read for what it still holds, unless all segments that it replaces are there. */
+    /** Reads an incomplete snapshot for its valid entries, unless all segments that it replaces exist. */
     private void replayIfNeeded(long number, long base, Collection<Long> segmentNumbers) throws IOException {
         String name = FileNames.snapshot(number);
         boolean isReplaced = LongStream.rangeClosed(base + 1, number).allMatch(segmentNumbers::contains);
@@ -172,7 +171,7 @@ final class Recovery {
             if (reader.goodEnd() < file.size() && isKept) {
                 cut(name, file, reader.goodEnd());
             }
-            // An earlier process may have ended before it synchronised the file.
+            // an earlier process may have ended before it synchronised the file
             file.sync();
             return contents;
         }
@@ -186,7 +185,11 @@ final class Recovery {
         }
     }
 
-    /** Copies the octets to a file of their own. @return whether that has succeeded */
+    /**
+     * Copies the octets to a separate file.
+     *
+     * @return true if that has succeeded
+     */
     private boolean isPutAside(DiskFile file, Damage damage) {
         String copyName = FileNames.damaged(damage.file(), damage.from());
         try (DiskFile copy = disk.create(copyName)) {
@@ -204,7 +207,7 @@ final class Recovery {
         }
     }
 
-    /** A tail that cannot be cut stays: no record is ever written after it. */
+    /** Cuts off a tail; one that cannot be cut remains, and no record is written after it. */
     private static void cut(String name, DiskFile file, long end) {
         try {
             file.truncate(end);
@@ -214,7 +217,7 @@ final class Recovery {
         }
     }
 
-    /** Deletes the files that a proven snapshot replaces, and the unfinished one of an interrupted compaction. */
+    /** Deletes the files replaced by a proven snapshot, and the unfinished one of an interrupted compaction. */
     private void removeSuperseded(Set<String> names, long snapshot) {
         for (String name : names) {
             if (FileNames.isSuperseded(name, snapshot) || name.equals(FileNames.unfinished())) {

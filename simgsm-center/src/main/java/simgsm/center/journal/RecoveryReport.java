@@ -7,10 +7,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** What a recovery has found wrong, in the order of the files. */
+/** The faults found by a recovery, in the order of the files. */
 final class RecoveryReport {
     private final List<Damage> damages = new ArrayList<>();
-    /** Why a copy of the octets is missing. */
+    /** The reason of a missing copy of octets. */
     private final Map<Damage, String> notKept = new HashMap<>();
 
     private final List<String> remarks = new ArrayList<>();
@@ -22,7 +22,7 @@ final class RecoveryReport {
         damages.add(damage);
     }
 
-    /** The octets could not be copied and stay where they are. */
+    /** The octets could not be copied and remain in place. */
     void notKept(Damage damage, String reason) {
         notKept.put(damage, reason);
     }
@@ -31,7 +31,7 @@ final class RecoveryReport {
         return damages.stream().filter(damage -> damage.file().equals(file)).toList();
     }
 
-    /** Records that were written and are not there; a count of 0 or less says nothing. */
+    /** Reports missing records; ignores a count of 0 or less. */
     void lost(String where, long records) {
         if (records > 0) {
             lostRecords += records;
@@ -45,17 +45,21 @@ final class RecoveryReport {
         remarks.add(remark);
     }
 
-    /** Records that are known to be lost. */
+    /** Number of records certainly lost. */
     long lostRecords() {
         return lostRecords;
     }
 
-    /** Whether records are lost, of known number or not. */
+    /** True if records are lost, of known number or not. */
     boolean isLossy() {
         return lostRecords > 0 || isLossUnknown;
     }
 
-    /** Logs the damages, and at the level ERROR what is lost. @param saved messages that the journal holds */
+    /**
+     * Logs the damage, and losses at the level ERROR.
+     *
+     * @param saved messages in the journal
+     */
     void log(Logger log, long saved) {
         damages.forEach(damage -> log.log(Level.WARNING, text(damage)));
         if (isLossy()) {

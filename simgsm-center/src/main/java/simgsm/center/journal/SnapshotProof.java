@@ -2,7 +2,7 @@ package simgsm.center.journal;
 
 import java.io.IOException;
 
-/** Reads a snapshot to its end, in steps, to see whether it is whole: no damage, and the end mark with the right count. */
+/** Verifies a snapshot in steps: no damage, and the end mark with the right count. */
 final class SnapshotProof implements AutoCloseable {
     private final DiskFile file;
     private final RecordReader reader;
@@ -15,14 +15,18 @@ final class SnapshotProof implements AutoCloseable {
         this.reader = new RecordReader(name, file, damage -> isUndamaged = false);
     }
 
-    /** Whether the snapshot is whole; reads all of it. */
+    /** True if the snapshot is whole; reads all of it. */
     static boolean isWhole(Disk disk, String name) throws IOException {
         try (SnapshotProof proof = new SnapshotProof(name, disk.open(name))) {
             return proof.read(Long.MAX_VALUE) && proof.isWhole();
         }
     }
 
-    /** Reads this number of records at most. @return whether all are read */
+    /**
+     * Reads at most this number of records.
+     *
+     * @return true at the end
+     */
     boolean read(long records) throws IOException {
         for (long i = 0; i < records; i++) {
             byte[] contents = reader.next();
@@ -32,13 +36,13 @@ final class SnapshotProof implements AutoCloseable {
             FileMark mark = FileMark.decode(contents).orElse(null);
             boolean isFirst = reader.records() == 1;
             hasBegun |= isFirst && mark instanceof FileMark.Opened;
-            // A record after the end mark revokes it.
+            // a record after the end mark revokes it
             isEnded = mark instanceof FileMark.Closed closed && closed.records() == reader.records() - 1;
         }
         return false;
     }
 
-    /** To be asked when all is read. */
+    /** The result after the last record. */
     boolean isWhole() {
         return isUndamaged && hasBegun && isEnded;
     }

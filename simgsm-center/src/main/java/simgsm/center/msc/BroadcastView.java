@@ -10,7 +10,7 @@ import simgsm.event.EventLine;
  *
  * <p>As a line: answer to {@code broadcasts}.
  *
- * @param id by which it is stopped or updated
+ * @param id for stopping and updating
  * @param update update number of the text, 0 to 15
  * @param sent number of broadcasts so far
  * @param left number of further broadcasts; empty: until it is stopped

@@ -20,7 +20,7 @@ import simgsm.timer.Timers;
  * a phone shows a serial number once.
  */
 final class Broadcaster {
-    /** Repeated broadcasts at a time. */
+    /** Maximum of repeated broadcasts. */
     static final int MOST_RUNNING = 100;
 
     private static final int CODES = 1024;
@@ -65,7 +65,7 @@ final class Broadcaster {
         }
     }
 
-    /** @param random gives the first message code, because phones remember the codes of an earlier run */
+    /** @param random selects the first message code, because phones remember the codes of an earlier run */
     Broadcaster(MobilityProcedures mobility, Timers timers, RandomGenerator random) {
         this.mobility = mobility;
         this.timers = timers;
@@ -93,7 +93,7 @@ final class Broadcaster {
         return begun;
     }
 
-    /** Keeps the message code and raises the update number, so that phones replace the old text. */
+    /** Keeps the message code and increments the update number, so that phones replace the old text. */
     private Running update(BroadcastOrder order, int id) {
         Running old = running.get(id);
         if (old == null) {
@@ -124,7 +124,7 @@ final class Broadcaster {
         }
     }
 
-    /** @return false if there is no such broadcast, or it is over */
+    /** @return false if the broadcast does not exist, or has ended */
     boolean stop(int id) {
         Running stopped = running.remove(id);
         if (stopped != null) {

@@ -10,7 +10,7 @@ import simgsm.center.smsc.Envelope;
 import simgsm.center.subscriber.SubscriberRegister;
 
 /**
- * Selects mobiles or applications. A message goes to the subscriber with its number, attached or not; but an application
+ * Routes messages to mobiles or applications: to the subscriber with the number, attached or not; but an application
  * that serves exactly this number gets it while the subscriber is detached.
  */
 final class DeliverySelector implements DeliveryPort {

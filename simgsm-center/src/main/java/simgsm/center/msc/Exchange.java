@@ -47,7 +47,7 @@ import simgsm.timer.Timers;
 
 /**
  * The centre without sockets and clock: base station controller, MSC, registers and SMSC in one deterministic machine.
- * Links, frames, commits and time go in; frames, closings and events come out, through {@link LinkPort}, {@link
+ * Inputs are links, frames, commits and time; outputs are frames, closings and events, through {@link LinkPort}, {@link
  * MessageStore} and the listener. One thread drives it. Every {@code nowNanos} counts from the exchange's start.
  */
 public final class Exchange {
@@ -72,7 +72,7 @@ public final class Exchange {
         this(settings, store, ApplicationPort.NONE, listener);
     }
 
-    /** @param listener is called on the driving thread */
+    /** @param listener called on the driving thread */
     public Exchange(
             ExchangeSettings settings,
             MessageStore store,
@@ -113,7 +113,7 @@ public final class Exchange {
         snapshots = new SnapshotMaker(register, calls, shortMessages, ladder, broadcaster);
     }
 
-    /** Decides from the next traffic channel on when a call over towers moves to another cell. */
+    /** Sets the handover algorithm of calls over towers, from their next traffic channel on. */
     public void setHandover(HandoverAlgorithm handover) {
         controller.setHandover(handover);
     }
@@ -186,7 +186,11 @@ public final class Exchange {
         return linkOpened(nowNanos, port, address, true);
     }
 
-    /** A terminal or tower has connected. @param isLocal whether it runs on this machine, without rate limits */
+    /**
+     * A terminal or tower has connected.
+     *
+     * @param isLocal true if it runs on this machine, without rate limits
+     */
     public Peer linkOpened(long nowNanos, LinkPort port, String address, boolean isLocal) {
         advanceTimers(nowNanos);
         Peer peer = new Peer(port, address, isLocal, timers, this::terminal, this::tower);
@@ -240,13 +244,13 @@ public final class Exchange {
         settle();
     }
 
-    /** Time has passed. */
+    /** Advances the time. */
     public void advance(long nowNanos) {
         advanceTimers(nowNanos);
         settle();
     }
 
-    /** The wall clock shows this now: stamps and validities follow it, timers do not. */
+    /** Sets the wall clock: time stamps and validities follow it, timers do not. */
     public void clockShows(long nowNanos, Instant wall) {
         advanceTimers(nowNanos);
         if (civil.isJump(wall)) {
@@ -255,12 +259,12 @@ public final class Exchange {
         }
     }
 
-    /** When {@link #advance} must be called at the latest. */
+    /** The latest time for the next {@link #advance}. */
     public OptionalLong nextDeadlineNanos() {
         return timers.nextDeadlineNanos();
     }
 
-    /** Connects held calls and releases unused channels, on the links on which something has happened. */
+    /** Connects held calls and releases unused channels, on the links with activity. */
     private void settle() {
         Set<Link> touched = links.touched();
         while (!touched.isEmpty()) {
@@ -282,8 +286,8 @@ public final class Exchange {
     }
 
     /**
-     * Moves the time forward. An error of our own in a timer of a link or application ends that one; in any other timer it
-     * is logged. In no case does it reach the caller, whose frame belongs to another link.
+     * Advances the time. An internal error in a timer of a link or application ends that one; in any other timer it is
+     * logged. It never reaches the caller, whose frame belongs to another link.
      */
     private void advanceTimers(long nowNanos) {
         boolean isDone = false;
@@ -307,12 +311,12 @@ public final class Exchange {
         return broadcaster.broadcast(order);
     }
 
-    /** @return false if no broadcast with this id is repeated */
+    /** @return false if no repeated broadcast has this id */
     public boolean stopBroadcast(int id) {
         return broadcaster.stop(id);
     }
 
-    /** Broadcasts that are repeated, oldest first. */
+    /** Repeated broadcasts, oldest first. */
     public List<BroadcastView> broadcasts() {
         return broadcaster.running();
     }
@@ -328,7 +332,7 @@ public final class Exchange {
         return ExchangeSnapshot.SubscriberRow.of(subscriber, register.home().isBarred(subscriber.imsi()));
     }
 
-    /** Whether this number is listed, or has ever registered. */
+    /** True if this number is listed, or has ever registered. */
     public boolean isKnown(Msisdn number) {
         return register.ofNumber(number).isPresent();
     }
@@ -348,7 +352,7 @@ public final class Exchange {
         return register.attachedCount();
     }
 
-    /** The towers that are connected, with the number of their free channels. */
+    /** The connected towers, with the number of their free channels. */
     public Map<String, Long> towers() {
         return controller.freeChannels();
     }

@@ -20,8 +20,8 @@ public sealed interface ExchangeEvent {
     /**
      * A call is initiated, alerting, active or released.
      *
-     * @param id rising from 1 in the order of SETUP
-     * @param cause why it was released; empty before
+     * @param id increasing from 1 in the order of SETUP
+     * @param cause of the release; empty before
      */
     @EventLine("call from= to= state=")
     record CallChanged(long id, Msisdn from, Msisdn to, CallProgress state, Optional<Cause> cause)

@@ -18,10 +18,10 @@ import simgsm.tone.ToneSet;
  * @param startedAt civil time at 0 ns of the exchange's time
  * @param home subscribers who may register
  * @param tones call progress tones that the network plays to callers; empty if the phones make them
- * @param callWaiting whether a second call is offered to a phone in a call; else it is refused with cause 17
- * @param language of the texts that USSD shows
- * @param speaksUdp whether terminals are asked for speech as RTP over UDP
- * @param setupNanos T303: how long a called mobile may leave SETUP unanswered
+ * @param callWaiting true to offer a second call to a phone in a call; else it is refused with cause 17
+ * @param language of the USSD texts
+ * @param speaksUdp true to ask terminals for speech as RTP over UDP
+ * @param setupNanos T303: time for a called mobile to answer SETUP
  * @param handover decides when a call over towers moves to another cell
  */
 public record ExchangeSettings(

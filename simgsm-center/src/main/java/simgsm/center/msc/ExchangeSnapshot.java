@@ -15,12 +15,12 @@ import simgsm.event.EventLine;
  *
  * @param links open connections, registered or not
  * @param attached attached subscribers
- * @param waiting messages and reports that wait
+ * @param waiting waiting messages and reports
  * @param ladder the latest signalling messages, oldest first
- * @param ladderCount signalling messages since the start; the last entry of {@code ladder} has this number
+ * @param ladderCount signalling messages since the start, the number of the last entry of {@code ladder}
  * @param latest the latest call or short message
  * @param broadcasts repeated broadcasts
- * @param endedCalls the latest cleared calls, the newest first
+ * @param endedCalls the latest cleared calls, newest first
  */
 public record ExchangeSnapshot(
         Instant time,
@@ -38,7 +38,12 @@ public record ExchangeSnapshot(
         List<CallView> endedCalls) {
     public static final int MAX_ROWS = 1_000;
 
-    /** Answer to {@code subscribers}: attached, detached or barred. @param imei empty before the first registration; @param barred whether the operator has barred the subscriber */
+    /**
+     * Answer to {@code subscribers}: attached, detached or barred.
+     *
+     * @param imei empty before the first registration;
+     * @param barred true if the operator has barred the subscriber
+     */
     @EventLine("subscriber number= state=")
     public record SubscriberRow(Msisdn number, boolean attached, String imsi, String imei, boolean barred) {
         public static SubscriberRow of(Subscriber subscriber, boolean barred) {
@@ -61,7 +66,7 @@ public record ExchangeSnapshot(
         }
     }
 
-    /** A message that waits, or has ended lately. */
+    /** A message that waits, or has ended recently. */
     public record MessageRow(String text, MessageHistory history) {}
 
     /** @param text of a short message; for a call, the keys decoded so far, those of the called party in brackets */

@@ -44,7 +44,7 @@ final class Ladder implements Trace {
         return Collections.unmodifiableList(entries);
     }
 
-    /** A message, whose terminal may get its number later: the first message of a registration has none yet. */
+    /** A message whose terminal may get its number later: the first message of a registration has none yet. */
     private static final class Rung {
         private final Lifeline party;
         private final Direction direction;

@@ -7,7 +7,7 @@ import simgsm.octets.OctetString;
  * One signalling message of the ladder diagram.
  *
  * @param from a number, {@link #CENTER}, a tower, or the address of a terminal that has not registered
- * @param to likewise
+ * @param to as {@code from}
  * @param name the message's name in the standard
  * @param octets the layer 3 message; for paging, cell broadcast and towers the RSL message
  */

@@ -47,7 +47,7 @@ final class SignallingDispatcher implements MobileUplink {
         this.trace = trace;
     }
 
-    /** SAPI 3 is opened on an existing connection; any other message begins a new one, and the old one is lost. */
+    /** Opens SAPI 3 on an existing connection; any other message begins a new connection, and the old one is lost. */
     @Override
     public void established(Link link, RslMessage.Sapi sapi, OctetString layer3) {
         boolean isSecondLink =

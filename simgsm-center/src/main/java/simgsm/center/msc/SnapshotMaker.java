@@ -57,7 +57,7 @@ final class SnapshotMaker {
         latestIsCall = false;
     }
 
-    /** The first snapshot starts the decoding of keys. */
+    /** Makes a snapshot; the first one starts the decoding of keys. */
     ExchangeSnapshot make(Instant time, int links) {
         calls.keyTap().watch();
         int most = ExchangeSnapshot.MAX_ROWS;
@@ -81,7 +81,7 @@ final class SnapshotMaker {
                 List.copyOf(endedCalls));
     }
 
-    /** Decodes the message's text only now, because most messages are never shown. */
+    /** Decodes the message's text only here, because most messages are never shown. */
     private Optional<ExchangeSnapshot.Passing> latest() {
         if (latestIsCall) {
             return Optional.of(withKeys(latestCall));

@@ -19,12 +19,12 @@ import simgsm.net.SelectorLoop;
 
 /** The thread that owns the exchange, its ports and its connections. */
 public final class CenterLoop implements AutoCloseable {
-    /** Pause between two looks at the wall clock while much happens, and while nothing happens. */
+    /** Pause between two reads of the wall clock under load, and when idle. */
     private static final long LOOK_NANOS = 10_000_000;
 
     private static final long LATEST_LOOK_NANOS = 1_000_000_000;
 
-    /** One place in ten is for addresses from which an application has bound before. */
+    /** Reserves one place in ten for addresses with an earlier successful bind. */
     private static final int RESERVED_SHARE = 10;
 
     private final SelectorLoop loop = new SelectorLoop("centre");
@@ -68,7 +68,7 @@ public final class CenterLoop implements AutoCloseable {
     }
 
     /**
-     * Opens the port for terminals; connections are accepted from {@link #start} on.
+     * Opens the port for terminals; {@link #start} begins accepting connections.
      *
      * @param port 0 for any free one
      * @throws IOException naming address and port
@@ -78,7 +78,7 @@ public final class CenterLoop implements AutoCloseable {
     }
 
     /**
-     * Opens a second port, for SMPP. To be called before {@link #start}.
+     * Opens a second port, for SMPP. Called before {@link #start}.
      *
      * @return the port
      */
@@ -92,7 +92,7 @@ public final class CenterLoop implements AutoCloseable {
                 .port();
     }
 
-    /** Captures all frames between terminals and centre. To be called before {@link #start}. */
+    /** Captures all frames between terminals and centre. Called before {@link #start}. */
     public void captureTo(Capture running) {
         capture = Optional.of(running);
     }
@@ -114,21 +114,23 @@ public final class CenterLoop implements AutoCloseable {
     /**
      * Starts the thread.
      *
-     * @param owned is used by this thread only from now on
-     * @param onFailure called when the thread has ended by an error: the centre serves no connection any more
+     * @param owned used only by this thread from now on
+     * @param onFailure called when an error has ended the thread and all service
      */
     public void start(Exchange owned, Consumer<Throwable> onFailure) {
         exchange = owned;
         loop.start(new Driver(), onFailure);
     }
 
-    /** Shows the exchange, on the loop's thread, after changes, at most once per period. To be called before {@link #start}. */
+    /**
+     * Shows the exchange, on the loop's thread, after changes, at most once per period. Called before {@link #start}.
+     */
     public void observe(long periodNanos, Consumer<Exchange> newObserver) {
         observer.set(periodNanos, newObserver);
     }
 
     /**
-     * Queues a task of the thread that owns the exchange. Any thread may call this.
+     * Queues a task of the thread that owns the exchange. Callable on any thread.
      *
      * @return false if the thread has ended; the task is not run then
      */
@@ -137,8 +139,8 @@ public final class CenterLoop implements AutoCloseable {
     }
 
     /**
-     * Runs a question on the thread that owns the exchange and returns its answer, or throws its exception. Any thread may
-     * call this.
+     * Runs a question on the thread that owns the exchange and returns its answer, or throws its exception. Callable on
+     * any thread.
      *
      * @throws IllegalStateException if the thread has ended or does not answer within 5 s
      */
@@ -146,7 +148,7 @@ public final class CenterLoop implements AutoCloseable {
         return loop.ask(() -> question.apply(changing()));
     }
 
-    /** Nanoseconds since this loop was made: the exchange's time. */
+    /** Nanoseconds since this loop's creation: the exchange's time. */
     public long nowNanos() {
         return System.nanoTime() - startNanos;
     }

@@ -21,7 +21,7 @@ final class RateLimitedObserver {
         isStale = true;
     }
 
-    /** When {@link #showIfDue} must be called; never without an observer or without a change. */
+    /** Time of the next {@link #showIfDue}; never without an observer or without a change. */
     long dueNanos() {
         return isSet && isStale ? earliestNanos : Long.MAX_VALUE;
     }

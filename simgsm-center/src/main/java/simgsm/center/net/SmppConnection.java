@@ -10,16 +10,16 @@ import simgsm.net.Connection;
 import simgsm.net.ConnectionLimits;
 
 /**
- * One application's connection to the exchange. The PDUs of one iteration leave in one write; while a peer does not take
- * its own, nothing further is read from it.
+ * One application's connection to the exchange. The PDUs of one iteration are sent in one write; while a peer does not
+ * read them, nothing is read from it.
  */
 final class SmppConnection extends Connection implements SmppPort {
-    /** With more octets unsent, nothing further is read. */
+    /** Unsent octets above which nothing is read. */
     static final int ENOUGH_UNSENT = 256 * 1024;
-    /** With more octets unsent, the peer is disconnected. */
+    /** Unsent octets above which the peer is disconnected. */
     static final int TOO_MUCH_UNSENT = 8 * 1024 * 1024;
 
-    /** From another machine, per iteration: 100 to 200 PDUs. */
+    /** Limit per iteration of a remote peer: 100 to 200 PDUs. */
     private static final int REMOTE_READ_LIMIT = 4 * 1024;
 
     private static final int INITIAL_CAPACITY = 4 * 1024;

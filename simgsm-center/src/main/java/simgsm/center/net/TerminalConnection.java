@@ -11,11 +11,11 @@ import simgsm.timer.RateLimit;
 
 /** The connection of one terminal or tower to the exchange. */
 final class TerminalConnection extends IpaConnection implements LinkPort {
-    /** From another machine: twenty times a call with all its keys. */
+    /** Limit of a remote peer: twenty times a call with all its keys. */
     static final int REMOTE_FRAMES_PER_SECOND = 1_000;
-    /** More speech than any peer keeps back. */
+    /** Above the speech that any peer holds back. */
     static final int REMOTE_BURST_FRAMES = 2_000;
-    /** From this machine: a phone that receives thousands of short messages a second. */
+    /** Limit of a local peer: a phone that receives thousands of short messages a second. */
     static final int LOCAL_FRAMES_PER_SECOND = 20_000;
 
     static final int LOCAL_BURST_FRAMES = 20_000;

@@ -33,7 +33,7 @@ record DetailRecord(
         Duration lasted,
         String result,
         Optional<Integer> cause) {
-    /** What a record is about. */
+    /** Subject of a record. */
     enum Type {
         CALL,
         MESSAGE

@@ -15,16 +15,16 @@ import simgsm.center.smsc.EsmeOrigin;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 
-/** Makes a record of each call that has been cleared and of each message that has ended. Owned by the exchange's thread. */
+/** Makes a record of each cleared call and of each ended message. Owned by the exchange's thread. */
 public final class DetailRecords implements Consumer<ExchangeEvent> {
     private final InstantSource clock;
-    /** By it a call's seconds are counted: the civil clock may be set in the meantime. */
+    /** Counts a call's seconds, because the civil clock may be set during it. */
     private final LongSupplier nanos;
 
     private final Consumer<DetailRecord> writer;
     private final Map<Long, Course> calls = new HashMap<>();
 
-    /** The times of a call under way. */
+    /** The times of a running call. */
     private static final class Course {
         final Instant began;
         Optional<Instant> answered = Optional.empty();
@@ -77,7 +77,7 @@ public final class DetailRecords implements Consumer<ExchangeEvent> {
                 call.cause().map(Cause::code)));
     }
 
-    /** A message has entered a state. */
+    /** Handles a message's change of state. */
     public void accept(ShortMessage message, MessageState state) {
         if (state != MessageState.ACCEPTED) {
             Instant now = clock.instant();

@@ -23,17 +23,17 @@ import simgsm.file.FileErrors;
 import simgsm.file.PrivateFiles;
 
 /**
- * Writes records to {@code cdr-YYYY-MM-DD.csv}, the day of their end in UTC; a file of that day is continued. A thread of its
- * own writes, so the exchange never waits for the disk; what does not fit its queue is left out, counted and logged. After an
- * error, as of a full disk, the file is opened again with the next record, 1 s later.
+ * Writes records to {@code cdr-YYYY-MM-DD.csv}, the day of their end in UTC; an existing file is continued. A separate
+ * thread writes, so the exchange never waits for the disk; records that do not fit its queue are dropped, counted and
+ * logged. After an error, such as a full disk, the file is opened again with the next record, 1 s later.
  */
 public final class RecordFiles implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(RecordFiles.class.getName());
     private static final int MOST_WAITING = HeapShare.count(100_000, 500);
     private static final long PAUSE_MILLIS = 1_000;
-    /** A disk that does not answer holds up the end of the program for no longer. */
+    /** Maximum wait for the disk at the end of the program. */
     private static final long GOODBYE_MILLIS = 5_000;
-    /** In the queue: no record follows. */
+    /** Marks the end of the queue. */
     private static final Object END = new Object();
 
     private final Path folder;
@@ -44,7 +44,7 @@ public final class RecordFiles implements AutoCloseable {
     private LocalDate day;
     /** Null after an error. */
     private BufferedWriter file;
-    /** Records in the file's buffer. */
+    /** Number of records in the file's buffer. */
     private int unflushed;
 
     private boolean failureLogged;
@@ -55,7 +55,7 @@ public final class RecordFiles implements AutoCloseable {
     }
 
     /**
-     * Begins to write to files in a folder, which is made if it is missing.
+     * Begins to write to files in a folder, creating it if missing.
      *
      * @throws IOException naming the folder that cannot be written
      */
@@ -96,7 +96,7 @@ public final class RecordFiles implements AutoCloseable {
         file.flush();
     }
 
-    /** Whether the last line has no end, as after a full disk. */
+    /** True if the last line is incomplete, as after a full disk. */
     private static boolean isTorn(Path path) throws IOException {
         try (RandomAccessFile octets = new RandomAccessFile(path.toFile(), "r")) {
             octets.seek(octets.length() - 1);
@@ -191,7 +191,7 @@ public final class RecordFiles implements AutoCloseable {
         file = null;
     }
 
-    /** Writes what waits and ends. */
+    /** Writes the queue and ends. */
     @Override
     public void close() {
         closing.countDown();

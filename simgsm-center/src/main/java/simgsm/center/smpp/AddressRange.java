@@ -8,16 +8,16 @@ import simgsm.air.Msisdn;
 /**
  * The numbers that an application serves (5.2.7).
  *
- * @param digits the number, or the beginning of the numbers
- * @param isPrefix whether it is a beginning
- * @param owner the application whose listed numbers alone are meant; empty: any numbers
+ * @param digits the number, or a prefix
+ * @param isPrefix true for a prefix
+ * @param owner the application whose listed numbers are meant; empty for any numbers
  */
 record AddressRange(String digits, boolean isPrefix, String owner) {
     /** {@code 5550300}, {@code ^5550300$}; {@code 555*}, {@code 555.*}, {@code ^555.*$}, {@code ^555}. */
     private static final Pattern FORM =
             Pattern.compile("(\\^)?\\+?([0-9]{1," + Msisdn.MAX_DIGITS + "})(\\.?\\*)?(\\$)?");
 
-    /** @throws IllegalArgumentException if the text is neither a number nor a beginning */
+    /** @throws IllegalArgumentException if the text is neither a number nor a prefix */
     static AddressRange parse(String text, String owner) {
         Matcher form = FORM.matcher(text);
         if (!form.matches()) {
@@ -36,7 +36,7 @@ record AddressRange(String digits, boolean isPrefix, String owner) {
         return isPrefix ? number.digits().startsWith(digits) : number.digits().equals(digits);
     }
 
-    /** Length of the common prefix; the range with the longest one gets the message. */
+    /** Length of the common prefix; the longest range gets the message. */
     int closeness() {
         return digits.length();
     }

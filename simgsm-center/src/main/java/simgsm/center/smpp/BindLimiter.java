@@ -5,8 +5,8 @@ import java.time.Duration;
 import simgsm.center.smsc.BoundedMap;
 
 /**
- * Slows the guessing of passwords. Each address has {@link #FREE_REFUSALS} refused binds at once, then one bind a second,
- * right or wrong; with {@link #MAX_WAIT} to wait further ones are refused without a look at the password.
+ * Slows the guessing of passwords. Each address has {@link #FREE_REFUSALS} refused binds at once, then one bind a
+ * second, right or wrong; with {@link #MAX_WAIT} waiting, further ones are refused without a check of the password.
  */
 final class BindLimiter {
     static final int FREE_REFUSALS = 10;
@@ -18,12 +18,12 @@ final class BindLimiter {
     private static final long EACH_NANOS = Duration.ofSeconds(1).toNanos();
     private static final int MAX_ADDRESSES = 10_000;
 
-    /** When the refused binds of an address would end if each took a second. */
+    /** End of the refused binds of an address if each took a second. */
     private final BoundedMap<String, Long> paidUntilNanos = new BoundedMap<>(MAX_ADDRESSES);
 
     private final LogThrottle log = new LogThrottle();
 
-    /** How long a bind from this address waits before its password is looked at; {@link #REFUSED} if it does not wait. */
+    /** Wait of a bind from this address before the check of its password; {@link #REFUSED} if it is refused at once. */
     long waitNanos(String address, long nowNanos) {
         long paid = paidUntilNanos.getOrDefault(address, nowNanos);
         long waitNanos = Math.max(0, paid - nowNanos - (FREE_REFUSALS - 1) * EACH_NANOS);
@@ -36,7 +36,11 @@ final class BindLimiter {
         return waitNanos;
     }
 
-    /** A bind was refused. @param hasWaited whether it has paid by waiting */
+    /**
+     * Counts a refused bind.
+     *
+     * @param hasWaited true if it has already waited
+     */
     void refused(String address, String systemId, int status, boolean hasWaited, long nowNanos) {
         if (!hasWaited) {
             pay(address, nowNanos);

@@ -14,11 +14,11 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * Decides by a session's answers whether it gets deliver_sm. After {@link #MAX_FAILURES} failures in a row it gets none for
- * a pause, then one as a trial. A trial that is refused prolongs the pause; one that is not answered either ends the session.
+ * Decides by a session's answers if it gets deliver_sm. After {@link #MAX_FAILURES} successive failures it gets none
+ * for a pause, then one as a trial. A refused trial prolongs the pause; an unanswered one ends the session.
  */
 public final class CircuitBreaker {
-    /** Temporary refusals and missing answers in a row. */
+    /** Maximum of successive temporary refusals and missing answers. */
     static final int MAX_FAILURES = 10;
 
     /** The pause after missing answers; after refusals it is 1, 2, 4 ... 60 s. */
@@ -38,7 +38,7 @@ public final class CircuitBreaker {
     public enum BreakerEvent {
         /** An answer other than a temporary refusal. */
         SUCCESS,
-        /** {@link #MAX_FAILURES} failures in a row, or a failed trial. */
+        /** {@link #MAX_FAILURES} successive failures, or a failed trial. */
         FAILURE,
         PAUSE_OVER,
         /** A trial without an answer, after {@link #MAX_FAILURES} deliver_sm without one. */
@@ -75,8 +75,8 @@ public final class CircuitBreaker {
 
     /**
      * @param session named in the log
-     * @param resumed is called when the session may get deliver_sm again
-     * @param abandoned is called when the session is to end
+     * @param resumed called when the session may get deliver_sm again
+     * @param abandoned called to end the session
      */
     CircuitBreaker(Object session, Timers timers, Runnable resumed, Runnable abandoned) {
         this.session = session;
@@ -86,12 +86,12 @@ public final class CircuitBreaker {
         machine = new StateMachine<>(TABLE, session, this::perform);
     }
 
-    /** Whether a deliver_sm may be sent now. */
+    /** True if a deliver_sm may be sent now. */
     boolean permits() {
         return machine.state() == CLOSED || machine.state() == HALF_OPEN && !isTried;
     }
 
-    /** Of several sessions the lowest rank is served first: 0 a trial, 1 a session that answers, 2 one that does not. */
+    /** Rank among several sessions, the lowest first: 0 a trial, 1 a session that answers, 2 one that does not. */
     int rank() {
         return machine.state() == HALF_OPEN ? 0 : unanswered == 0 ? 1 : 2;
     }
@@ -104,7 +104,7 @@ public final class CircuitBreaker {
         isTried = true;
     }
 
-    /** The session has taken a deliver_sm, or refused it permanently. */
+    /** The session has accepted a deliver_sm, or refused it permanently. */
     void succeeded() {
         failures = 0;
         unanswered = 0;
@@ -114,7 +114,7 @@ public final class CircuitBreaker {
         }
     }
 
-    /** The session has refused a deliver_sm for now. */
+    /** The session has refused a deliver_sm temporarily. */
     void refused() {
         unanswered = 0;
         failed(1);

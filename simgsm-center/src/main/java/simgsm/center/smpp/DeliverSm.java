@@ -21,7 +21,7 @@ import simgsm.sms.UserData;
 final class DeliverSm {
     static final int ENROUTE = 1;
 
-    /** Characters of the message that its receipt quotes. */
+    /** Number of the message's characters quoted in its receipt. */
     private static final int TEXT_LENGTH = 20;
 
     private static final int NO_DATA_CODING = -1;
@@ -29,15 +29,15 @@ final class DeliverSm {
     private DeliverSm() {}
 
     /**
-     * @param own the application's alphabet, if it has one
-     * @param takesPayload whether a text of over 254 octets may be sent as message_payload
+     * @param own the application's alphabet, if any
+     * @param takesPayload true if a text of over 254 octets may be sent as message_payload
      */
     static SmppMessage of(Envelope envelope, Optional<EsmeAlphabet> own, boolean takesPayload) {
         if (envelope instanceof Envelope.Report report) {
             return receipt(report, own);
         }
         SmppMessage message = message(envelope.message(), own);
-        // In the standard's alphabets a message has at most 160 octets.
+        // in the standard's alphabets a message has at most 160 octets
         return takesPayload || message.parameter(Tlv.MESSAGE_PAYLOAD).isEmpty()
                 ? message
                 : message(envelope.message(), Optional.empty());
@@ -90,7 +90,7 @@ final class DeliverSm {
         return String.valueOf(1_000 + status).substring(1);
     }
 
-    /** Its source is the destination of the message, and the other way round. */
+    /** Creates a receipt; its source is the destination of the message, and vice versa. */
     private static SmppMessage receipt(Envelope.Report report, Optional<EsmeAlphabet> own) {
         ShortMessage message = report.message();
         String text = "id:" + message.submissionId() + " sub:001 dlvrd:"
@@ -111,7 +111,7 @@ final class DeliverSm {
                         Tlv.ofOctet(Tlv.MESSAGE_STATE, messageState(report.state()))));
     }
 
-    /** The first characters, with a dot for each that the application might read as another one. */
+    /** The first characters; a dot replaces each that the application might misread. */
     private static String excerpt(UserData data, Optional<EsmeAlphabet> own) {
         if (data.coding().alphabet() == Alphabet.OCTETS) {
             return "";

@@ -11,9 +11,9 @@ import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
-/** The deliver_sm of a session that are not yet answered, and whether it gets more. */
+/** The unanswered deliver_sm of a session, and the permission to send more. */
 final class DeliveryWindow {
-    /** Unanswered deliver_sm at a time, unless the application has a setting of its own. */
+    /** Default maximum of unanswered deliver_sm. */
     static final int SIZE = 100;
 
     /** response_timer (7.2): without an answer the attempt has failed; a later answer is ignored. */
@@ -32,8 +32,8 @@ final class DeliveryWindow {
 
     /**
      * @param session named in the log
-     * @param roomMade is called when the session may get deliver_sm again
-     * @param abandoned is called when the session answers nothing and is to end
+     * @param roomMade called when the session may get deliver_sm again
+     * @param abandoned called to end a session that answers nothing
      */
     DeliveryWindow(Object session, Timers timers, Runnable roomMade, Runnable abandoned) {
         this.timers = timers;

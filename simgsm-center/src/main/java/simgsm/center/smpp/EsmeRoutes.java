@@ -68,7 +68,7 @@ public final class EsmeRoutes implements ApplicationPort {
         }
     }
 
-    /** A session's window has room again. */
+    /** Uses new space in a session's window. */
     void roomOn(EsmeSession session, Optional<AddressRange> range, SmppServer server) {
         giveTurns(bySystemId.get(session.systemId()), server);
         range.ifPresent(numbers -> giveTurns(
@@ -81,7 +81,7 @@ public final class EsmeRoutes implements ApplicationPort {
         }
     }
 
-    /** Destinations that wait for their turn on the same route as this one. */
+    /** Number of destinations that wait for their turn on the same route. */
     int blocked(Destination destination) {
         return routeOf(destination).map(Route::blocked).orElse(0);
     }

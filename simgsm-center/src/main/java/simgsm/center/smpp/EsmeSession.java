@@ -48,7 +48,7 @@ public final class EsmeSession {
     private String systemId = "";
     private Optional<AddressRange> range = Optional.empty();
     private EsmeSettings settings = EsmeSettings.STANDARD;
-    /** Whether the application speaks SMPP 3.4 (3.4.2). */
+    /** True if the application uses SMPP 3.4 (3.4.2). */
     private boolean takesParameters;
 
     private MessageRequests.Requester requester;
@@ -86,7 +86,7 @@ public final class EsmeSession {
         return window.outstanding();
     }
 
-    /** Whether the application may serve and send as a number, or send as a name. */
+    /** True if the application may serve and send as a number, or send as a name. */
     boolean permits(String value) {
         return server.permits(systemId, value);
     }
@@ -99,7 +99,7 @@ public final class EsmeSession {
         return window.rank();
     }
 
-    /** Octets have arrived, in pieces of any length. */
+    /** Processes octets in pieces of any length. */
     public void received(ByteBuffer octets) {
         if (isClosed) {
             return;
@@ -204,7 +204,7 @@ public final class EsmeSession {
         systemId = "";
     }
 
-    /** Binds now, or after the pause that refused binds from the same address have brought about. */
+    /** Binds now, or after the pause for refused binds from the same address. */
     private void bindInTurn(SmppPdu.Bind bind) throws SmppViolation {
         long waitNanos = server.bindLimiter().waitNanos(host(), timers.nowNanos());
         if (waitNanos == BindLimiter.REFUSED || pendingBind != null) {
@@ -270,7 +270,11 @@ public final class EsmeSession {
         return port < 0 ? address : address.substring(0, port);
     }
 
-    /** Sends deliver_sm. @param ended is given the outcome once: of the answer, of the timer, or of the session's end */
+    /**
+     * Sends deliver_sm.
+     *
+     * @param ended receives the outcome once: of the answer, of the timer, or of the session's end
+     */
     void deliver(Envelope envelope, Consumer<DeliveryOutcome> ended) {
         int number = nextSequence();
         window.sent(number, ended);

@@ -7,35 +7,35 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * What one application has of its own, as its lines in the file of applications say.
+ * The settings of one application, from its lines in the file of applications.
  *
  * @param alphabet of data_coding 0 and 1 in both directions; empty: the GSM alphabet for 0, ASCII for 1 (5.2.19)
  * @param window unanswered deliver_sm of a session
  * @param requestsPerSecond of each session; empty: the limit for its address
- * @param retries whether a deliver_sm that is refused with this status is sent again; other statuses by the standard
+ * @param retries true if a deliver_sm refused with this status is sent again; other statuses follow the standard
  */
 public record EsmeSettings(
         Optional<EsmeAlphabet> alphabet, int window, OptionalInt requestsPerSecond, Map<Integer, Boolean> retries) {
-    /** An application without lines of its own. */
+    /** Settings of an application without lines. */
     public static final EsmeSettings STANDARD =
             new EsmeSettings(Optional.empty(), DeliveryWindow.SIZE, OptionalInt.empty(), Map.of());
 
     static final int MAX_WINDOW = 10_000;
     static final int MAX_RATE = 1_000_000;
 
-    /** The setting that {@link NumberOwners} reads. */
+    /** The setting read by {@link NumberOwners}. */
     static final String NUMBERS = "numbers";
 
     private static final String RETRY = "retry.";
 
-    /** How an application codes the text of data_coding 0 and 1. */
+    /** Coding of an application's text with data_coding 0 and 1. */
     public enum EsmeAlphabet {
         GSM,
         LATIN1,
         ASCII
     }
 
-    /** Whether the name after the system id is that of a setting. */
+    /** True if the name after the system id is a setting. */
     static boolean isSetting(String name) {
         return name.equals(NUMBERS)
                 || name.equals("alphabet")
@@ -45,10 +45,10 @@ public record EsmeSettings(
     }
 
     /**
-     * The same settings with one changed.
+     * These settings with one changed.
      *
      * @param name {@code alphabet}, {@code window}, {@code rate} or {@code retry.STATUS}
-     * @throws IllegalArgumentException saying what was expected as its value
+     * @throws IllegalArgumentException naming the expected value
      */
     EsmeSettings with(String name, String value) {
         return switch (name) {

@@ -2,7 +2,7 @@ package simgsm.center.smpp;
 
 import java.time.Duration;
 
-/** Counts events that any peer can cause, so that they are logged at once and then at most once a minute. */
+/** Counts events that any peer can cause, so that the first is logged at once and the others at most once a minute. */
 final class LogThrottle {
     static final long PERIOD_NANOS = Duration.ofMinutes(1).toNanos();
 

@@ -33,7 +33,7 @@ final class MessageContent {
     private static final int LATIN_1 = 3;
     private static final int MORE_OCTETS = 4;
     private static final int UCS2 = 8;
-    /** Values from here on are data coding schemes of TS 23.038 (5.2.19). */
+    /** First data coding scheme of TS 23.038 (5.2.19). */
     private static final int FIRST_OF_MOBILES = 0x10;
 
     private static final int ESCAPE = 0x1b;
@@ -62,7 +62,7 @@ final class MessageContent {
         return parts(header, text, scheme, reference);
     }
 
-    /** The data_coding that says by the standard what an application means by this one. */
+    /** The standard data_coding for the application's meaning of this one. */
     static int standardCoding(int dataCoding, Optional<EsmeAlphabet> own) {
         if (own.isEmpty() || dataCoding != DEFAULT_ALPHABET && dataCoding != ASCII) {
             return dataCoding;
@@ -91,7 +91,7 @@ final class MessageContent {
         return parts(header, coded, isPlain ? DataCodingScheme.GSM_7BIT : DataCodingScheme.UCS2, reference);
     }
 
-    /** The name of an alphabet that mobiles have not; those of JIS and KS C 5601 are not in every run-time image. */
+    /** The name of an alphabet unknown to mobiles; some run-time images lack those of JIS and KS C 5601. */
     private static String charset(int dataCoding) {
         return switch (dataCoding) {
             case ASCII, LATIN_1 -> "ISO-8859-1";
@@ -213,7 +213,7 @@ final class MessageContent {
         return new UserData(header.length > 0, scheme, headerSeptets + text.length, OctetString.of(out.toArray()));
     }
 
-    /** Splits a text, but not between an escape and its code nor inside a surrogate pair. */
+    /** Splits a text, but not between an escape and its code or inside a surrogate pair. */
     private static List<byte[]> pieces(byte[] text, Alphabet alphabet) {
         int most = alphabet.unitsInEachOfMany() * octetsInUnit(alphabet);
         List<byte[]> pieces = new ArrayList<>();
@@ -234,7 +234,7 @@ final class MessageContent {
      * The content for an application.
      *
      * @param submittedAs the data_coding of the sending application, by the standard; -1 for a mobile
-     * @param own the receiving application's alphabet, if it has one
+     * @param own the receiving application's alphabet, if any
      */
     static Translated translate(UserData part, int submittedAs, Optional<EsmeAlphabet> own) {
         DataCodingScheme scheme = part.coding();
@@ -262,7 +262,9 @@ final class MessageContent {
         return new Translated(submittedAs == OCTETS ? OCTETS : dataCoding, header > 0, part.octets());
     }
 
-    /** A text in an application's alphabet, an octet a character or septet; empty if the alphabet lacks a character. */
+    /**
+     * A text in an application's alphabet, one octet per character or septet; empty if the alphabet lacks a character.
+     */
     static Optional<byte[]> encode(String text, EsmeAlphabet alphabet) {
         Charset charset = alphabet == EsmeAlphabet.ASCII ? StandardCharsets.US_ASCII : StandardCharsets.ISO_8859_1;
         boolean isPossible = alphabet == EsmeAlphabet.GSM

@@ -35,32 +35,32 @@ import simgsm.timer.Timers;
 
 /** Fulfils the requests that submit, query, cancel and replace messages. */
 final class MessageRequests {
-    /** Parts times receivers of one submission. */
+    /** Maximum of parts times receivers of one submission. */
     static final int MAX_MESSAGES = 1_000;
-    /** Farthest time of delivery. */
+    /** Maximum time until delivery. */
     static final Duration MAX_SCHEDULE = Duration.ofDays(366);
 
     /** TP-MR and the reference of concatenated parts are one octet. */
     private static final int REFERENCES = 256;
-    /** Pause before the next {@link #MAX_MESSAGES} of those that one request cancels. */
+    /** Pause after {@link #MAX_MESSAGES} cancellations of one request. */
     private static final long CANCEL_PAUSE_NANOS = Duration.ofMillis(1).toNanos();
 
     private static final int RECEIPT_BITS = 0x03;
-    /** Of registered_delivery (5.2.17): receipts, and an intermediate notification if there is one to give. */
+    /** Bits of registered_delivery (5.2.17): receipts, and an intermediate notification if there is one. */
     private static final int REGISTERED_DELIVERY_BITS = 0x13;
 
-    /** Of esm_class (5.2.12). */
+    /** Bits of esm_class (5.2.12). */
     private static final int MODE_BITS = 0x03;
     /** Messaging mode "forward": the response waits for the delivery. */
     private static final int FORWARD_MODE = 0x02;
-    /** Message types of the acknowledgements that an application sends for a person. */
+    /** Message types of acknowledgements that an application sends for a person. */
     private static final int TYPE_BITS = 0x3c;
 
     /**
-     * The application that makes a request.
+     * The requesting application.
      *
      * @param ownNumber replaces an empty source address
-     * @param permits whether it may send as a number or name
+     * @param permits true if it may send as a number or name
      */
     record Requester(String systemId, Msisdn ownNumber, Optional<EsmeAlphabet> alphabet, Predicate<String> permits) {}
 
@@ -77,7 +77,7 @@ final class MessageRequests {
     /**
      * Fulfils a request.
      *
-     * @param answer is given the response, once, now or when the request is stored
+     * @param answer receives the response, once, now or when the request is stored
      * @throws SmppViolation if the request is refused; nothing is answered then
      */
     void fulfil(Requester by, SmppPdu request, Consumer<SmppPdu> answer) throws SmppViolation {
@@ -109,13 +109,13 @@ final class MessageRequests {
         }
     }
 
-    /** What has become of a submission. */
+    /** The result of a submission. */
     private record Submitted(String id, int status, List<SmppPdu.Refused> refused) {}
 
     /**
-     * Submits a message, in as many parts as it needs, to all destinations that can be served: all or none.
+     * Submits a message, in all its parts, to all destinations that can be served: all or none.
      *
-     * @param responder makes the response
+     * @param responder creates the response
      */
     private void submit(
             Requester by,
@@ -146,7 +146,7 @@ final class MessageRequests {
         }
         EsmeOrigin origin = new EsmeOrigin(
                 by.systemId, source, dataCoding, receipts, EsmeOrigin.Group.SINGLE, deliverAt, message.serviceType());
-        // Parts are delivered in order, so the last one's id and receipt stand for the message.
+        // parts are delivered in order, so the last one's id and receipt represent the message
         String id = Long.toString(firstId + units.size() - 1);
         center.submit(origin, source.number().orElse(by.ownNumber), units, expiry, cause -> {
             if (message.replaceIfPresent() != 0 && cause.isEmpty()) {
@@ -220,7 +220,7 @@ final class MessageRequests {
                         "\"" + given.value() + "\" is neither a number nor up to 11 letters"));
     }
 
-    /** The time of delivery; empty for now, and for a time that has passed. */
+    /** The time of delivery; empty for now, and for a past time. */
     private Optional<Instant> schedule(String text) throws SmppViolation {
         Instant now = center.now();
         Optional<Instant> later = text.isEmpty()
@@ -296,7 +296,7 @@ final class MessageRequests {
                 0);
     }
 
-    /** Cancels what waits of a submission; without an id all that waits from the source to the destination (4.9). */
+    /** Cancels the waiting messages of a submission; without an id all from the source to the destination (4.9). */
     private void cancel(Requester by, SmppPdu.Cancel cancel, Consumer<SmppPdu> answer) throws SmppViolation {
         Stream<Long> ids;
         if (cancel.messageId().isEmpty()) {
@@ -316,7 +316,7 @@ final class MessageRequests {
         cancelNext(ids.iterator(), SmppStatus.CANCEL_FAILED, cancel, answer);
     }
 
-    /** Cancels {@link #MAX_MESSAGES} at a time, so that other requests have their turn. */
+    /** Cancels {@link #MAX_MESSAGES} at a time, so that other requests are served. */
     private void cancelNext(Iterator<Long> ids, int before, SmppPdu.Cancel cancel, Consumer<SmppPdu> answer) {
         int status = before;
         for (int i = 0; i < MAX_MESSAGES && ids.hasNext(); i++) {

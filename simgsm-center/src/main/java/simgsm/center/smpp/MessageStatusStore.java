@@ -10,9 +10,11 @@ import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
 
-/** States of the messages that applications sent, for query_sm and the like: all that wait, and the last that ended. */
+/**
+ * States of the messages that applications sent, for query_sm and similar: all waiting ones, and the last ended ones.
+ */
 final class MessageStatusStore {
-    /** Of 200 octets each. */
+    /** Maximum of ended messages, 200 octets each. */
     static final int MAX_ENDED = HeapShare.count(100_000, 200);
 
     /**
@@ -20,8 +22,8 @@ final class MessageStatusStore {
      *
      * @param id of the last message of the submission
      * @param firstId of the first one
-     * @param state ACCEPTED while one of them waits; then DELIVERED, or the state of the first that was not delivered
-     * @param at when the last one ended; while one waits, when it was accepted
+     * @param state ACCEPTED while one of them waits; then DELIVERED, or the state of the first undelivered one
+     * @param at end of the last one; while one waits, its acceptance
      */
     record MessageStatus(long id, long firstId, String systemId, String source, MessageState state, Instant at) {
         private static MessageStatus of(ShortMessage message, EsmeOrigin origin, MessageState state, Instant at) {
@@ -46,7 +48,7 @@ final class MessageStatusStore {
 
     private final Map<Long, MessageStatus> ended = new BoundedMap<>(MAX_ENDED);
 
-    /** Takes note of a new state. */
+    /** Stores a new state. */
     void changed(ShortMessage message, MessageState state, Instant now) {
         if (message.esme().isPresent() && state != MessageState.ACCEPTED) {
             ended.put(message.id(), MessageStatus.of(message, message.esme().get(), state, now));
@@ -56,9 +58,9 @@ final class MessageStatusStore {
     /**
      * The status of a submission.
      *
-     * @param id as the application got it
+     * @param id as known to the application
      * @param systemId must have sent it
-     * @param source must be its source address; empty fits every address
+     * @param source must be its source address; empty matches every address
      */
     Optional<MessageStatus> find(ShortMessageCenter center, String id, String systemId, String source) {
         long number;
@@ -83,7 +85,7 @@ final class MessageStatusStore {
                                         message, origin, MessageState.ACCEPTED, message.acceptedAt()))));
     }
 
-    /** The messages of one submission are at most {@link MessageRequests#MAX_MESSAGES}. */
+    /** Combines the messages of a submission, at most {@link MessageRequests#MAX_MESSAGES}. */
     private MessageStatus ofSubmission(ShortMessageCenter center, MessageStatus last) {
         MessageStatus all = last;
         for (long id = last.firstId; id < last.id; id++) {

@@ -12,7 +12,10 @@ import java.util.regex.Pattern;
 import simgsm.air.Msisdn;
 import simgsm.sms.SmsAddress;
 
-/** The numbers and names that applications list as {@code id.numbers}: each is served and sent as by that one only. */
+/**
+ * The numbers and names that applications list as {@code id.numbers}, each served and used as a sender by its
+ * application only.
+ */
 final class NumberOwners {
     private static final String NUMBER = "\\+?([0-9]{1," + Msisdn.MAX_DIGITS + "})";
     private static final Pattern SPAN = Pattern.compile(NUMBER + "(?:-" + NUMBER + ")?");
@@ -22,16 +25,16 @@ final class NumberOwners {
     /** Numbers of one length, or a single name. */
     private record Span(String first, String last, String systemId) {}
 
-    /** By their first numbers; no two have a number in common. */
+    /** Spans by their first numbers; no two overlap. */
     private final NavigableMap<String, Span> spans = new TreeMap<>(ORDER);
 
     private final Set<String> systemIds = new HashSet<>();
 
     /**
-     * Adds what an application lists.
+     * Adds an application's list.
      *
      * @param list as {@code 7000-7099,6245,Alarm}
-     * @throws IllegalArgumentException naming what is none, or is listed already
+     * @throws IllegalArgumentException naming an invalid or already listed element
      */
     void add(String systemId, String list) {
         systemIds.add(systemId);
@@ -59,9 +62,9 @@ final class NumberOwners {
     }
 
     /**
-     * Whether an application may serve or send as a number or name.
+     * True if an application may serve or send as a number or name.
      *
-     * @param isSubscribers whether it is a subscriber's number
+     * @param isSubscribers true for a subscriber's number
      */
     boolean permits(String systemId, String value, boolean isSubscribers) {
         String key = key(value);
@@ -71,7 +74,10 @@ final class NumberOwners {
                 : !isOwner(systemId) && !isSubscribers;
     }
 
-    /** Whether an application may serve numbers with this beginning: it lists all of one length, or no application lists any. */
+    /**
+     * True if an application may serve numbers with this prefix: it lists all of one length, or no application lists
+     * any.
+     */
     boolean permitsPrefix(String systemId, String prefix) {
         boolean isOwner = isOwner(systemId);
         return isOwner

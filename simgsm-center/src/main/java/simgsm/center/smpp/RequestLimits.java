@@ -4,12 +4,12 @@ import simgsm.timer.RateLimit;
 import simgsm.timer.Timers;
 
 /**
- * Limits of an application's requests. An application on this machine has none but those of the queues, unless its settings
- * have a rate.
+ * Limits of an application's requests. A local application is limited only by the queues, unless its settings have a
+ * rate.
  */
 final class RequestLimits {
     static final int MAX_UNANSWERED = 1_000;
-    /** Also the largest burst. */
+    /** Maximum rate and burst. */
     static final int PER_SECOND = 5_000;
 
     private final Timers timers;
@@ -25,7 +25,7 @@ final class RequestLimits {
         rate = isLocal ? null : new RateLimit(PER_SECOND, PER_SECOND);
     }
 
-    /** Replaces the limit by another one, with as many requests at once as in a second. */
+    /** Replaces the limit, with a burst of one second's requests. */
     void setRate(int perSecond) {
         rate = new RateLimit(perSecond, perSecond);
     }

@@ -8,16 +8,16 @@ import java.util.Set;
 import simgsm.air.Msisdn;
 import simgsm.center.smsc.Destination;
 
-/** Sessions that serve the same numbers, or the receipts of the same application; and the destinations that share them. */
+/** Sessions that serve the same numbers, or the receipts of the same application, and their destinations. */
 final class Route {
     private final List<EsmeSession> sessions = new ArrayList<>(1);
-    /** Destinations that wait for room in a session's window, in the order of their turns. */
+    /** Destinations that wait for space in a session's window, in the order of their turns. */
     private final Set<Destination> blocked = new LinkedHashSet<>();
 
     /** May send although others are blocked; null between turns. */
     private Destination hasTurn;
 
-    /** Whether the application may serve this number still: a subscriber may have registered under it since the bind. */
+    /** True if the application may still serve this number: a subscriber may have registered with it since the bind. */
     boolean permits(Msisdn number) {
         return sessions.get(0).permits(number.digits());
     }
@@ -34,7 +34,7 @@ final class Route {
         sessions.remove(session);
     }
 
-    /** Whether a message may be sent to this destination now; if not, the destination is blocked until its turn. */
+    /** True if a message may be sent to this destination now; otherwise the destination is blocked until its turn. */
     boolean admits(Destination destination) {
         boolean mayGo = blocked.isEmpty() || destination.equals(hasTurn);
         if (mayGo && best().isPresent()) {
@@ -48,14 +48,14 @@ final class Route {
         return blocked.size();
     }
 
-    /** Nothing waits for this destination any more. */
+    /** Unblocks a destination without messages. */
     void emptied(Destination destination) {
         blocked.remove(destination);
     }
 
     /**
-     * The session that gets the next deliver_sm: one whose trial is due, else one that answers before one that has just let
-     * a response time out, else the one with the fewest unanswered; empty if none has room.
+     * The session for the next deliver_sm: one with a due trial, else one that answers before one with a recent
+     * timeout, else the one with the fewest unanswered; empty if none has space.
      */
     Optional<EsmeSession> best() {
         EsmeSession best = null;
@@ -72,12 +72,12 @@ final class Route {
         return byRank == 0 ? session.outstanding() < other.outstanding() : byRank < 0;
     }
 
-    /** A message has been sent: the turn is over. */
+    /** Ends the turn after a message was sent. */
     void used() {
         hasTurn = null;
     }
 
-    /** Lets blocked destinations send, one message each, while there is room. */
+    /** Lets blocked destinations send, one message each, while there is space. */
     void giveTurns(SmppServer server) {
         while (!blocked.isEmpty() && best().isPresent()) {
             Destination next = blocked.iterator().next();

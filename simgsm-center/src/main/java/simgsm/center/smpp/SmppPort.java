@@ -5,10 +5,10 @@ public interface SmppPort {
     /** Sends a PDU, possibly in one write with others. */
     void send(byte[] pdu);
 
-    /** The application has proven itself and is bound. */
+    /** The application is authenticated and bound. */
     default void bound() {}
 
-    /** Closes after all PDUs so far are sent. */
+    /** Closes after sending all PDUs so far. */
     void closeWhenSent();
 
     /** Closes at once. */

@@ -22,10 +22,10 @@ public final class SmppServer {
     private MessageRequests requests;
     private int sessions;
 
-    /** To be followed by {@link #serve}, because the short message centre is made with {@link #routes}. */
+    /** Requires a call of {@link #serve}, because the short message centre is created with {@link #routes}. */
     public SmppServer() {}
 
-    /** Connects the server to the short message centre and its timers. To be called once, before any connection. */
+    /** Connects the server to the short message centre and its timers. Called once, before any connection. */
     public void serve(ShortMessageCenter shortMessages, Timers centersTimers) {
         timers = centersTimers;
         center = shortMessages;
@@ -63,7 +63,7 @@ public final class SmppServer {
             return;
         }
         routes.add(session, range);
-        // Destinations blocked by a full session, or by one that is dead without notice, have room here.
+        // destinations blocked by a full or dead session have space here
         routes.roomOn(session, range, this);
         center.available(new Destination.Esme(session.systemId()));
         range.ifPresent(numbers -> {
@@ -81,7 +81,7 @@ public final class SmppServer {
         routes.remove(session, range);
     }
 
-    /** Whether an application may serve and send as a number, or send as a name. */
+    /** True if an application may serve and send as a number, or send as a name. */
     boolean permits(String systemId, String value) {
         boolean isSubscribers = new SmppAddress(SmsAddress.INTERNATIONAL, 0, value)
                 .number()

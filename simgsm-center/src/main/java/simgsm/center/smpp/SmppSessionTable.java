@@ -22,13 +22,13 @@ public final class SmppSessionTable {
             return BOUND.contains(this);
         }
 
-        /** Whether deliver_sm is sent on such a session. */
+        /** True if deliver_sm is sent on such a session. */
         boolean receives() {
             return this == BOUND_RX || this == BOUND_TRX;
         }
     }
 
-    /** A request of the application that is being fulfilled, named as its {@link SmppCommand}; or the session's end. */
+    /** A request of the application, named as its {@link SmppCommand}; or the session's end. */
     public enum SmppSessionEvent {
         BIND_RECEIVER,
         BIND_TRANSMITTER,
@@ -51,9 +51,9 @@ public final class SmppSessionTable {
     }
 
     public enum SmppSessionAction {
-        /** The application receives what waits for it. */
+        /** The application receives its waiting messages. */
         ADD_TO_ROUTES,
-        /** Unanswered deliver_sm go back to their queues. */
+        /** Unanswered deliver_sm return to their queues. */
         REMOVE_FROM_ROUTES,
         CLOSE_CONNECTION
     }

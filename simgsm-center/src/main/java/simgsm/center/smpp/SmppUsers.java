@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import simgsm.center.smpp.pdu.SmppStatus;
 
-/** Applications that may bind, and the settings of each. */
+/** Applications that may bind, with their settings. */
 public final class SmppUsers {
     private static final int MAX_SYSTEM_ID = 15;
     private static final int MAX_PASSWORD = 8;
@@ -33,13 +33,13 @@ public final class SmppUsers {
      * Only the listed applications.
      *
      * @param lines {@code id=password}, and {@code id.SETTING=value} for its settings
-     * @throws IllegalArgumentException naming the line that is wrong, such as an id of over 15 characters or a password of
-     *     over 8 (5.2.1, 5.2.2)
+     * @throws IllegalArgumentException naming the wrong line, such as an id of over 15 characters or a password of over
+     * 8 (5.2.1, 5.2.2)
      */
     public static SmppUsers only(Map<String, String> lines) {
         Map<String, User> users = new HashMap<>();
         NumberOwners owners = new NumberOwners();
-        // In order, so that an id comes before its settings.
+        // sorted, so that an id precedes its settings
         new TreeMap<>(lines).forEach((key, value) -> {
             int dot = settingAfter(key, users);
             if (dot < 0) {
@@ -52,7 +52,9 @@ public final class SmppUsers {
         return new SmppUsers(users, owners, false);
     }
 
-    /** The dot between a system id and the name of a setting; -1 if the key is a system id, which may have dots too. */
+    /**
+     * The dot between a system id and the name of a setting; -1 if the key is a system id, which may also have dots.
+     */
     private static int settingAfter(String key, Map<String, User> users) {
         for (int dot = key.indexOf('.'); dot >= 0; dot = key.indexOf('.', dot + 1)) {
             String id = key.substring(0, dot);
@@ -114,7 +116,7 @@ public final class SmppUsers {
         return text.getBytes(StandardCharsets.ISO_8859_1);
     }
 
-    /** Who may serve and send as which numbers. */
+    /** The owners of numbers. */
     NumberOwners owners() {
         return owners;
     }

@@ -6,12 +6,12 @@ import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 
-/** Decides whether messages are accepted: counts those that are being stored or wait, and the heap that they hold. */
+/** Decides on the acceptance of messages: counts those being stored or waiting, and their heap. */
 final class Admission {
     static final int MAX_WAITING_PER_RECEIVER = 200_000;
-    /** In all; a heap below 2 GB sets a lower limit: {@link HeldOctets}. */
+    /** Maximum in total; a heap below 2 GB sets a lower limit: {@link HeldOctets}. */
     static final int MAX_WAITING = 1_000_000;
-    /** Messages given to the store and not yet durable; above it, submissions are refused with congestion. */
+    /** Messages passed to the store but not yet durable; above it, submissions are refused with congestion. */
     static final int MAX_UNCOMMITTED = 50_000;
 
     private static final System.Logger LOG = System.getLogger(Admission.class.getName());
@@ -28,7 +28,7 @@ final class Admission {
         this.held = held;
     }
 
-    /** Why this number of messages to a receiver cannot be accepted; empty if they can. */
+    /** The reason to refuse this number of messages to a receiver; empty if they can be accepted. */
     Optional<RpCause> refusal(Msisdn receiver, int count) {
         if (!port.isServed(receiver)) {
             return Optional.of(RpCause.UNASSIGNED_NUMBER);
@@ -55,14 +55,14 @@ final class Admission {
         return Optional.of(RpCause.CONGESTION);
     }
 
-    /** The messages are given to the store. */
+    /** Counts messages passed to the store. */
     void storing(List<ShortMessage> messages) {
         uncommitted += messages.size();
         messages.forEach(held::add);
         reserve(messages, 1);
     }
 
-    /** The store has answered. */
+    /** Handles the store's answer. */
     void stored(List<ShortMessage> messages) {
         uncommitted -= messages.size();
         messages.forEach(held::remove);
@@ -79,7 +79,7 @@ final class Admission {
         held.add(envelope.message());
     }
 
-    /** The entry has left its queue. */
+    /** Handles an entry's removal from its queue. */
     void left(QueueEntry entry) {
         waiting--;
         held.remove(entry.envelope.message());
@@ -91,7 +91,7 @@ final class Admission {
         held.add(changed);
     }
 
-    /** Messages and reports that wait. */
+    /** Number of waiting messages and reports. */
     int waiting() {
         return waiting;
     }

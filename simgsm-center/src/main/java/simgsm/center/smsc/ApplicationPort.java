@@ -28,9 +28,9 @@ public interface ApplicationPort extends DeliveryPort {
         }
     };
 
-    /** Whether an application serves this number, alone or in a range. */
+    /** True if an application serves this number, alone or in a range. */
     boolean serves(Msisdn number);
 
-    /** Whether an application serves this number alone. */
+    /** True if an application serves this number alone. */
     boolean servesExactly(Msisdn number);
 }

@@ -13,7 +13,7 @@ public final class BoundedMap<K, V> extends LinkedHashMap<K, V> {
         this.maxSize = maxSize;
     }
 
-    /** Puts a value under a key that counts as new from now on, even if it was there before. */
+    /** Puts a value under a key that becomes the newest, even if it was present. */
     public void putNewest(K key, V value) {
         remove(key);
         put(key, value);

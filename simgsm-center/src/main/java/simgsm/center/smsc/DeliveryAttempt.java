@@ -6,7 +6,7 @@ import simgsm.event.EventLine;
 /**
  * An attempt to deliver a message.
  *
- * @param at when it ended
+ * @param at its end
  */
 @EventLine("attempt at= outcome=")
 public record DeliveryAttempt(Instant at, DeliveryOutcome outcome) {}

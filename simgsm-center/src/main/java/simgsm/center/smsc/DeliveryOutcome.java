@@ -1,25 +1,25 @@
 package simgsm.center.smsc;
 
 /**
- * How an attempt to deliver a message ended. A failed attempt at a mobile says something of the mobile: its queue pauses. At
- * an application it says something of the message or of one session: the other messages go on.
+ * Outcome of an attempt to deliver a message. A failed attempt at a mobile concerns the mobile: its queue pauses. At an
+ * application it concerns the message or one session: the other messages continue.
  */
 public enum DeliveryOutcome {
     DELIVERED,
-    /** RP cause 22; RP-SMMA reports that the receiver has memory again. */
+    /** RP cause 22; RP-SMMA reports free memory of the receiver. */
     MEMORY_FULL,
     /** Permanently refused by the receiver. */
     REFUSED,
-    /** No answer to paging, or no connection: tried again at the next registration, or by the schedule. */
+    /** No answer to paging, or no connection: retried at the next registration, or by the schedule. */
     ABSENT,
-    /** The transfer broke off: tried again by the schedule. */
+    /** The transfer was interrupted: retried by the schedule. */
     FAILED,
-    /** An application throttles: this message is tried again after seconds. */
+    /** An application throttles: this message is retried after seconds. */
     BUSY,
-    /** An application refuses the message for now: this message is tried again by the schedule. */
+    /** An application refuses the message temporarily: this message is retried by the schedule. */
     POSTPONED,
-    /** An application has not answered in time: this message is tried again by the schedule. */
+    /** An application has not answered in time: this message is retried by the schedule. */
     UNANSWERED,
-    /** The application's session ended before the answer: tried again as soon as another session serves. */
+    /** The application's session ended before the answer: retried once another session serves. */
     WITHDRAWN
 }

@@ -2,7 +2,7 @@ package simgsm.center.smsc;
 
 import simgsm.air.Msisdn;
 
-/** The receiver of a message or report; each has a queue of its own. Ordered: numbers first, then by text. */
+/** The receiver of a message or report, with one queue each. Ordered: numbers first, then by text. */
 public sealed interface Destination extends Comparable<Destination> {
     @Override
     default int compareTo(Destination other) {
@@ -10,7 +10,7 @@ public sealed interface Destination extends Comparable<Destination> {
         return isSameKind ? toString().compareTo(other.toString()) : this instanceof Number ? -1 : 1;
     }
 
-    /** The mobile or application that a telephone number reaches. */
+    /** The mobile or application of a telephone number. */
     record Number(Msisdn number) implements Destination {
         @Override
         public String toString() {
@@ -18,7 +18,7 @@ public sealed interface Destination extends Comparable<Destination> {
         }
     }
 
-    /** An application by its system id (SMPP 3.4, 5.2.1), independent of the numbers that it serves. */
+    /** An application by its system id (SMPP 3.4, 5.2.1), independent of its numbers. */
     record Esme(String systemId) implements Destination {
         @Override
         public String toString() {

@@ -20,7 +20,7 @@ public sealed interface Envelope {
     /**
      * The DELIVER or STATUS-REPORT.
      *
-     * @param moreWaiting whether further messages wait for the destination (TP-MMS)
+     * @param moreWaiting true if further messages wait for the destination (TP-MMS)
      */
     OctetString tpdu(boolean moreWaiting);
 

@@ -5,15 +5,15 @@ import java.util.Optional;
 import simgsm.sms.SmsAddress;
 
 /**
- * What a message from an application (ESME) has in addition to a mobile's.
+ * The properties of an application's (ESME's) message that a mobile's lacks.
  *
  * @param systemId receives the receipts
  * @param source originator address as submitted; a number, or letters
  * @param dataCoding as submitted (SMPP 3.4, 5.2.19); another application receives the same value
- * @param receipts which receipts are requested
- * @param group the message's place in its submission
+ * @param receipts requested receipts
+ * @param group the message's position in its submission
  * @param deliverAt the first attempt (SMPP 3.4, 5.2.15); empty for an immediate one
- * @param serviceType as submitted (SMPP 3.4, 5.2.11); tells apart what replaces what
+ * @param serviceType as submitted (SMPP 3.4, 5.2.11); only messages of the same type replace each other
  */
 public record EsmeOrigin(
         String systemId,
@@ -37,8 +37,8 @@ public record EsmeOrigin(
     /**
      * The messages of one submission, its parts and destinations, have consecutive ids.
      *
-     * @param before how many have lower ids
-     * @param after how many have higher ids
+     * @param before number of lower ids
+     * @param after number of higher ids
      */
     public record Group(int before, int after) {
         public static final Group SINGLE = new Group(0, 0);

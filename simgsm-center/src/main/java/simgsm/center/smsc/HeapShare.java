@@ -1,13 +1,13 @@
 package simgsm.center.smsc;
 
-/** Limits of what is remembered: a small heap remembers less. */
+/** Limits of caches by the size of the heap. */
 public final class HeapShare {
-    /** Of the heap, for each kind of thing. */
+    /** Share of the heap for each kind of object. */
     private static final double SHARE = 0.02;
 
     private HeapShare() {}
 
-    /** How many things of this size take 2 % of this program's heap, at most {@code most}. */
+    /** Number of objects of this size in 2 % of this program's heap, at most {@code most}. */
     public static int count(int most, int octets) {
         return count(most, octets, Runtime.getRuntime().maxMemory());
     }

@@ -1,29 +1,31 @@
 package simgsm.center.smsc;
 
 /**
- * The octets of heap that messages and reports hold, and the limit for them: what a heap accepts, the same heap restores
- * after a restart. An envelope counts from the submission, before it is stored, until it has left its queue.
+ * The octets of heap used by messages and reports, and their limit: a restart with the same heap can restore all
+ * accepted messages. An envelope counts from the submission, before it is stored, until its removal from its queue.
  */
 final class HeldOctets {
     /**
-     * Octets of an envelope in queue, register, timers and journal, besides its SUBMIT: 860 measured, with addresses that
-     * it shares with no other (docs/MEASURED.md).
+     * Octets of an envelope in queue, register, timers and journal, besides its SUBMIT: 860 measured, with unshared
+     * addresses (docs/MEASURED.md).
      */
     static final int ENVELOPE = 900;
 
-    /** Of an application's message, for its place among those from the same source to the same receiver. */
+    /** Octets of an application's message for its index by source and receiver. */
     private static final int SENT = 100;
 
-    /** Usable share of the heap: the collector needs the rest, and the serial one gives long-lived objects two thirds. */
+    /**
+     * Usable share of the heap: the collector needs the rest, and the serial one gives long-lived objects two thirds.
+     */
     private static final double SHARE = 0.6;
 
-    /** The program itself, and messages that are kept after their end to recognise repetitions. */
+    /** Octets of the program itself, and of ended messages kept to recognise repetitions. */
     private static final long RESERVED = 24 << 20;
 
-    /** Octets of a remembered attempt. */
+    /** Octets of a stored attempt. */
     private static final int ATTEMPT = 72;
 
-    /** Further refusals are not logged above this share of the octets held at the first. */
+    /** Share of the octets held at the first refusal below which refusals are logged again. */
     private static final double QUIET = 0.9;
 
     private final long most;
@@ -31,12 +33,12 @@ final class HeldOctets {
     /** Octets held at the first refusal; 0 if nothing is refused. */
     private long refusedAt;
 
-    /** @param most above it nothing is accepted */
+    /** @param most limit of acceptance */
     HeldOctets(long most) {
         this.most = most;
     }
 
-    /** With the limit for a heap of this size. */
+    /** Creates the limit for a heap of this size. */
     static HeldOctets in(long heapOctets) {
         return new HeldOctets(Math.max(0, (long) (SHARE * heapOctets) - RESERVED));
     }
@@ -62,7 +64,7 @@ final class HeldOctets {
         refusedAt = held > refusedAt * QUIET ? refusedAt : 0;
     }
 
-    /** True for the first refusal, and for the first after a tenth of the octets has left. */
+    /** True for the first refusal, and for the first after a tenth of the octets was freed. */
     boolean isNewlyRefusing() {
         boolean isNew = refusedAt == 0;
         refusedAt = isNew ? Math.max(1, held) : refusedAt;

@@ -11,14 +11,14 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import simgsm.air.Msisdn;
 
-/** The messages that wait, and the last that have ended, by id. Reports are not among them. */
+/** The waiting messages, and the last ended ones, by id; without reports. */
 public final class MessageRegister {
     static final int MAX_ENDED_HISTORIES = 1_000;
 
-    /** Ids rise in the order of acceptance. */
+    /** Ids increase in the order of acceptance. */
     private final Map<Long, QueueEntry> waiting;
 
-    /** What applications sent, by its latest message; {@link QueueEntry#older} has the others. */
+    /** The latest message of each source and receiver of an application; {@link QueueEntry#older} has the others. */
     private final Map<SentKey, QueueEntry> latest = new HashMap<>();
 
     private final Map<Long, MessageHistory> ended = new BoundedMap<>(MAX_ENDED_HISTORIES);
@@ -59,7 +59,10 @@ public final class MessageRegister {
         }
     }
 
-    /** What an application sent from a source to a receiver and waits, the latest first. Messages may end meanwhile. */
+    /**
+     * The waiting messages of an application from a source to a receiver, latest first. Messages may end during the
+     * iteration.
+     */
     public Stream<ShortMessage> sent(String systemId, String source, Msisdn to) {
         return Stream.iterate(latest.get(new SentKey(systemId, source, to)), Objects::nonNull, entry -> entry.older)
                 .map(entry -> entry.envelope.message());
@@ -81,22 +84,22 @@ public final class MessageRegister {
                         Optional.of(now)));
     }
 
-    /** The entry of a message that waits; null if none with this id waits. */
+    /** The entry of a waiting message; null if there is none. */
     QueueEntry entry(long id) {
         return waiting.get(id);
     }
 
-    /** Messages that wait, in the order of acceptance. */
+    /** The waiting messages, in the order of acceptance. */
     public List<ShortMessage> waiting() {
         return waiting(Integer.MAX_VALUE);
     }
 
-    /** The first messages that wait, at most {@code limit}. */
+    /** The first waiting messages, at most {@code limit}. */
     public List<ShortMessage> waiting(int limit) {
         return entries(limit).map(entry -> entry.envelope.message()).toList();
     }
 
-    /** The histories of the first messages that wait, at most {@code limit}. */
+    /** The histories of the first waiting messages, at most {@code limit}. */
     public List<MessageHistory> waitingHistories(int limit) {
         return entries(limit).map(entry -> entry.queue.history(entry)).toList();
     }
@@ -105,7 +108,7 @@ public final class MessageRegister {
         return waiting.values().stream().limit(limit);
     }
 
-    /** The histories of the messages that ended last, the newest first, at most {@code limit}. */
+    /** The histories of the last ended messages, newest first, at most {@code limit}. */
     public List<MessageHistory> endedHistories(int limit) {
         List<MessageHistory> newest = new ArrayList<>(ended.values());
         Collections.reverse(newest);

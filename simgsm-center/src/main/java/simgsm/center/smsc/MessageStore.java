@@ -8,8 +8,8 @@ public interface MessageStore {
     long NO_TICKET = 0;
 
     /**
-     * Begins to make entries durable, all or none, and returns at once. The store posts ticket and outcome to the thread
-     * that drives the exchange: in the order of the calls, exactly once each, and never from inside this call.
+     * Begins to make entries durable, all or none, and returns at once. The store posts ticket and outcome to the
+     * thread that drives the exchange: in the order of the calls, exactly once each, and never during this call.
      */
     void commit(long ticket, List<StoreEntry> entries);
 }

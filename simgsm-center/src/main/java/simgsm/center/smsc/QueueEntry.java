@@ -5,12 +5,13 @@ import java.util.List;
 import java.util.stream.Stream;
 import simgsm.timer.Timer;
 
-/** An envelope in a {@link ReceiverQueue}, which alone changes it. */
+/** An envelope in a {@link ReceiverQueue}, which alone modifies it. */
 final class QueueEntry {
     /**
-     * The order in which postponed entries are tried.
+     * The order of postponed entries.
      *
-     * @param availability how often the receiver had become available; entries of an earlier count are due at once
+     * @param availability number of times that the receiver had become available; entries with a lower number are due
+     * at once
      */
     record Due(long availability, long nanos, long place) implements Comparable<Due> {
         @Override
@@ -23,7 +24,7 @@ final class QueueEntry {
 
     final ReceiverQueue queue;
     Envelope envelope;
-    /** In the order of acceptance. */
+    /** Position in the order of acceptance. */
     final long place;
 
     List<DeliveryAttempt> attempts = List.of();
@@ -38,13 +39,13 @@ final class QueueEntry {
     boolean isScheduled;
     /** An attempt is under way, or the message is being replaced. */
     boolean isInFlight;
-    /** When it is tried again by itself; null unless it is postponed. */
+    /** Time of the next attempt; null unless it is postponed. */
     Due due;
-    /** The entry before this one, and behind it, from the same source of an application to the same receiver. */
+    /** The preceding entries from the same source of an application to the same receiver, as a list. */
     QueueEntry older;
 
     QueueEntry newer;
-    /** Final state if the attempt under way fails; null if another attempt follows. */
+    /** Final state if the current attempt fails; null if another attempt follows. */
     MessageState stateOnFailure;
 
     QueueEntry(ReceiverQueue queue, Envelope envelope, long place) {
@@ -53,7 +54,7 @@ final class QueueEntry {
         this.place = place;
     }
 
-    /** @return by how many the remembered attempts have grown */
+    /** @return growth of the stored attempts */
     int attempted(Instant at, DeliveryOutcome outcome) {
         int before = attempts.size();
         attemptCount++;

@@ -12,16 +12,16 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * Messages and reports that wait for one destination. Attempts begin in the order of acceptance, as many at a time as the
- * port's window allows. After a failure either the whole queue pauses or the one entry is postponed, as the outcome says.
- * An entry that ends for any reason is removed at once, so {@link #size} counts what is held.
+ * Messages and reports that wait for one destination. Attempts begin in the order of acceptance, as many at a time as
+ * the port's window permits. After a failure the outcome determines if the whole queue pauses or the one entry is
+ * postponed. An entry that ends for any reason is removed at once, so {@link #size} is exact.
  */
 final class ReceiverQueue {
     /**
-     * What all queues share.
+     * The context shared by all queues.
      *
      * @param held counts the octets of the entries
-     * @param ended is called with each entry that leaves its queue and its final state
+     * @param ended receives each entry that leaves its queue, and its final state
      */
     record Context(
             CivilTime civil,
@@ -37,7 +37,7 @@ final class ReceiverQueue {
     private final DeliveryPort port;
     /** Entries that may be tried now, by place. */
     private final NavigableMap<Long, QueueEntry> ready;
-    /** Entries that are tried again at a time of their own. */
+    /** Entries with an individual time of the next attempt. */
     private final NavigableMap<QueueEntry.Due, QueueEntry> postponed;
 
     private int scheduled;
@@ -62,12 +62,12 @@ final class ReceiverQueue {
         postponed = context.containers.sorted();
     }
 
-    /** Entries held, those under way and the reserved places included. */
+    /** Number of entries, including active and reserved ones. */
     int size() {
         return ready.size() + postponed.size() + scheduled + inFlight + reserved;
     }
 
-    /** Reserves places for messages that are being stored; a negative count gives them back. */
+    /** Reserves places for messages being stored; a negative count returns them. */
     void reserve(int count) {
         reserved += count;
     }
@@ -91,7 +91,7 @@ final class ReceiverQueue {
         startTimer(entry);
     }
 
-    /** Starts an entry's timer, again after a jump of the civil time, by which it ends. */
+    /** Starts an entry's timer, again after a jump of the civil time that determines its end. */
     void startTimer(QueueEntry entry) {
         Optional<Instant> later = entry.envelope.notBefore().filter(time -> entry.isScheduled);
         Instant end = later.orElse(entry.envelope.expiresAt());
@@ -105,7 +105,7 @@ final class ReceiverQueue {
         });
     }
 
-    /** The entries that are tried by and by; those scheduled, replaced or under way are not among them. */
+    /** The entries that will be tried, without those scheduled, replaced or being tried. */
     Stream<QueueEntry> entries() {
         return Stream.concat(ready.values().stream(), postponed.values().stream());
     }
@@ -121,7 +121,7 @@ final class ReceiverQueue {
         scheduled--;
     }
 
-    /** Holds an entry back while its replacement is stored; false if an attempt is under way. */
+    /** Holds an entry during the storage of its replacement; false during an attempt. */
     boolean hold(QueueEntry entry) {
         if (entry.isInFlight) {
             return false;
@@ -132,7 +132,7 @@ final class ReceiverQueue {
         return true;
     }
 
-    /** Puts a held entry back at its place, with this content. */
+    /** Returns a held entry to its place, with this content. */
     void release(QueueEntry entry, Envelope content) {
         inFlight--;
         entry.isInFlight = false;
@@ -142,7 +142,7 @@ final class ReceiverQueue {
         attempt();
     }
 
-    /** Removes an entry as DELETED; false if an attempt is under way. */
+    /** Removes an entry as DELETED; false during an attempt. */
     boolean cancel(QueueEntry entry) {
         if (!entry.isInFlight) {
             remove(entry, MessageState.DELETED);
@@ -150,7 +150,7 @@ final class ReceiverQueue {
         return !entry.isInFlight;
     }
 
-    /** The receiver has registered, or has memory again: the retry schedule begins anew. */
+    /** Restarts the retry schedule after the receiver has registered, or has memory again. */
     void receiverAvailable() {
         failures = 0;
         availabilities++;
@@ -164,7 +164,7 @@ final class ReceiverQueue {
         pause = null;
     }
 
-    /** Begins as many attempts as can be made now. */
+    /** Begins as many attempts as possible. */
     void attempt() {
         while (pause == null && hasNext() && inFlight < port.window(destination) && port.isReachable(destination)) {
             QueueEntry first = pollNext();
@@ -196,7 +196,7 @@ final class ReceiverQueue {
         return polled;
     }
 
-    /** Has the first postponed entry tried when it is due; one that is due already is tried when there is room. */
+    /** Schedules the first postponed entry; one that is already due is tried when there is space. */
     private void awaitNext() {
         Map.Entry<QueueEntry.Due, QueueEntry> first = postponed.isEmpty() ? null : postponed.firstEntry();
         boolean isAwaited = first != null && !isDue(first.getKey());

@@ -10,9 +10,9 @@ import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 
-/** The queues of all destinations that something waits for. */
+/** The queues of all destinations with entries. */
 final class ReceiverQueues {
-    /** Makes the collections that grow with the number of messages; a test counts the accesses to them. */
+    /** Creates the collections that grow with the number of messages; a test counts the accesses to them. */
     interface Containers {
         Containers STANDARD = new Containers() {};
 
@@ -25,7 +25,7 @@ final class ReceiverQueues {
         }
     }
 
-    /** Destinations that {@link #available(Predicate)} looks at in one go, and the pause before the next ones. */
+    /** Destinations checked at once by {@link #available(Predicate)}, before a pause. */
     static final int SCANNED_AT_ONCE = 1_000;
 
     private static final long SCAN_PAUSE_NANOS = Duration.ofMillis(1).toNanos();
@@ -39,13 +39,13 @@ final class ReceiverQueues {
         queues = context.containers().sorted();
     }
 
-    /** Messages and reports held for a destination, reserved places included. */
+    /** Number of a destination's messages and reports, including reserved places. */
     int size(Destination destination) {
         ReceiverQueue queue = queues.get(destination);
         return queue == null ? 0 : queue.size();
     }
 
-    /** The queue of a destination, made if there is none. */
+    /** The queue of a destination, created if missing. */
     ReceiverQueue of(Destination destination) {
         return queues.computeIfAbsent(destination, absent -> new ReceiverQueue(absent, context));
     }
@@ -58,12 +58,12 @@ final class ReceiverQueues {
         }
     }
 
-    /** The entries of all queues that are tried by and by. */
+    /** The entries of all queues that will be tried. */
     Stream<QueueEntry> entries() {
         return queues.values().stream().flatMap(ReceiverQueue::entries);
     }
 
-    /** A receiver has become available. */
+    /** Handles a receiver's availability. */
     void available(Destination destination) {
         ReceiverQueue queue = queues.get(destination);
         if (queue != null) {
@@ -71,7 +71,7 @@ final class ReceiverQueues {
         }
     }
 
-    /** There is room again on the way to a destination; nothing else has changed. */
+    /** Uses new space on the route to a destination. */
     void roomFor(Destination destination) {
         ReceiverQueue queue = queues.get(destination);
         if (queue != null) {
@@ -80,8 +80,8 @@ final class ReceiverQueues {
     }
 
     /**
-     * All destinations of a kind have become available. The first {@link #SCANNED_AT_ONCE} are looked at now, the same
-     * number every further millisecond.
+     * Handles the availability of all destinations of a kind: checks the first {@link #SCANNED_AT_ONCE} now, and the
+     * same number every further millisecond.
      */
     void available(Predicate<Destination> destinations) {
         scans.add(destinations);
@@ -90,7 +90,7 @@ final class ReceiverQueues {
         }
     }
 
-    /** Looks at the queues from this entry on for the oldest scan. */
+    /** Checks the queues from this entry on for the oldest scan. */
     private void scan(Map.Entry<Destination, ReceiverQueue> from) {
         Map.Entry<Destination, ReceiverQueue> next = from;
         for (int i = 0; i < SCANNED_AT_ONCE && next != null; i++) {

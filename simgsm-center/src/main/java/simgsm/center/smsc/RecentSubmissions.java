@@ -17,7 +17,7 @@ final class RecentSubmissions {
     static final long REMEMBERED_NANOS = Duration.ofHours(1).toNanos();
     static final int MAX_REMEMBERED = HeapShare.count(20_000, 500);
 
-    /** After this number of further messages of its sender a submission is new: references repeat after 256. */
+    /** Number of further messages of its sender after which a submission counts as new: references repeat after 256. */
     static final int MOST_SINCE = 128;
 
     /** The ticket of a submission that was stored before the centre started. */
@@ -55,7 +55,7 @@ final class RecentSubmissions {
         recent.putNewest(key(from, to, submit), new Remembered(ticket, nowNanos, place));
     }
 
-    /** The submission was not stored; a repetition is accepted. */
+    /** Forgets a submission that was not stored, so that its repetition is accepted. */
     void forget(Msisdn from, Msisdn to, SubmitTpdu submit) {
         recent.remove(key(from, to, submit));
     }

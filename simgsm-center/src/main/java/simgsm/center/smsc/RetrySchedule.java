@@ -3,9 +3,12 @@ package simgsm.center.smsc;
 import java.time.Duration;
 import java.util.List;
 
-/** Pauses between the attempts to reach a mobile, one schedule for all messages that wait for it; for an application, between the attempts at one message. */
+/**
+ * Pauses between the attempts to reach a mobile, one schedule for all its waiting messages; for an application, between
+ * the attempts at one message.
+ */
 public final class RetrySchedule {
-    /** The pauses after 1, 2, 3 ... failures in a row; the last holds for all further ones. */
+    /** The pauses after 1, 2, 3 ... successive failures; the last one repeats. */
     public static final List<Duration> PAUSES = List.of(
             Duration.ofMinutes(1),
             Duration.ofMinutes(5),
@@ -16,17 +19,17 @@ public final class RetrySchedule {
             Duration.ofHours(6),
             Duration.ofHours(12));
 
-    /** While an application is busy: 1, 2, 4 ... 32 s, then the pause of a first failure. */
+    /** Doublings for a busy application: 1, 2, 4 ... 32 s, then the pause of a first failure. */
     private static final int MOST_DOUBLINGS = 6;
 
     private RetrySchedule() {}
 
-    /** @param failures in a row, at least 1 */
+    /** @param failures in succession, at least 1 */
     static Duration pauseAfter(int failures) {
         return PAUSES.get(Math.min(failures, PAUSES.size()) - 1);
     }
 
-    /** @param refusals in a row, at least 1 */
+    /** @param refusals in succession, at least 1 */
     public static Duration pauseWhenBusy(int refusals) {
         Duration doubled = Duration.ofSeconds(1L << Math.min(refusals - 1, MOST_DOUBLINGS));
         return doubled.compareTo(PAUSES.get(0)) < 0 ? doubled : PAUSES.get(0);

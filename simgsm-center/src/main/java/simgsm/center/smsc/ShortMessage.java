@@ -9,11 +9,11 @@ import simgsm.sms.SmsAddress;
 import simgsm.sms.UserData;
 
 /**
- * An accepted message, with all fields that a store keeps.
+ * An accepted message, with all stored fields.
  *
  * <p>As a line: answer to {@code messages}.
  *
- * @param id unique, rising in the order of acceptance
+ * @param id unique, increasing in the order of acceptance
  * @param from the sender's number as authenticated by the network
  * @param submit the SUBMIT as received (TS 23.040, 9.2.2.2)
  * @param acceptedAt the service centre time stamp; see {@link TimeStamps} for equal messages
@@ -34,7 +34,7 @@ public record ShortMessage(
         this(id, from, to, submit, acceptedAt, expiresAt, Optional.empty());
     }
 
-    /** The id that an application knows: the last one of its submission. */
+    /** The id known to an application: the last one of its submission. */
     public long submissionId() {
         return id + esme.map(origin -> origin.group().after()).orElse(0);
     }
@@ -43,12 +43,12 @@ public record ShortMessage(
         return new ShortMessage(id, from, to, submit, stamp, expiresAt, esme);
     }
 
-    /** The originator address that the receiver gets. */
+    /** The originator address for the receiver. */
     public SmsAddress sender() {
         return esme.map(EsmeOrigin::source).orElseGet(() -> SmsAddress.of(from));
     }
 
-    /** The text as a user is shown it. */
+    /** The text for a user. */
     public String text() {
         return TransferUnits.text(this);
     }

@@ -22,16 +22,16 @@ import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /**
- * Accepts, stores and forwards short messages. A deterministic core on the exchange's thread and timers. The work of each
- * method is independent of the number of messages that wait.
+ * Accepts, stores and forwards short messages. A deterministic core on the exchange's thread and timers. The cost of
+ * each method is independent of the number of waiting messages.
  */
 public final class ShortMessageCenter {
-    /** The centre's own number, in RP addresses. */
+    /** The centre's number, in RP addresses. */
     public static final Msisdn ADDRESS = new Msisdn("3003");
 
-    /** Receipts for one application. */
+    /** Maximum of receipts for one application. */
     public static final int MAX_WAITING_RECEIPTS = 100_000;
-    /** Pause before the end of a message is stored again after a failure. */
+    /** Pause before another attempt to store the end of a message. */
     private static final long STORE_AGAIN_NANOS = Duration.ofSeconds(5).toNanos();
 
     private static final System.Logger LOG = System.getLogger(ShortMessageCenter.class.getName());
@@ -48,8 +48,8 @@ public final class ShortMessageCenter {
     private final MessageRegister messages;
 
     /**
-     * Receivers of the store's answers, by ticket. A report is sent when its end is durable: one that was sent once must not
-     * change.
+     * Receivers of the store's answers, by ticket. A report is sent when its end is durable, because a sent report must
+     * not change.
      */
     private final Map<Long, Consumer<Boolean>> commits = new HashMap<>();
 
@@ -59,9 +59,7 @@ public final class ShortMessageCenter {
     private long nextId = 1;
     private long nextTicket = 1;
 
-    /**
-     * @param listener is given every change of state of every message
-     */
+    /** @param listener receives every change of state of every message */
     public ShortMessageCenter(
             CivilTime civil,
             Timers timers,
@@ -101,7 +99,7 @@ public final class ShortMessageCenter {
         listener = listener.andThen(further);
     }
 
-    /** Takes over what the store held at the start. To be called once, before all other methods. */
+    /** Restores the content of the store. Called once, before all other methods. */
     public void restore(StoredState stored) {
         nextId = stored.lastId() + 1;
         recent.restore(stored.recent(), now(), timers.nowNanos());
@@ -116,7 +114,7 @@ public final class ShortMessageCenter {
      * Accepts a message from a mobile.
      *
      * @param submit a SUBMIT
-     * @param isRepeated whether it may repeat an accepted message although TP-RD is not set
+     * @param isRepeated true if it may repeat an accepted message although TP-RD is not set
      * @param answer called once: empty when the message is stored, else the cause of its refusal
      */
     public void submit(Msisdn from, OctetString submit, boolean isRepeated, Consumer<Optional<RpCause>> answer) {
@@ -149,10 +147,10 @@ public final class ShortMessageCenter {
     }
 
     /**
-     * Accepts messages from an application, all or none: the parts of one text for each of its receivers. Their ids count
-     * up from {@link #nextId}. A receipt is sent for the last part to each receiver.
+     * Accepts messages from an application, all or none: the parts of one text for each of its receivers. Their ids
+     * begin with {@link #nextId}. A receipt is sent for the last part to each receiver.
      *
-     * @param units with the receivers' numbers as destinations, those to the same receiver one after the other
+     * @param units with the receivers' numbers as destinations, grouped by receiver
      * @param answer called once: empty when all are stored, else the cause of their refusal
      */
     public void submit(
@@ -207,12 +205,12 @@ public final class ShortMessageCenter {
                 isDurable -> stored(accepted, isDurable, answer));
     }
 
-    /** Why this number of messages to a receiver cannot be accepted; empty if they can. */
+    /** The reason to refuse this number of messages to a receiver; empty if they can be accepted. */
     public Optional<RpCause> refusal(Msisdn receiver, int count) {
         return admission.refusal(receiver, count);
     }
 
-    /** Whether the number is a subscriber's, attached or not. */
+    /** True if the number is a subscriber's, attached or not. */
     public boolean isSubscriber(Msisdn number) {
         return port.isSubscriber(number);
     }
@@ -246,11 +244,12 @@ public final class ShortMessageCenter {
     }
 
     /**
-     * Replaces the content of a message that waits; it keeps its place.
+     * Replaces the content of a waiting message; it keeps its place.
      *
      * @param changed with the message's id and receiver
-     * @param answer is given whether the new content is stored; if not, the old one holds. Not called after false
-     * @return false if no message with this id waits, or an attempt at it is under way
+     * @param answer receives true if the new content is stored; otherwise the old one remains. Not called after a
+     * result of false
+     * @return false if no message with this id waits, or an attempt at it is active
      */
     public boolean replace(ShortMessage changed, Consumer<Boolean> answer) {
         QueueEntry entry = messages.entry(changed.id());
@@ -267,42 +266,42 @@ public final class ShortMessageCenter {
         return true;
     }
 
-    /** A mobile has registered, or has memory for messages again. */
+    /** Handles a mobile's registration, or its free memory. */
     public void available(Msisdn receiver) {
         available(new Destination.Number(receiver));
     }
 
-    /** A receiver has become available. */
+    /** Handles a receiver's availability. */
     public void available(Destination destination) {
         queues.available(destination);
     }
 
-    /** All destinations of a kind have become available; they are tried in portions, within a second. */
+    /** Handles the availability of all destinations of a kind; they are tried in portions, within a second. */
     public void available(Predicate<Destination> destinations) {
         queues.available(destinations);
     }
 
-    /** There is room again on the way to a destination; nothing else has changed. */
+    /** Uses new space on the route to a destination. */
     public void roomFor(Destination destination) {
         queues.roomFor(destination);
     }
 
     /**
-     * Removes a message that waits.
+     * Removes a waiting message.
      *
-     * @return false if no message with this id waits, or an attempt at it is under way
+     * @return false if no message with this id waits, or an attempt at it is active
      */
     public boolean cancel(long id) {
         QueueEntry entry = messages.entry(id);
         return entry != null && entry.queue.cancel(entry);
     }
 
-    /** The messages that wait, and the last that have ended. */
+    /** The waiting messages, and the last ended ones. */
     public MessageRegister messages() {
         return messages;
     }
 
-    /** Messages and reports that wait. */
+    /** Number of waiting messages and reports. */
     public int waitingCount() {
         return admission.waiting();
     }
@@ -343,13 +342,17 @@ public final class ShortMessageCenter {
             if (isDurable) {
                 report(report);
             } else {
-                // After a crash its message would wait again, and might end in another state.
+                // after a crash its message would wait again, and might end in another state
                 timers.start(STORE_AGAIN_NANOS, () -> storeEnd(report));
             }
         });
     }
 
-    /** Stores an entry. @param stored is told once whether it is durable */
+    /**
+     * Stores an entry.
+     *
+     * @param stored receives, once, true if it is durable
+     */
     public void commit(StoreEntry entry, Consumer<Boolean> stored) {
         commit(List.of(entry), stored);
     }
@@ -364,7 +367,9 @@ public final class ShortMessageCenter {
         return new Envelope.Report(message, state, at, at.plus(DEFAULT_VALIDITY));
     }
 
-    /** Queues a report; receipts that an application does not fetch are dropped above {@link #MAX_WAITING_RECEIPTS}. */
+    /**
+     * Queues a report; drops receipts above {@link #MAX_WAITING_RECEIPTS} of an application that does not fetch them.
+     */
     private void report(Envelope.Report report) {
         int waiting = queues.size(report.destination());
         if (report.destination() instanceof Destination.Number || waiting < MAX_WAITING_RECEIPTS) {
@@ -383,7 +388,7 @@ public final class ShortMessageCenter {
         store.commit(MessageStore.NO_TICKET, List.of(entry));
     }
 
-    /** The civil time has jumped: what ends or begins by it is reckoned from the new time. */
+    /** Recomputes beginnings and ends after a jump of the civil time. */
     public void timeHasJumped() {
         Stream.concat(messages.entries(Integer.MAX_VALUE), queues.entries())
                 .distinct()

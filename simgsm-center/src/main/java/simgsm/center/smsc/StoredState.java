@@ -6,9 +6,9 @@ import java.util.List;
  * The content of a store at the centre's start.
  *
  * @param lastId the highest message id used; 0 if none
- * @param waiting messages that were accepted and have not ended, by id
- * @param unreported messages that have ended and whose report is still due, by id
- * @param recent messages accepted lately, in any state; oldest first
+ * @param waiting accepted messages that have not ended, by id
+ * @param unreported ended messages with a pending report, by id
+ * @param recent recently accepted messages, in any state; oldest first
  * @param subscribers all subscribers who have ever registered
  */
 public record StoredState(

@@ -10,8 +10,8 @@ import simgsm.sms.SubmitTpdu;
 import simgsm.sms.UserData;
 
 /**
- * Service centre time stamps (TP-SCTS, TS 23.040, 9.2.3.11), in seconds on the air. A receiver takes two messages with the
- * same originator, stamp and text for one, so equal messages are stamped at least one second apart.
+ * Service centre time stamps (TP-SCTS, TS 23.040, 9.2.3.11), in seconds on the air. A receiver regards two messages
+ * with the same originator, stamp and text as one, so equal messages are stamped at least one second apart.
  */
 final class TimeStamps {
     /** Largest lead of a stamp over the clock; further equal messages share it. */
@@ -21,7 +21,7 @@ final class TimeStamps {
 
     private record Key(SmsAddress sender, Msisdn to, int protocolIdentifier, UserData userData) {}
 
-    /** The last stamps, in whole seconds, in the order in which they were given. */
+    /** The last stamps, in whole seconds, in the order of assignment. */
     private final BoundedMap<Key, Instant> last = new BoundedMap<>(MAX_REMEMBERED);
 
     /** The stamp of a message accepted now. */
@@ -30,7 +30,7 @@ final class TimeStamps {
         forgetBefore(second);
         Key key = new Key(sender, to, submit.protocolIdentifier(), submit.userData());
         Instant before = last.get(key);
-        // a later one is of a time before the clock was set back
+        // a later stamp predates a backward setting of the clock
         boolean isTaken = before != null && !before.isBefore(second) && !before.isAfter(now.plus(MOST_AHEAD));
         Instant next = isTaken ? before.plusSeconds(1) : now;
         Instant stamp = next.isAfter(now.plus(MOST_AHEAD)) ? before : next;

@@ -43,7 +43,7 @@ final class TransferUnits {
         throw new ProtocolViolation(Cause.MESSAGE_TYPE_NON_EXISTENT, "a SUBMIT was expected");
     }
 
-    /** The SUBMIT of an accepted message; it was decoded once already. */
+    /** The SUBMIT of an accepted message, which was decoded before. */
     static SubmitTpdu submitOf(ShortMessage message) {
         try {
             return decode(message.submit());
@@ -95,7 +95,7 @@ final class TransferUnits {
         return submitOf(message).userData().shownText();
     }
 
-    /** In UTC; the zone octet is 0. */
+    /** A time stamp in UTC; the zone octet is 0. */
     private static Timestamp timestamp(Instant instant) {
         return Timestamp.of(instant.atOffset(ZoneOffset.UTC));
     }

@@ -1,10 +1,10 @@
 package simgsm.center.smsc;
 
-/** What a message waits for. */
+/** The event for which a message waits. */
 public enum WaitReason {
-    /** An attempt is under way. */
+    /** An attempt is active. */
     UNDER_WAY,
-    /** Another message to the same receiver goes first. */
+    /** Another message to the same receiver is first. */
     BEHIND_OTHERS,
     /** The receiver is absent; tried when it registers. */
     AWAITING_RECEIVER,
@@ -12,7 +12,7 @@ public enum WaitReason {
     AWAITING_MEMORY,
     /** The last attempt failed; tried by the schedule, or when the receiver registers. */
     AWAITING_RETRY,
-    /** Its time of delivery has not come. */
+    /** Its time of delivery is in the future. */
     SCHEDULED,
     /** The message has ended and waits for nothing. */
     ENDED

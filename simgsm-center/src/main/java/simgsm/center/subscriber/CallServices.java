@@ -13,9 +13,9 @@ import simgsm.air.Msisdn;
 import simgsm.ss.ServiceStatus;
 import simgsm.ss.SsCode;
 
-/** A subscriber's call forwarding (TS 23.082, 1.2) and call waiting (TS 23.083, 1), as the subscriber has set them. */
+/** A subscriber's settings of call forwarding (TS 23.082, 1.2) and call waiting (TS 23.083, 1). */
 public final class CallServices {
-    /** Service code, number, no reply time, whether it is active. */
+    /** Service code, number, no reply time, active or not. */
     private static final Pattern PART = Pattern.compile("([0-9]+)=(?:(\\+?[0-9]+),)?(?:([0-9]+)s,)?(true|false)");
 
     private static final int USUAL_NO_REPLY_SECONDS = 20;
@@ -33,7 +33,7 @@ public final class CallServices {
         active.add(condition);
     }
 
-    /** How long a call rings before it is forwarded. */
+    /** Ringing time before forwarding. */
     public int noReplySeconds() {
         return noReplySeconds;
     }
@@ -60,7 +60,7 @@ public final class CallServices {
         return true;
     }
 
-    /** Where calls go on this condition; empty if they are not forwarded. */
+    /** The destination of calls on this condition; empty if they are not forwarded. */
     public Optional<Msisdn> forwarding(SsCode condition) {
         return active.contains(condition)
                 ? Optional.of(forwardedTo.get(condition).plain())
@@ -71,12 +71,16 @@ public final class CallServices {
         callWaiting = Optional.of(isActive);
     }
 
-    /** Whether a second call may wait. @param otherwise unless the subscriber has set it */
+    /**
+     * True if a second call may wait.
+     *
+     * @param otherwise default without the subscriber's setting
+     */
     public boolean hasCallWaiting(boolean otherwise) {
         return callWaiting.orElse(otherwise);
     }
 
-    /** How a forwarding stands. */
+    /** The status of a forwarding. */
     public ServiceStatus status(SsCode condition) {
         Optional<String> number =
                 Optional.ofNullable(forwardedTo.get(condition)).map(Msisdn::toString);
@@ -88,8 +92,8 @@ public final class CallServices {
     }
 
     /**
-     * For the store: {@code code=number,active} for each forwarding that is registered, {@code 61=number,25s,active} where the no
-     * reply time is another one than 20 s, {@code 43=active} for call waiting that the subscriber has set; separated by semicolons.
+     * The stored form: {@code code=number,active} for each registered forwarding, {@code 61=number,25s,active} if the
+     * no reply time is not 20 s, {@code 43=active} for call waiting set by the subscriber; separated by semicolons.
      */
     public String text() {
         StringJoiner parts = new StringJoiner(";");
@@ -102,7 +106,11 @@ public final class CallServices {
         return parts.toString();
     }
 
-    /** Takes over what {@link #text} has written. @throws IllegalArgumentException for any other text */
+    /**
+     * Restores the result of {@link #text}.
+     *
+     * @throws IllegalArgumentException for any other text
+     */
     public void restore(String text) {
         forwardedTo.clear();
         active.clear();

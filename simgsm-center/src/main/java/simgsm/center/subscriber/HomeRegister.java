@@ -22,7 +22,7 @@ public final class HomeRegister {
     /** An open network without barred equipment. */
     public static final HomeRegister OPEN = open(Set.of());
 
-    /** Without the last digit: the check digit, or 0 as many phones send it. */
+    /** Number of compared digits, without the last one: the check digit, or 0 as many phones send it. */
     private static final int COMPARED_IMEI_DIGITS = 14;
 
     /** Null in an open network. */
@@ -71,14 +71,14 @@ public final class HomeRegister {
                 : Optional.ofNullable(subscriptions.get(imsi)).map(Subscription::card);
     }
 
-    /** Whether the operator has barred the subscriber. */
+    /** True if the operator has barred the subscriber. */
     public boolean isBarred(Imsi imsi) {
         return !isOpen()
                 && subscriptions.containsKey(imsi)
                 && subscriptions.get(imsi).isBarred();
     }
 
-    /** Whether the operator has barred the equipment. */
+    /** True if the operator has barred the equipment. */
     public boolean isBarred(Imei imei) {
         return barredEquipment.contains(compared(imei));
     }

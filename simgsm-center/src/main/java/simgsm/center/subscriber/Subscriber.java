@@ -47,7 +47,7 @@ public final class Subscriber {
         return attached;
     }
 
-    /** Whether it has registered once. */
+    /** True if it has registered once. */
     boolean hasEntered() {
         return entered;
     }
@@ -59,7 +59,7 @@ public final class Subscriber {
         return isFirst;
     }
 
-    /** Whether this is the TMSI, or the one before it while the new one is not confirmed. */
+    /** True for the TMSI, and for the previous one until the new one is confirmed. */
     public boolean answersTo(Tmsi candidate) {
         return candidate.equals(tmsi) || candidate.equals(formerTmsi);
     }

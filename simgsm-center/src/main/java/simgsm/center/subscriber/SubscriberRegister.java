@@ -14,11 +14,11 @@ import simgsm.air.Msisdn;
 import simgsm.air.Tmsi;
 
 /**
- * The VLR: all known subscribers. In an open network a subscriber is known from the first registration on; in a closed one,
- * exactly the subscribers of the {@link HomeRegister} are known.
+ * The VLR: all known subscribers. In an open network a subscriber is known from the first registration; in a closed
+ * one, exactly the subscribers of the {@link HomeRegister} are known.
  */
 public final class SubscriberRegister {
-    /** Limits the memory that invented SIMs can fill; about 300 octets each. */
+    /** Limits the memory for invented SIMs; about 300 octets each. */
     public static final int MAX_SUBSCRIBERS = 200_000;
 
     /** All ones: no TMSI (TS 23.003, 2.4). */
@@ -31,7 +31,7 @@ public final class SubscriberRegister {
     private final Map<Tmsi, Subscriber> byTmsi = new HashMap<>();
     private int attachedCount;
 
-    /** @param newcomers is given each subscriber who attaches for the first time */
+    /** @param newcomers receives each subscriber who attaches for the first time */
     public SubscriberRegister(HomeRegister home, RandomGenerator random, Consumer<Subscriber> newcomers) {
         this.home = home;
         this.random = random;
@@ -44,9 +44,9 @@ public final class SubscriberRegister {
     }
 
     /**
-     * Enters a subscriber that was attached before the centre started, if the number is still assigned to the IMSI.
+     * Enters a subscriber who was attached before the centre's start, if the number is still assigned to the IMSI.
      *
-     * @param services as {@link CallServices#text} has written them
+     * @param services in the format of {@link CallServices#text}
      */
     public void restore(Msisdn number, Imsi imsi, String services) {
         if (home.numberOf(imsi).equals(Optional.of(number))) {
@@ -56,18 +56,18 @@ public final class SubscriberRegister {
         }
     }
 
-    /** Whether messages to this number are accepted: in an open network, any number. */
+    /** True if messages to this number are accepted: in an open network, any number. */
     public boolean isServed(Msisdn number) {
         return home.isOpen() || isAssigned(number);
     }
 
-    /** Whether the number belongs to a subscriber that is not barred. */
+    /** True if the number belongs to a subscriber who is not barred. */
     public boolean isAssigned(Msisdn number) {
         Subscriber owner = byNumber.get(number);
         return owner != null && !home.isBarred(owner.imsi());
     }
 
-    /** Whether the number is that of a SIM of a closed network, or has registered in an open one. */
+    /** True if the number is that of a SIM of a closed network, or has registered in an open one. */
     public boolean isSubscriber(Msisdn number) {
         Subscriber owner = byNumber.get(number);
         return owner != null && (!home.isOpen() || owner.hasEntered());
@@ -103,7 +103,7 @@ public final class SubscriberRegister {
         return Optional.ofNullable(known);
     }
 
-    /** Allocates a TMSI; the one before stays valid until the new one is confirmed (TS 24.008, 4.3.1.5). */
+    /** Allocates a TMSI; the previous one remains valid until the new one is confirmed (TS 24.008, 4.3.1.5). */
     public Tmsi allocateTmsi(Subscriber subscriber) {
         subscriber.formerTmsi().ifPresent(byTmsi::remove);
         Tmsi fresh;

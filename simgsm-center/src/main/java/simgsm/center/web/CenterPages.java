@@ -10,7 +10,7 @@ import simgsm.web.RequestException;
 import simgsm.web.WebPages;
 import simgsm.web.WebResponse;
 
-/** The centre's answers by path; each is a question to the exchange's thread. */
+/** The centre's answers by path, each a question to the exchange's thread. */
 public final class CenterPages extends WebPages {
     private static final String POLICY = "default-src 'none'";
     private static final String EXPECTED = "/metrics, /subscribers, /calls, /queue or /messages/ID";
@@ -25,7 +25,7 @@ public final class CenterPages extends WebPages {
     private final ExchangeReports reports;
 
     /**
-     * The pages of a centre.
+     * Creates the pages of a centre.
      *
      * @param counts belongs to the exchange's thread
      * @param applications counts the bound SMPP sessions, on the exchange's thread

@@ -14,7 +14,7 @@ public final class EventCounts {
     private long callsInitiated;
     private long callsAnswered;
 
-    /** Nothing is counted yet. */
+    /** Creates counts of 0. */
     public EventCounts() {}
 
     /** Counts an event. */

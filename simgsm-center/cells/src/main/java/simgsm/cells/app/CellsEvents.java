@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import simgsm.cells.mobile.MobileEvent;
 import simgsm.console.Console;
 
-/** Prints what happens to mobiles on the console; reports only if they are asked for. */
+/** Prints the mobiles' events on the console; reports only on request. */
 public final class CellsEvents implements Consumer<MobileEvent> {
     private final Console console;
     private volatile boolean areReportsShown;

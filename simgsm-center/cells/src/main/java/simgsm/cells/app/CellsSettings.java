@@ -27,9 +27,9 @@ import simgsm.console.UsageException;
  *
  * @param port for terminals; 0 for any free one
  * @param controller the centre or osmo-bsc
- * @param isOsmocom whether the controller is osmo-bsc
+ * @param isOsmocom true for osmo-bsc
  * @param handover the controller's rule, for the window
- * @param followed robots whose pose is the place of a terminal
+ * @param followed robots whose poses move terminals
  */
 public record CellsSettings(
         Town town,
@@ -73,7 +73,7 @@ public record CellsSettings(
                 arguments.language());
     }
 
-    /** Of a file, or of the towns that the jar carries. */
+    /** Reads a file, or a built-in town. */
     private static Town town(Path file) throws IOException {
         Optional<byte[]> carried = Files.exists(file)
                 ? Optional.empty()

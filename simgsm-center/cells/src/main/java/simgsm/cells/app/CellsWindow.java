@@ -14,7 +14,7 @@ import simgsm.console.ExitStatus;
 import simgsm.console.HostPort;
 import simgsm.ui.window.ProgramWindow;
 
-/** The cells with their window: publishes snapshots and passes on what the user asks for. */
+/** The cells with their window: publishes snapshots and performs the user's actions. */
 public final class CellsWindow implements TownActions {
     private static final long SNAPSHOT_NANOS = 100_000_000;
 

@@ -5,7 +5,7 @@ import simgsm.cells.town.CellSelection;
 import simgsm.cells.town.Tower;
 import simgsm.cells.town.Town;
 
-/** The configuration of osmo-bsc 1.9 for the towers of a town: one base station a tower, handover by algorithm 1. */
+/** The configuration of osmo-bsc 1.9 for the towers of a town: one base station per tower, handover by algorithm 1. */
 final class OsmoBscConfig {
     private static final int FIRST_OF_DCS_1800 = 512;
     private static final int TIME_SLOTS = 8;
@@ -86,7 +86,7 @@ final class OsmoBscConfig {
         }
     }
 
-    /** Traffic channels are the last time slots; those between them and slot 0 are for signalling. */
+    /** Traffic channels are the last time slots; those between them and slot 0 carry signalling. */
     private static String channels(Tower tower, int slot) {
         if (slot == 0) {
             return "CCCH+SDCCH4";

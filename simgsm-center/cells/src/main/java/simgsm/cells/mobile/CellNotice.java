@@ -13,8 +13,8 @@ import simgsm.octets.OctetWriter;
 import simgsm.rr.SystemInformation;
 
 /**
- * Sends a terminal its cell and the reception, for its display: the terminal has no receiver, the mobile
- * measures in its place. SYSTEM INFORMATION TYPE 3 is sent when the cell changes, a MEASUREMENT REPORT when the level does.
+ * Informs a terminal, which has no receiver, of its cell and reception for its display. SYSTEM INFORMATION TYPE 3 is
+ * sent at a change of the cell, a MEASUREMENT REPORT at a change of the level.
  */
 final class CellNotice {
     private static final int FILLING = 0x2b;
@@ -36,9 +36,9 @@ final class CellNotice {
     }
 
     /**
-     * The state after a measurement.
+     * Sends the state after a measurement.
      *
-     * @param cell that serves the mobile; empty for none, which the terminal sees as level 0
+     * @param cell serving the mobile; empty for none, which the terminal sees as level 0
      */
     void tell(Optional<SystemInformation.Type3> cell, double dbm) {
         if (cell.isPresent() && !cell.equals(toldCell)) {

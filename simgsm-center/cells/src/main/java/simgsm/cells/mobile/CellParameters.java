@@ -5,15 +5,15 @@ import simgsm.cells.town.CellSelection;
 import simgsm.rr.SystemInformation;
 
 /**
- * What a cell broadcasts for mobiles in idle mode (TS 45.008, 6.4 and 9).
+ * A cell's broadcast parameters for mobiles in idle mode (TS 45.008, 6.4 and 9).
  *
  * @param area location area code
  * @param accessMinimumDbm RXLEV_ACCESS_MIN
- * @param missingPowerDecibels by which the handset's output is below MS_TXPWR_MAX_CCH
+ * @param missingPowerDecibels MS_TXPWR_MAX_CCH minus the handset's output
  * @param hysteresisDecibels CELL_RESELECT_HYSTERESIS
  * @param offsetDecibels CELL_RESELECT_OFFSET
  * @param temporaryOffsetDecibels TEMPORARY_OFFSET; may be infinite
- * @param penaltySeconds PENALTY_TIME; -1 if the offset is subtracted for good
+ * @param penaltySeconds PENALTY_TIME; -1 if the offset is subtracted permanently
  */
 public record CellParameters(
         int area,
@@ -26,7 +26,7 @@ public record CellParameters(
     /** RXLEV 0 (TS 45.008, 8.1.4). */
     private static final int RXLEV_0_DBM = -110;
 
-    /** Those that the controller has sent to the tower; what it does not say is the town's. */
+    /** The parameters that the controller has sent to the tower; missing ones are the town's. */
     public static CellParameters of(BaseStation tower) {
         CellSelection town = tower.tower().selection();
         if (tower.cell().isEmpty()) {
@@ -47,7 +47,7 @@ public record CellParameters(
                 reselection.penaltySeconds());
     }
 
-    /** Those of a town file. */
+    /** The parameters of a town file. */
     public static CellParameters of(int area, CellSelection town) {
         return new CellParameters(
                 area,
@@ -64,7 +64,11 @@ public record CellParameters(
         return levelDbm - accessMinimumDbm - missingPowerDecibels;
     }
 
-    /** C2 (TS 45.008, 6.4). @param knownSeconds since the cell came among the six strongest; infinite for the serving cell */
+    /**
+     * C2 (TS 45.008, 6.4).
+     *
+     * @param knownSeconds time among the six strongest cells; infinite for the serving cell
+     */
     public double c2(double levelDbm, double knownSeconds) {
         double c1 = c1(levelDbm);
         if (penaltySeconds < 0) {

@@ -19,11 +19,11 @@ import simgsm.octets.OctetString;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
-/** The mobile's way from one channel to another: assignment (TS 44.018, 3.4.3) and handover (3.4.4). */
+/** Moves the mobile from one channel to another: assignment (TS 44.018, 3.4.3) and handover (3.4.4). */
 final class ChannelChange {
-    /** Tuning to the new channel and setting up its link layer takes 40 ms. */
+    /** Time to tune to the new channel and set up its link layer. */
     private static final long TUNING_NANOS = 40_000_000;
-    /** HANDOVER ACCESS is sent again each 20 ms here; the standard asks for every burst. */
+    /** HANDOVER ACCESS is repeated every 20 ms here, every burst in the standard. */
     private static final long ACCESS_NANOS = 20_000_000;
 
     private static final long T3124_NANOS = 320_000_000;
@@ -41,11 +41,11 @@ final class ChannelChange {
     private final Timers timers;
     private AssignmentCommand assignment;
     private HandoverCommand handover;
-    /** Null before the mobile is on it. */
+    /** Null before the mobile has reached it. */
     private TowerChannel target;
 
     private int targetTower = IdleSelection.NONE;
-    /** Of the channel on which the mobile is. */
+    /** Mode of the current channel. */
     private int mode;
 
     private int cause;
@@ -58,12 +58,12 @@ final class ChannelChange {
         this.timers = timers;
     }
 
-    /** The mobile comes onto its first channel. */
+    /** Enters the first channel. */
     void begin() {
         mode = RadioResource.SIGNALLING_ONLY;
     }
 
-    /** Terminals have signalling and GSM 06.10. */
+    /** True for signalling and GSM 06.10, the modes of terminals. */
     private static boolean isSupported(int channelMode) {
         return channelMode == RadioResource.SIGNALLING_ONLY || channelMode == RadioResource.SPEECH_FULL_RATE;
     }
@@ -73,7 +73,11 @@ final class ChannelChange {
         return OctetString.of(Layer3Codec.encode(message, direction, 0));
     }
 
-    /** Takes a message that concerns the radio part only. @return whether it does */
+    /**
+     * Handles a message for the radio part only.
+     *
+     * @return true if it is one
+     */
     boolean takes(OctetString layer3) {
         if (layer3.length() < 2 || layer3.octet(0) != Layer3Header.RADIO_RESOURCE) {
             return false;
@@ -99,7 +103,7 @@ final class ChannelChange {
         return false;
     }
 
-    /** A mode that the terminal does not have leaves the old one (TS 44.018, 3.4.6.1.3). */
+    /** Changes the mode; an unsupported one keeps the old mode (TS 44.018, 3.4.6.1.3). */
     private void modifyMode(ChannelModeModify modify) {
         if (isSupported(modify.mode())) {
             mode = modify.mode();
@@ -120,7 +124,7 @@ final class ChannelChange {
         next = timers.start(TUNING_NANOS, this::arriveByAssignment);
     }
 
-    /** Only now the mobile hears whether the channel is there. */
+    /** Checks only on arrival that the channel exists. */
     private void arriveByAssignment() {
         target = mobile.current()
                 .tower()
@@ -180,7 +184,7 @@ final class ChannelChange {
         return network.towers().get(targetTower).tower().name();
     }
 
-    /** HANDOVER ACCESS, until PHYSICAL INFORMATION comes; in a synchronised cell four times. */
+    /** Sends HANDOVER ACCESS until PHYSICAL INFORMATION arrives; in a synchronised cell four times. */
     private void access(int count) {
         if (count == 1) {
             mobile.passed(PassingStep.Kind.HANDOVER_ACCESS, mobile.cell(), targetName(), handover.reference());
@@ -247,7 +251,7 @@ final class ChannelChange {
         end();
     }
 
-    /** The tower has taken a channel away. */
+    /** Handles the release of a channel by the tower. */
     void lost(TowerChannel channel) {
         if (channel == target) {
             target = null;
@@ -255,7 +259,7 @@ final class ChannelChange {
         }
     }
 
-    /** No change is under way any longer. */
+    /** Ends the change. */
     void end() {
         timers.cancel(next);
         timers.cancel(limit);

@@ -12,16 +12,16 @@ import simgsm.rr.SystemInformation;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
-/** Random access of one mobile (TS 44.018, 3.3.1.1): CHANNEL REQUESTs at random times until one is answered. */
+/** Random access of one mobile (TS 44.018, 3.3.1.1): CHANNEL REQUESTs at random times until an answer. */
 final class ChannelRequests implements AccessUser {
-    /** What the mobile does about an answer. */
+    /** Handles an answer. */
     interface Outcome {
         void granted(ImmediateAssignment assignment);
 
         void failed();
     }
 
-    /** Requests of which an answer still counts (TS 44.018, 3.3.1.1.3.1). */
+    /** Number of latest requests whose answers count (TS 44.018, 3.3.1.1.3.1). */
     private static final int REMEMBERED = 3;
 
     private static final SystemInformation.RandomAccess STANDARD = new SystemInformation.RandomAccess(7, 12, false);
@@ -47,7 +47,7 @@ final class ChannelRequests implements AccessUser {
     /**
      * Begins.
      *
-     * @param firstMessage of layer 3, whose kind gives the establishment cause
+     * @param firstMessage of layer 3, determines the establishment cause
      * @param delayNanos until the mobile may send
      */
     void begin(BaseStation cell, int timingAdvance, OctetString firstMessage, long delayNanos) {
@@ -59,7 +59,7 @@ final class ChannelRequests implements AccessUser {
         schedule(delayNanos + spread(parameters().spreadSlots()));
     }
 
-    /** The tower that is asked; null while no access is under way. */
+    /** The requested tower; null without an access. */
     BaseStation tower() {
         return tower;
     }
@@ -68,7 +68,7 @@ final class ChannelRequests implements AccessUser {
         return tower != null;
     }
 
-    /** The mobile listens no longer. */
+    /** Stops listening. */
     void end() {
         if (tower != null) {
             timers.cancel(next);
@@ -124,7 +124,7 @@ final class ChannelRequests implements AccessUser {
         }
     }
 
-    /** After T3122 the mobile asks again, as long as its terminal waits. */
+    /** Retries after T3122 while the terminal waits. */
     @Override
     public void refused(RequestReference reference, int waitSeconds) {
         if (sent.contains(reference)) {

@@ -33,7 +33,7 @@ final class EstablishmentCause {
                         : request.service() == ServiceType.EMERGENCY_CALL ? EMERGENCY_CALL : SHORT_MESSAGE;
             }
         } catch (ProtocolViolation unknown) {
-            // Others are asked for as location updating, as detaching is.
+            // other messages, such as detach, use location updating
         }
         return LOCATION_UPDATING;
     }

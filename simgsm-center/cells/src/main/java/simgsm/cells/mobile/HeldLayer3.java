@@ -6,9 +6,11 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import simgsm.abis.RslMessage;
 
-/** Layer 3 of a terminal and its tower that waits while the mobile changes channels or its signal is too weak. */
+/** Holds layer 3 of a terminal and its tower while the mobile changes channels or its signal is too weak. */
 final class HeldLayer3 {
-    /** In one direction; further messages are dropped. The terminal's own time-outs end the transaction long before. */
+    /**
+     * Maximum per direction; further messages are dropped. The terminal's time-outs end the transaction much earlier.
+     */
     private static final int MOST = 1_000;
 
     private final Queue<RslMessage.DataIndication> up = new ArrayDeque<>();
@@ -17,7 +19,7 @@ final class HeldLayer3 {
     private final Consumer<RslMessage.DataIndication> tower;
     private final Consumer<RslMessage.DataRequest> terminal;
 
-    /** @param isReachable whether messages get through now; a message that is passed may change it */
+    /** @param isReachable true if messages get through now; a passed message may change it */
     HeldLayer3(
             BooleanSupplier isReachable,
             Consumer<RslMessage.DataIndication> tower,
@@ -44,7 +46,7 @@ final class HeldLayer3 {
         pass();
     }
 
-    /** Passes what may be passed now, messages of the terminal first. */
+    /** Passes all permitted messages, messages of the terminal first. */
     void pass() {
         passUp();
         pass(down, terminal);

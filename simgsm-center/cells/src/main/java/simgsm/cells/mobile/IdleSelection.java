@@ -12,13 +12,13 @@ public final class IdleSelection {
     public static final int NONE = -1;
 
     private static final int AVERAGED = 8;
-    /** Cells whose C2 is followed. */
+    /** Number of cells whose C2 is tracked. */
     private static final int STRONGEST = 6;
 
     private static final double SECOND_NANOS = 1e9;
-    /** Another cell must be better, or the serving one too weak, for 5 s. */
+    /** Time for which another cell must be better, or the serving one too weak. */
     private static final long DECISION_NANOS = 5_000_000_000L;
-    /** For 15 s after a change of cell a further one needs 5 dB. */
+    /** Time after a change of cell in which another one needs 5 dB. */
     private static final long SETTLING_NANOS = 15_000_000_000L;
 
     private static final double SETTLING_DECIBELS = 5;
@@ -29,7 +29,7 @@ public final class IdleSelection {
     private final double[] c2;
     private final boolean[] isStrong;
     private final long[] strongSince;
-    /** Since when each cell is better than the serving one. */
+    /** Times at which each cell became better than the serving one. */
     private final long[] betterSince;
 
     private int measurements;
@@ -48,7 +48,7 @@ public final class IdleSelection {
         Arrays.fill(betterSince, NEVER);
     }
 
-    /** The cell's index; {@link #NONE} if none is good enough. */
+    /** The cell's index; {@link #NONE} if none is suitable. */
     public int serving() {
         return serving;
     }
@@ -58,7 +58,7 @@ public final class IdleSelection {
         return c2[cell];
     }
 
-    /** Takes the cell of a connection that has ended; measurements and times from before it no longer count. */
+    /** Camps on the cell of an ended connection; discards earlier measurements and times. */
     public void camp(int cell, long nowNanos) {
         measurements = 0;
         change(cell, nowNanos);
@@ -68,8 +68,8 @@ public final class IdleSelection {
      * Evaluates a measurement.
      *
      * @param levels of all cells in dBm
-     * @param cells what each broadcasts; null for one that cannot be used
-     * @return whether the serving cell is another now
+     * @param cells broadcast parameters; null for an unusable cell
+     * @return true if the serving cell has changed
      */
     public boolean measured(long nowNanos, double[] levels, CellParameters[] cells) {
         average(levels);
@@ -120,7 +120,7 @@ public final class IdleSelection {
         return usable.length <= STRONGEST ? Double.NEGATIVE_INFINITY : usable[usable.length - STRONGEST];
     }
 
-    /** The best suitable cell by C2, without any wait (TS 43.022, 4.5). */
+    /** Selects the best suitable cell by C2 at once (TS 43.022, 4.5). */
     private void chooseBest(long nowNanos, CellParameters[] cells) {
         int best = NONE;
         for (int cell = 0; cell < cells.length; cell++) {
@@ -154,7 +154,7 @@ public final class IdleSelection {
         }
     }
 
-    /** Decibels by which another cell must exceed the serving one; two exceptions, each with its own (TS 45.008, 6.6.2). */
+    /** Required advantage of another cell in dB; each of two exceptions adds to it (TS 45.008, 6.6.2). */
     private double margin(long nowNanos, CellParameters from, CellParameters to) {
         double hysteresis = from.area() == to.area() ? 0 : from.hysteresisDecibels();
         boolean isSettling = changedNanos != NEVER && nowNanos - changedNanos < SETTLING_NANOS;

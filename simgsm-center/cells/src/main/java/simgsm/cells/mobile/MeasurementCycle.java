@@ -15,7 +15,7 @@ final class MeasurementCycle {
     private long measuredNanos;
     private boolean isStopped;
 
-    /** Begins with the first measurement after a part of the period by chance. */
+    /** Begins with the first measurement after a random part of the period. */
     MeasurementCycle(Mobile mobile, MobileNetwork network, Timers timers, Reception reception, CellNotice notice) {
         this.mobile = mobile;
         this.network = network;

@@ -23,15 +23,16 @@ import simgsm.state.StateMachine;
 import simgsm.timer.Timers;
 
 /**
- * One terminal and the radio part that it lacks, as a deterministic core: frames of the terminal, messages of its tower and
- * time in; frames to both out. The terminal's layer 3 waits while the mobile changes channels or its signal is too weak.
+ * One terminal and the radio part that it lacks, as a deterministic core: frames of the terminal, messages of its tower
+ * and time in; frames to both out. The terminal's layer 3 waits while the mobile changes channels or its signal is too
+ * weak.
  */
 public final class Mobile {
     /** Period of measurements and of blocks of the slow associated channel: 480 ms. */
     public static final long PERIOD_NANOS = 480_000_000L;
 
     private static final System.Logger LOG = System.getLogger(Mobile.class.getName());
-    /** After a channel the mobile needs this long to leave its link layer and to find the common channels again. */
+    /** Time to leave a channel's link layer and to find the common channels again. */
     private static final long RETURN_NANOS = 500_000_000L;
 
     private static final int ABNORMAL_RELEASE = 1;
@@ -53,16 +54,16 @@ public final class Mobile {
             this::isReachable, data -> channel().orElseThrow().send(data.sapi().code(), data.layer3()), this::pass);
     private final Receiver receiver = new Receiver();
     private final String address;
-    /** The first message of the connection that is being opened; null otherwise. */
+    /** The first message of a connection being opened; null otherwise. */
     private OctetString firstMessage;
-    /** Null while the mobile is on none. */
+    /** Null without a channel. */
     private TowerChannel channel;
 
     private ImmediateAssignment granted;
-    /** When the mobile is in idle mode again after its last channel. */
+    /** Time of the return to idle mode after the last channel. */
     private long idleNanos;
 
-    /** Answers of the tower. */
+    /** Receives the tower's answers. */
     private final class Receiver implements ChannelUser, ChannelRequests.Outcome {
         @Override
         public void granted(ImmediateAssignment assignment) {
@@ -96,14 +97,14 @@ public final class Mobile {
 
         @Override
         public void channelLost(TowerChannel lost) {
-            // The mobile notices the loss of its own channel by the radio link counter only.
+            // the mobile notices the loss of its channel only by the radio link counter
             if (lost != channel) {
                 change.lost(lost);
             }
         }
     }
 
-    /** A terminal that has just connected. */
+    /** Creates the mobile of a newly connected terminal. */
     public Mobile(MobilePort port, String address, MobileNetwork network, Timers timers, TownPlace place) {
         this.port = port;
         this.address = address;
@@ -120,7 +121,7 @@ public final class Mobile {
         measurements = new MeasurementCycle(this, network, timers, reception, new CellNotice(this::send));
     }
 
-    /** The number; as long as it is not known, the terminal's address. */
+    /** The number; while it is unknown, the terminal's address. */
     public String number() {
         return identity.number().orElse(address);
     }
@@ -133,12 +134,12 @@ public final class Mobile {
         return machine.state();
     }
 
-    /** The index of the tower that carries the mobile; {@link IdleSelection#NONE} for none. */
+    /** The index of the serving tower; {@link IdleSelection#NONE} for none. */
     public int serving() {
         return channel == null ? selection.serving() : network.towers().indexOf(channel.tower());
     }
 
-    /** The name of the tower that carries the mobile; empty for none. */
+    /** The name of the serving tower; empty for none. */
     public String cell() {
         return nameOf(serving());
     }
@@ -167,7 +168,7 @@ public final class Mobile {
         return link;
     }
 
-    /** The silence across the last handover. */
+    /** The silence during the last handover. */
     public OptionalInt gapMillis() {
         return speech.gapMillis();
     }
@@ -203,12 +204,12 @@ public final class Mobile {
         }
     }
 
-    /** Closes the terminal's connection, as without a network: the terminal reports it, connects again and registers. */
+    /** Closes the terminal's connection, as without a network: the terminal reports it, reconnects and registers. */
     public void letGo(String reason) {
         port.close(reason);
     }
 
-    /** The terminal's connection is closed. */
+    /** Handles the end of the terminal's connection. */
     public void close() {
         measurements.stop();
         machine.fire(MobileRadioEvent.TERMINAL_LOST);
@@ -271,7 +272,7 @@ public final class Mobile {
             if (isNetworkGone || !EstablishmentCause.isLocationUpdating(firstMessage)) {
                 machine.fire(MobileRadioEvent.ACCESS_FAILED);
             }
-            // Out of the coverage a mobile that wants to register waits for a cell, until its terminal gives up.
+            // out of coverage a mobile that wants to register waits for a cell, until its terminal gives up
             return;
         }
         passed(PassingStep.Kind.CHANNEL_REQUEST, cell(), "", 0);
@@ -283,7 +284,7 @@ public final class Mobile {
     }
 
     private void establish() {
-        // Idle mode goes on during the access, and may have chosen another cell by now.
+        // idle mode continues during the access, and may have selected another cell by now
         BaseStation tower = requests.tower();
         requests.end();
         Optional<TowerChannel> assigned =
@@ -324,7 +325,7 @@ public final class Mobile {
         machine.fire(event);
     }
 
-    /** Decides by chance whether a block from a tower reaches the mobile now. */
+    /** Decides randomly if a block from a tower reaches the mobile now. */
     boolean receives(int tower) {
         return network.towers().get(tower).isInService() && link.receivesBlock(tower);
     }
@@ -366,12 +367,12 @@ public final class Mobile {
         area.ifPresent(code -> network.happened(new MobileEvent.LocationUpdated(this, code)));
     }
 
-    /** Moves, measures, and chooses a cell or reports. */
+    /** Moves, measures, and selects a cell or reports. */
     public void measure() {
         measurements.measure();
     }
 
-    /** The levels are measured: layer 3 that waited for a better signal is sent. */
+    /** Sends layer 3 that waited for a better signal, after a measurement. */
     void measured() {
         held.pass();
     }
@@ -381,7 +382,7 @@ public final class Mobile {
         return identity.number().isPresent();
     }
 
-    /** Idle mode has chosen a cell: an access that waits for one begins. */
+    /** Begins an access that waited for a cell, after its selection. */
     void camped() {
         if (machine.state() == MobileRadioState.ACCESS && !requests.isUnderWay()) {
             requestChannel();

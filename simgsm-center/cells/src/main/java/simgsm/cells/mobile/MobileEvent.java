@@ -5,16 +5,16 @@ import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.town.TownPlace;
 import simgsm.event.EventLine;
 
-/** What happens to a mobile. */
+/** An event of a mobile. */
 public sealed interface MobileEvent {
-    /** Its number, or before that is known its address. */
+    /** The mobile's number, or its address while that is unknown. */
     Mobile mobile();
 
-    /** A mobile has chosen a cell; C2 in dB. */
+    /** A mobile has selected a cell; C2 in dB. */
     @EventLine("camped number=mobile.number cell= c2=:0")
     record Camped(Mobile mobile, String cell, double c2) implements MobileEvent {}
 
-    /** No cell is good enough any more. */
+    /** No cell is suitable any more. */
     record CellLost(Mobile mobile, String cell) implements MobileEvent {}
 
     /** The network has accepted the location. */
@@ -43,7 +43,7 @@ public sealed interface MobileEvent {
     @EventLine("handover number=mobile.number from= to= result= cause=")
     record HandedOver(Mobile mobile, String from, String to, HandoverResult result, int cause) implements MobileEvent {}
 
-    /** Silence across a handover. */
+    /** Silence during a handover. */
     @EventLine("speech-gap number=mobile.number millis=")
     record SpeechGap(Mobile mobile, int millis) implements MobileEvent {}
 
@@ -51,7 +51,7 @@ public sealed interface MobileEvent {
     @EventLine("radio-link-failure number=mobile.number")
     record RadioLinkFailed(Mobile mobile) implements MobileEvent {}
 
-    /** The window's user has put a mobile at another place. */
+    /** The window's user has moved a mobile. */
     @EventLine("placed number=mobile.number x=place.xMetres:1 y=place.yMetres:1")
     record MobilePlaced(Mobile mobile, TownPlace place) implements MobileEvent {}
 

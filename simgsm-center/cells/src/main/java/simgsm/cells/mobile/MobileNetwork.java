@@ -6,14 +6,18 @@ import simgsm.air.RadioResource.CellDescription;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.town.TownPlace;
 
-/** What a mobile receives, and where it appears. */
+/** A mobile's reception and its place in the network. */
 public interface MobileNetwork {
     List<BaseStation> towers();
 
     /** The levels of all towers at a place in dBm. */
     void levelsDbm(TownPlace place, double[] into);
 
-    /** The carrier of one tower over noise and interference, in dB. @param levelsDbm of all towers at the place */
+    /**
+     * The carrier of one tower over noise and interference, in dB.
+     *
+     * @param levelsDbm of all towers at the place
+     */
     double carrierDecibels(int tower, double[] levelsDbm);
 
     /** The tower of a HANDOVER COMMAND. */
@@ -27,13 +31,13 @@ public interface MobileNetwork {
         return OptionalInt.empty();
     }
 
-    /** A number from 0 to less than 1, of the program's seed. */
+    /** A random number from 0 to less than 1, by the program's seed. */
     double random();
 
-    /** Whether walking mobiles stand still. */
+    /** True while walking mobiles are paused. */
     boolean isPaused();
 
-    /** The mobile's number has become known. */
+    /** Reports that the mobile's number has become known. */
     void identified(Mobile mobile);
 
     void happened(MobileEvent event);

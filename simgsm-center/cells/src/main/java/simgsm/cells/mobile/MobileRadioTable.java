@@ -8,11 +8,11 @@ import java.util.EnumSet;
 import java.util.Set;
 import simgsm.state.StateTable;
 
-/** How a mobile comes onto a channel, changes it and leaves it (TS 44.018, 3.3, 3.4 and 3.5). */
+/** A mobile's access to a channel, its change and release (TS 44.018, 3.3, 3.4 and 3.5). */
 public final class MobileRadioTable {
     /** An action of a mobile's radio part (TS 44.018, 3). */
     public enum MobileRadioState {
-        /** On no channel. */
+        /** Without a channel. */
         IDLE,
         /** CHANNEL REQUEST is sent. */
         ACCESS,
@@ -40,7 +40,7 @@ public final class MobileRadioTable {
         CHANGE_FAILED,
         /** The terminal leaves the channel. */
         LEFT,
-        /** The controller or the tower has taken the channel away. */
+        /** The controller or the tower has released the channel. */
         CHANNEL_LOST,
         /** The radio link counter is 0. */
         LINK_FAILED,

@@ -7,13 +7,13 @@ import simgsm.abis.RtpPacket;
 import simgsm.air.ProtocolViolation;
 import simgsm.timer.Timers;
 
-/** The speech of one mobile in both directions, and the silence that its terminal hears across a handover. */
+/** The speech of one mobile in both directions, and the silence during a handover. */
 final class MobileSpeech {
     private static final long NANOS_PER_MILLI = 1_000_000;
     private static final int FRAME_MILLIS = 20;
-    /** A larger jump is another stream. */
+    /** A larger jump means another stream. */
     private static final int MOST_FRAMES = 500;
-    /** So is a larger jump back; 1 s, as in the terminals. */
+    /** A larger jump backwards also means another stream; 1 s, as in the terminals. */
     private static final int MOST_REPEATED_FRAMES = 50;
 
     private static final long NONE = Long.MIN_VALUE;
@@ -27,7 +27,7 @@ final class MobileSpeech {
     private boolean isHandedOver;
     private OptionalInt gap = OptionalInt.empty();
 
-    /** @param gapEnded takes the length of each gap in milliseconds */
+    /** @param gapEnded receives the length of each gap in milliseconds */
     MobileSpeech(MobilePort port, Timers timers, IntConsumer gapEnded) {
         this.port = port;
         this.timers = timers;
@@ -38,7 +38,7 @@ final class MobileSpeech {
         return gap;
     }
 
-    /** A new traffic channel of a new call, or of the same. */
+    /** Restarts with a new traffic channel of the same or another call. */
     void restart() {
         uplink.restart();
     }
@@ -47,7 +47,7 @@ final class MobileSpeech {
         return uplink.convert(rtp);
     }
 
-    /** The mobile has left the old cell, or the call. */
+    /** Handles the end of the old cell's speech, or of the call. */
     void handoverBegan() {
         isHandedOver = deliveredNanos != NONE;
     }
@@ -58,8 +58,8 @@ final class MobileSpeech {
     }
 
     /**
-     * A frame reaches the terminal. The controller may send frames into both cells of a handover; the first ones of the new cell
-     * are passed over if they were heard in the old one.
+     * Passes a frame to the terminal. The controller may send frames to both cells of a handover; the first ones of the
+     * new cell are dropped if they were received in the old one.
      */
     void deliver(byte[] rtp) {
         long now = timers.nowNanos();
@@ -78,8 +78,8 @@ final class MobileSpeech {
     }
 
     /**
-     * How long the frames are that the terminal missed, counted by RTP; of another stream the time between the frames. Negative for a
-     * frame that it has heard.
+     * The duration of missed frames, counted by RTP; in another stream the time between the frames. Negative for a
+     * received frame.
      */
     private int gapMillis(byte[] rtp, long nowNanos) {
         try {
@@ -90,7 +90,7 @@ final class MobileSpeech {
                 return missed * FRAME_MILLIS;
             }
         } catch (ProtocolViolation broken) {
-            // The terminal drops it; the gap is measured by the time as well.
+            // the terminal drops it; the gap is measured by time as well
         }
         return Math.max(0, (int) ((nowNanos - deliveredNanos) / NANOS_PER_MILLI) - FRAME_MILLIS);
     }

@@ -10,9 +10,12 @@ import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.TowerChannel;
 import simgsm.cells.town.Frequencies;
 
-/** How well a mobile and the tower of its channel receive each other: quality, lost frames and blocks, reports, the link's end. */
+/**
+ * The reception between a mobile and the tower of its channel: quality, lost frames and blocks, reports, the link's
+ * end.
+ */
 public final class RadioLink {
-    /** Above this share of lost blocks the link layer's repetitions are of no use. */
+    /** Share of lost blocks above which the link layer's repetitions fail. */
     private static final double UNUSABLE = 0.9;
 
     private static final int STANDARD_TIMEOUT = 32;
@@ -58,7 +61,7 @@ public final class RadioLink {
         return reports;
     }
 
-    /** The mobile is on another channel: its blocks are counted from the start (TS 45.008, 5.2). */
+    /** Restarts the count of blocks on another channel (TS 45.008, 5.2). */
     void moved(BaseStation tower) {
         int timeout = tower.cell().map(cell -> cell.radioLinkTimeout()).orElse(STANDARD_TIMEOUT);
         downlink = new RadioLinkCounter(timeout);
@@ -68,7 +71,7 @@ public final class RadioLink {
         measure();
     }
 
-    /** Takes the levels of the last measurement. */
+    /** Stores the levels of the last measurement. */
     void measure() {
         double errorRate = reception.errorRate(mobile.serving());
         quality = RadioScale.rxqual(errorRate);
@@ -88,18 +91,22 @@ public final class RadioLink {
         return losses.next(erasure, mobile.walker().metresPerSecond(), Frequencies.downlinkMegahertz(arfcn));
     }
 
-    /** Whether a block from a tower reaches the mobile now, by chance. */
+    /** Decides randomly if a block from a tower reaches the mobile now. */
     boolean receivesBlock(int tower) {
         double lost = ReceptionQuality.blockErasureRate(reception.errorRate(tower));
         return lost <= 0 || network.random() >= lost;
     }
 
-    /** Whether messages get through, if repeated. */
+    /** True if messages get through, with repetitions. */
     boolean isUsable() {
         return ReceptionQuality.blockErasureRate(reception.errorRate(mobile.serving())) < UNUSABLE;
     }
 
-    /** Sends a report and counts the blocks of both directions. @return whether the link has failed */
+    /**
+     * Sends a report and counts the blocks of both directions.
+     *
+     * @return true if the link has failed
+     */
     boolean report(TowerChannel channel) {
         recent.add(reception.levelsDbm());
         int tower = mobile.serving();

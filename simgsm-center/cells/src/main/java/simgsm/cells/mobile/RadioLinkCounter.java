@@ -13,7 +13,7 @@ final class RadioLinkCounter {
         count = timeout;
     }
 
-    /** @return whether the link has failed */
+    /** @return true if the link has failed */
     boolean block(boolean isGood) {
         count = isGood ? Math.min(most, count + GOOD) : Math.max(0, count - 1);
         return count == 0;

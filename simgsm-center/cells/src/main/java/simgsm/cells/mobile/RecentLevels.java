@@ -1,6 +1,6 @@
 package simgsm.cells.mobile;
 
-/** The levels of the last ten measurements, which controllers average, of one mobile in a connection. */
+/** The levels of a mobile's last ten measurements in a connection, averaged by controllers. */
 public final class RecentLevels {
     private static final int KEPT = 10;
 
@@ -20,12 +20,12 @@ public final class RecentLevels {
         count = 0;
     }
 
-    /** Whether at least this number of measurements is kept; the list keeps ten. */
+    /** True if at least this number of measurements is kept; the list keeps ten. */
     public boolean has(int measurements) {
         return count >= measurements;
     }
 
-    /** The average of a tower's latest measurements in dBm; of all that are kept if those are fewer. */
+    /** The average of a tower's latest measurements in dBm; of all kept ones if those are fewer. */
     public double averageDbm(int tower, int measurements) {
         int taken = Math.min(count, Math.min(measurements, KEPT));
         double sum = 0;

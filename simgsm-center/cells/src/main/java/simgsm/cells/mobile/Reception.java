@@ -10,9 +10,9 @@ import simgsm.cells.radio.ReceptionQuality;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.town.TownPlace;
 
-/** What a mobile receives at its place now. */
+/** A mobile's current reception at its place. */
 final class Reception {
-    /** Below, a neighbour's BSIC cannot be read. */
+    /** Level below which a neighbour's BSIC cannot be decoded. */
     private static final double DECODABLE_DBM = -108;
 
     /** Frequencies of a neighbour list that reports can name (TS 44.018, 10.5.2.20). */
@@ -43,7 +43,7 @@ final class Reception {
                 network.towers().get(tower).tower().place().distanceMetres(place));
     }
 
-    /** Neighbours that a report names: at most six of the serving cell's list, the strongest first. */
+    /** The neighbours in a report: at most six of the serving cell's list, strongest first. */
     List<Integer> neighbours(int serving) {
         List<Integer> listed = network.towers().get(serving).neighbours();
         return IntStream.range(0, levels.length)

@@ -17,14 +17,18 @@ import simgsm.air.RadioResource.PagingResponse;
 import simgsm.air.Tmsi;
 import simgsm.octets.OctetString;
 
-/** Who a terminal is, read from the messages that pass: the radio part needs it for paging. */
+/** A terminal's identity, read from its messages; the radio part needs it for paging. */
 final class SubscriberIdentity {
     private static final int GROUP_DIGITS = 3;
 
     private Optional<Imsi> imsi = Optional.empty();
     private Optional<Tmsi> tmsi = Optional.empty();
 
-    /** Reads a message of the terminal. @return whether the IMSI has become known by it */
+    /**
+     * Reads a message of the terminal.
+     *
+     * @return true if the IMSI has become known
+     */
     boolean readUplink(OctetString layer3) {
         Optional<Imsi> before = imsi;
         identityIn(layer3).ifPresent(identity -> {
@@ -52,7 +56,7 @@ final class SubscriberIdentity {
                 return Optional.of(detach.identity());
             }
         } catch (ProtocolViolation unknown) {
-            // The network answers it.
+            // the network answers it
         }
         return Optional.empty();
     }
@@ -71,7 +75,7 @@ final class SubscriberIdentity {
                 return Optional.of(accept.area().areaCode());
             }
         } catch (ProtocolViolation unknown) {
-            // The terminal answers it.
+            // the terminal answers it
         }
         return Optional.empty();
     }
@@ -82,7 +86,7 @@ final class SubscriberIdentity {
                 : tmsi.isPresent() && tmsi.get().equals(identity);
     }
 
-    /** Whether paging in this group reaches the mobile; as long as its IMSI is not known, any does. */
+    /** True if paging in this group reaches the mobile; any group does while its IMSI is unknown. */
     boolean isInGroup(int group, int groups) {
         return imsi.isEmpty() || pagingGroup(imsi.get(), groups) == group;
     }
@@ -93,7 +97,7 @@ final class SubscriberIdentity {
         return Integer.parseInt(digits.substring(digits.length() - GROUP_DIGITS)) % groups;
     }
 
-    /** The number of an open network, else the IMSI; empty as long as that is not known. */
+    /** The number in an open network, else the IMSI; empty while that is unknown. */
     Optional<String> number() {
         return imsi.map(known -> known.openNumber().map(Msisdn::digits).orElse(known.digits()));
     }

@@ -4,18 +4,18 @@ import simgsm.abis.RtpPacket;
 import simgsm.air.ProtocolViolation;
 import simgsm.speech.SpeechCodec;
 
-/** Makes GSM 06.10 of a terminal's speech, which may be A-law: a traffic channel carries nothing else. */
+/** Converts a terminal's speech, possibly A-law, to GSM 06.10, the only codec of a traffic channel. */
 final class UplinkSpeech {
     private SpeechCodec decoder = SpeechCodec.Kind.A_LAW.open();
     private SpeechCodec encoder = SpeechCodec.Kind.GSM_FULL_RATE.open();
 
-    /** A new call. */
+    /** Restarts for another call. */
     void restart() {
         decoder = SpeechCodec.Kind.A_LAW.open();
         encoder = SpeechCodec.Kind.GSM_FULL_RATE.open();
     }
 
-    /** The packet with GSM 06.10; the same octets if it has that already. */
+    /** Returns the packet with GSM 06.10; the same octets if it is already that. */
     byte[] convert(byte[] rtp) throws ProtocolViolation {
         RtpPacket packet = RtpPacket.decode(rtp);
         if (packet.payloadType() == RtpPacket.GSM_FULL_RATE) {

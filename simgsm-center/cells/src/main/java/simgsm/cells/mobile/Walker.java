@@ -5,7 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import simgsm.cells.town.TownPlace;
 
-/** A position that stands still or walks along points: to one point and stops there, or along several to and fro. */
+/** A position at rest or walking along points: to one point, or along several to and fro. */
 public final class Walker {
     private static final double SECOND_NANOS = 1e9;
 
@@ -22,30 +22,30 @@ public final class Walker {
         return place;
     }
 
-    /** The points ahead; empty if it stands. */
+    /** The points ahead; empty at rest. */
     public List<TownPlace> ahead() {
         return points.isEmpty() ? List.of() : points.subList(next, points.size());
     }
 
-    /** 0 while it stands. */
+    /** Speed; 0 at rest. */
     double metresPerSecond() {
         return points.isEmpty() ? 0 : metresPerSecond;
     }
 
-    /** Stands here from now on. */
+    /** Stops at a new place. */
     public void standAt(TownPlace newPlace) {
         place = newPlace;
         points = List.of();
     }
 
-    /** Walks from here to the first point and on; to and fro if there is more than one. */
+    /** Walks to the first point and further; to and fro if there is more than one. */
     public void walk(List<TownPlace> along, double speedMetresPerSecond) {
         points = new ArrayList<>(along);
         next = 0;
         metresPerSecond = speedMetresPerSecond;
     }
 
-    /** Goes on where another is and walks. */
+    /** Continues another's walk from its place. */
     public void follow(Walker other) {
         place = other.place;
         points = other.points;

@@ -1,5 +1,5 @@
 /**
- * The radio part of a mobile, which its terminal lacks: choice of a cell, access, channels, measurements, handover. Read {@link
- * simgsm.cells.mobile.Mobile}.
+ * The radio part of a mobile, which its terminal lacks: cell selection, access, channels, measurements, handover. Read
+ * {@link simgsm.cells.mobile.Mobile} first.
  */
 package simgsm.cells.mobile;

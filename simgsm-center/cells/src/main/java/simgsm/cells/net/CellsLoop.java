@@ -39,7 +39,7 @@ public final class CellsLoop implements AutoCloseable {
     }
 
     /**
-     * Opens the port; terminals are accepted from {@link #start} on.
+     * Opens the port; {@link #start} begins accepting terminals.
      *
      * @param port 0 for any free one
      * @throws IOException naming address and port
@@ -65,7 +65,7 @@ public final class CellsLoop implements AutoCloseable {
      * Starts the thread; each tower connects to the controller.
      *
      * @param controller may be unresolved
-     * @param onFailure called when the thread has ended by an error
+     * @param onFailure called when an error has ended the thread
      */
     public void start(InetSocketAddress controller, Consumer<Throwable> onFailure) {
         loop.start(new Driver(), onFailure);
@@ -76,7 +76,7 @@ public final class CellsLoop implements AutoCloseable {
         });
     }
 
-    /** Shows the core on the owner thread, at once and after each period. Any thread may call this. */
+    /** Shows the core on the owner thread, at once and after each period. Callable on any thread. */
     public void observe(long periodNanos, Consumer<CellNetwork> observer) {
         loop.post(() -> {
             observer.accept(now());
@@ -84,24 +84,28 @@ public final class CellsLoop implements AutoCloseable {
         });
     }
 
-    /** The core, moved to the present time. */
+    /** The core, advanced to the current time. */
     CellNetwork now() {
         network.advance(System.nanoTime() - startNanos);
         return network;
     }
 
-    /** Switches a tower; its connection is made only while it is on. */
+    /** Switches a tower; it is connected only while on. */
     public void switchTower(BaseStation tower, boolean on) {
         now().switchTower(tower, on);
         towers.stream().filter(link -> link.isOf(tower)).forEach(link -> link.switchTo(on));
     }
 
-    /** Queues a task of the owner thread. Any thread may call this. */
+    /** Queues a task of the owner thread. Callable on any thread. */
     public void post(Consumer<CellNetwork> task) {
         loop.post(() -> task.accept(now()));
     }
 
-    /** Runs a question on the owner thread. Any thread may call this. @throws IllegalStateException as {@link SelectorLoop#ask} */
+    /**
+     * Runs a question on the owner thread. Callable on any thread.
+     *
+     * @throws IllegalStateException as {@link SelectorLoop#ask}
+     */
     public <T> T ask(Function<CellNetwork, T> question) {
         return loop.ask(() -> question.apply(now()));
     }

@@ -13,10 +13,11 @@ import java.util.regex.Pattern;
 import simgsm.cells.town.TownPlace;
 
 /**
- * Reads the pose of a robot from a SimRobot's web server, twice a second, on a thread of its own.
+ * Reads the pose of a robot from a SimRobot's web server twice a second, on a separate thread.
  *
- * @param number of the terminal that is there; @param url {@code http://HOST:PORT/robots/NAME}
- * @param scale metres of the town for one of the robot's world
+ * @param number of the terminal at its place;
+ * @param url {@code http://HOST:PORT/robots/NAME}
+ * @param scale metres of the town per metre of the robot's world
  */
 public record FollowedRobot(String number, URL url, double scale) {
     private static final System.Logger LOG = System.getLogger(FollowedRobot.class.getName());
@@ -26,7 +27,11 @@ public record FollowedRobot(String number, URL url, double scale) {
     private static final String NUMBER = "(-?[0-9]+(?:\\.[0-9]+)?(?:[eE][-+]?[0-9]+)?)";
     private static final Pattern POSE = Pattern.compile("\"x\":\\s*" + NUMBER + ",\\s*\"y\":\\s*" + NUMBER);
 
-    /** {@code NUMBER=URL[,SCALE]}. @throws IllegalArgumentException saying what was expected */
+    /**
+     * Parses {@code NUMBER=URL[,SCALE]}.
+     *
+     * @throws IllegalArgumentException naming the expected text
+     */
     public static FollowedRobot parse(String text) {
         Matcher parts = Pattern.compile(
                         "([0-9]{1,15})=(http://[^,]+/robots/[^,/]+)(?:,([0-9]{1,6}(?:\\.[0-9]{1,6})?))?")
@@ -46,7 +51,11 @@ public record FollowedRobot(String number, URL url, double scale) {
         }
     }
 
-    /** Follows from now on. @param moved takes each new place */
+    /**
+     * Starts following.
+     *
+     * @param moved receives each new place
+     */
     public void start(Consumer<TownPlace> moved) {
         Thread thread = new Thread(() -> follow(moved), "pose of " + number);
         thread.setDaemon(true);

@@ -14,12 +14,12 @@ import simgsm.net.LineAddress;
 import simgsm.timer.RateLimit;
 import simgsm.timer.Timers;
 
-/** The connection of one terminal, which finds the same here as at a centre. */
+/** The connection of one terminal, for which the program acts like a centre. */
 final class MobileConnection extends IpaConnection implements MobilePort {
     private static final System.Logger LOG = System.getLogger(MobileConnection.class.getName());
     private static final int FRAMES_PER_SECOND = 20_000;
     private static final int MOST_FRAMES = 2_000;
-    /** Of one terminal; after these its connection is closed. */
+    /** Number of a terminal's protocol errors after which its connection is closed. */
     private static final int MOST_VIOLATIONS = 100;
 
     private final CellsLoop cells;

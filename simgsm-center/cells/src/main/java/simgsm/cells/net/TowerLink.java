@@ -50,7 +50,7 @@ final class TowerLink implements Connector.Listener {
         return new TowerConnection(endpoint, cells, tower, this::lost);
     }
 
-    /** A connection has ended. A controller that closes each one, as osmo-bsc before its OML, is logged once. */
+    /** Handles a connection's end. A controller that closes each one, as osmo-bsc before its OML, is logged once. */
     private void lost(String reason, boolean wasInService) {
         isAbsenceLogged &= !wasInService;
         failed(reason);

@@ -46,14 +46,14 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     private final Map<String, TownPlace> placed = new HashMap<>();
     private final Deque<PassingStep> passing = new ArrayDeque<>();
     private final Consumer<MobileEvent> listener;
-    /** Walks of terminals that were let go, by number: each goes on when its terminal is back. */
+    /** Walks of disconnected terminals, by number; each resumes when its terminal returns. */
     private final Map<String, Walker> walks = new HashMap<>();
 
     private boolean isPaused;
     private HandoverRule handoverRule = HandoverRule.STANDARD;
     private boolean isServed;
 
-    /** The towers are on and have no controller yet. */
+    /** Creates towers that are on and have no controller yet. */
     public CellNetwork(Town town, long seed, Consumer<MobileEvent> listener) {
         this.town = town;
         this.listener = listener;
@@ -66,7 +66,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         });
     }
 
-    /** What the window takes for the controller's rule. */
+    /** The controller's presumed rule, for the window. */
     public HandoverRule handoverRule() {
         return handoverRule;
     }
@@ -103,14 +103,14 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         return mobile;
     }
 
-    /** Its connection is closed. */
+    /** Removes a disconnected terminal's mobile. */
     public void disconnected(Mobile mobile) {
         if (mobiles.remove(mobile)) {
             mobile.close();
         }
     }
 
-    /** In the order of their numbers. */
+    /** Mobiles in the order of their numbers. */
     public List<Mobile> mobiles() {
         return mobiles.stream().sorted(Comparator.comparing(Mobile::number)).toList();
     }
@@ -119,32 +119,36 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         return mobiles.stream().filter(mobile -> mobile.number().equals(number)).findFirst();
     }
 
-    /** Puts a mobile at a place, where it stays; one that is not there yet appears there. */
+    /** Puts a mobile at a place without a walk, possibly before its appearance. */
     public void place(String number, TownPlace place) {
         placed.put(number, place);
         walks.remove(number);
         mobile(number).ifPresent(mobile -> mobile.walker().standAt(place));
     }
 
-    /** Puts a mobile there by hand, and tells of it. */
+    /** Moves a mobile by hand, and reports it. */
     public void drag(String number, TownPlace place) {
         place(number, place);
         mobile(number).ifPresent(mobile -> happened(new MobileEvent.MobilePlaced(mobile, place)));
     }
 
-    /** Ends a mobile's walk where it is now. */
+    /** Ends a mobile's walk at its current place. */
     public void stand(String number) {
         mobile(number).ifPresent(mobile -> place(number, mobile.walker().place()));
     }
 
-    /** Lets a mobile walk. @return false if it is not there */
+    /**
+     * Starts a mobile's walk.
+     *
+     * @return false if there is no such mobile
+     */
     public boolean walk(String number, List<TownPlace> points, double metresPerSecond) {
         Optional<Mobile> mobile = mobile(number);
         mobile.ifPresent(found -> found.walker().walk(points, metresPerSecond));
         return mobile.isPresent();
     }
 
-    /** Lets all walking mobiles stand still, or go on. */
+    /** Pauses or resumes all walks. */
     public void pause(boolean paused) {
         isPaused = paused;
     }
@@ -154,7 +158,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         return isPaused;
     }
 
-    /** The mobile appears at its place; its walk begins. */
+    /** Places an identified mobile, and starts its walk. */
     @Override
     public void identified(Mobile mobile) {
         String number = mobile.number();
@@ -207,12 +211,12 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         return field.tower(indices.get(tower)).powerDbm();
     }
 
-    /** What passed lately, the newest last. */
+    /** The latest steps, newest last. */
     public Collection<PassingStep> passing() {
         return List.copyOf(passing);
     }
 
-    // What mobiles and towers ask for.
+    // Requests of mobiles and towers.
 
     @Override
     public void levelsDbm(TownPlace place, double[] into) {
@@ -256,8 +260,8 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     }
 
     /**
-     * With the controller of the last tower the network and its records of the mobiles are gone: their terminals are
-     * let go and register anew. A tower that is switched off is a hole in the coverage only.
+     * Disconnects all terminals, which then register again, when the last tower loses its controller and with it the
+     * records of the mobiles. A tower switched off is only a gap in the coverage.
      */
     @Override
     public void changed(BaseStation tower) {

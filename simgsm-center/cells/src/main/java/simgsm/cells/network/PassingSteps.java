@@ -4,7 +4,7 @@ import java.util.Optional;
 import simgsm.cells.mobile.MobileEvent;
 import simgsm.cells.snapshot.PassingStep;
 
-/** Events of mobiles as steps that the window lists. */
+/** Converts events of mobiles to steps listed by the window. */
 final class PassingSteps {
     private PassingSteps() {}
 

@@ -18,9 +18,9 @@ import simgsm.cells.snapshot.TownSnapshot;
 import simgsm.cells.snapshot.TownSnapshot.ControllerLink;
 import simgsm.cells.tower.BaseStation;
 
-/** Makes the snapshots that the window shows. */
+/** Makes the window's snapshots. */
 public final class TownSnapshots {
-    /** Cells of a mobile besides the serving one. */
+    /** Number of a mobile's cells besides the serving one. */
     private static final int NEIGHBOURS = 6;
 
     private final int port;

@@ -3,10 +3,10 @@ package simgsm.cells.radio;
 import simgsm.cells.town.Hill;
 import simgsm.cells.town.TownPlace;
 
-/** Diffraction over a hill as over a knife edge (ITU-R P.526, 4.1). */
+/** Diffraction by a hill as by a knife edge (ITU-R P.526, 4.1). */
 final class KnifeEdge {
     private static final double METRES_TIMES_MEGAHERTZ = 299.792458;
-    /** Below this an edge costs nothing. */
+    /** Parameter below which an edge causes no loss. */
     private static final double CLEAR = -0.78;
 
     private KnifeEdge() {}

@@ -5,13 +5,13 @@ import java.util.List;
 import simgsm.cells.town.Town;
 
 /**
- * The losses of all towers on a raster over the town. They take most of the time to compute and do not depend on the towers'
+ * The losses of all towers on a raster over the town. They dominate the computing time and do not depend on the towers'
  * power, so a change of power needs only {@link #coverage}. Immutable.
  */
 public final class LossRaster {
     private final int columns;
     private final int rows;
-    /** By tower, then row by row from the north. */
+    /** Losses by tower, then row by row from the north. */
     private final float[][] losses;
 
     private LossRaster(int columns, int rows, float[][] losses) {
@@ -20,7 +20,7 @@ public final class LossRaster {
         this.losses = losses;
     }
 
-    /** Computes the raster; a square is represented by its middle. */
+    /** Computes the raster at the middle of each square. */
     public static LossRaster of(Propagation propagation, double squareMetres) {
         Town town = propagation.town();
         int columns = (int) Math.max(1, Math.ceil(town.widthMetres() / squareMetres));
@@ -40,7 +40,11 @@ public final class LossRaster {
         return new LossRaster(columns, rows, losses);
     }
 
-    /** The coverage. @param towers as they are now, in the order of the town */
+    /**
+     * The coverage.
+     *
+     * @param towers current states, in the order of the town
+     */
     public Coverage coverage(List<TowerState> towers) {
         int squares = columns * rows;
         short[] best = new short[squares];

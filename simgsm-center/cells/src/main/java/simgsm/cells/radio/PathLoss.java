@@ -3,14 +3,14 @@ package simgsm.cells.radio;
 import simgsm.cells.town.Clutter;
 
 /**
- * Median path loss between a tower and a mobile: Okumura-Hata below 1500 MHz, COST 231-Hata above (COST 231 final report,
- * 4.4). They hold for 150 to 2000 MHz, towers of 30 to 200 m and distances of 1 to 20 km.
+ * Median path loss between a tower and a mobile: Okumura-Hata below 1500 MHz, COST 231-Hata above (COST 231 final
+ * report, 4.4); valid for 150 to 2000 MHz, towers of 30 to 200 m and distances of 1 to 20 km.
  *
- * <p>Nearer than 1 km the same slope goes on until free space loses more, which is the least loss at any distance.
+ * <p>Below 1 km the same slope continues down to the loss of free space, the minimum at any distance.
  */
 public final class PathLoss {
     private static final double COST_231_FROM_MEGAHERTZ = 1_500;
-    /** Nearer than this the formulas have no meaning: a mobile at the foot of the tower. */
+    /** Minimum distance of the formulas: a mobile at the foot of the tower. */
     private static final double NEAREST_METRES = 10;
 
     private final double atOneKilometerDecibels;
@@ -36,7 +36,7 @@ public final class PathLoss {
         freeSpaceDecibels = 32.45 + 20 * logFrequency;
     }
 
-    /** How much less is lost outside of towns. */
+    /** Reduction of the loss outside towns. */
     private static double relief(double logFrequency, Clutter surroundings) {
         return switch (surroundings) {
             case METROPOLITAN, URBAN -> 0;
@@ -52,7 +52,7 @@ public final class PathLoss {
                 atOneKilometerDecibels + perDecadeDecibels * logKilometres, freeSpaceDecibels + 20 * logKilometres);
     }
 
-    /** What ten times the distance costs. */
+    /** The additional loss for ten times the distance. */
     public double decibelsPerDecade() {
         return perDecadeDecibels;
     }

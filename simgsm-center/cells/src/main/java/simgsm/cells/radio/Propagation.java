@@ -8,8 +8,8 @@ import simgsm.cells.town.Tower;
 import simgsm.cells.town.Town;
 
 /**
- * What is lost between each tower of a town and each place: distance, shadowing, hills, and the building in which the place
- * lies. The loss is the same in both directions. A pure function of town and seed; any thread may ask.
+ * The loss between each tower of a town and each place: distance, shadowing, hills, and the building around the place.
+ * The loss is the same in both directions. A pure function of town and seed; callable on any thread.
  */
 public final class Propagation {
     /** Height of a mobile's antenna above the ground. */
@@ -27,7 +27,7 @@ public final class Propagation {
         this(town, town.shadowDecibels(), seed);
     }
 
-    /** The same town's median losses: without shadowing. */
+    /** The town's median losses, without shadowing. */
     public Propagation median() {
         return new Propagation(town, 0, 0);
     }
@@ -96,7 +96,7 @@ public final class Propagation {
         return loss;
     }
 
-    /** What the buildings take at a place in dB; 0 outside. */
+    /** The loss by buildings at a place in dB; 0 outside. */
     public double buildingLossDecibels(double x, double y) {
         double loss = 0;
         for (Building building : town.buildings()) {

@@ -5,8 +5,8 @@ import java.util.stream.IntStream;
 import simgsm.cells.town.Tower;
 
 /**
- * The levels of all towers at a place, with the towers' power as it is now. Not thread-safe: arrays are used again, so that
- * 1 000 mobiles among 50 towers leave no garbage.
+ * The levels of all towers at a place, with the towers' current power. Not thread-safe: arrays are reused, so that 1
+ * 000 mobiles among 50 towers create no garbage.
  */
 public final class RadioField {
     /** The level of a tower that is off. */
@@ -14,7 +14,7 @@ public final class RadioField {
 
     private final Propagation propagation;
     private final TowerState[] towers;
-    /** Indices of the other towers on the same channel, and on the channels beside it. */
+    /** Indices of the other towers on the same channel, and on the adjacent channels. */
     private final int[][] sameChannel;
 
     private final int[][] adjacentChannel;
@@ -56,7 +56,7 @@ public final class RadioField {
     }
 
     /**
-     * The carrier of one tower over noise and over all others on its channel and the channels beside, in dB.
+     * The carrier of one tower over noise and over all others on its channel and the adjacent ones, in dB.
      *
      * @param levelsDbm of all towers at the place
      */

@@ -1,6 +1,6 @@
 package simgsm.cells.radio;
 
-/** The scales in which mobiles and towers report what they measure (TS 45.008, 8.1.4 and 8.2.4; TS 45.010, 5.6). */
+/** The scales of reports by mobiles and towers (TS 45.008, 8.1.4 and 8.2.4; TS 45.010, 5.6). */
 public final class RadioScale {
     public static final int RXLEV_MAX = 63;
     public static final int RXQUAL_MAX = 7;
@@ -9,7 +9,7 @@ public final class RadioScale {
     public static final double TIMING_STEP_METRES = 299.792458 * 48 / 13 / 2;
 
     private static final int RXLEV_ZERO_DBM = -110;
-    /** Bit error rates at which RXQUAL 1 to 7 begin. */
+    /** Lower limits of the bit error rate for RXQUAL 1 to 7. */
     private static final double[] QUALITY_LIMITS = {0.002, 0.004, 0.008, 0.016, 0.032, 0.064, 0.128};
 
     private RadioScale() {}

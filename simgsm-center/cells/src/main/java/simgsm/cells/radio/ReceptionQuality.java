@@ -1,26 +1,27 @@
 package simgsm.cells.radio;
 
 /**
- * What becomes of bits and blocks at a level and an interference.
+ * Bit and block errors at a level and an interference.
  *
- * <p>The bit error rate before decoding is that of minimum shift keying in Rayleigh fading, (1 - sqrt(g / (1 + g))) / 2, with
- * g so placed that 8 % result at 9 dB, as TS 45.005, table 1, asks at the reference level of -102 dBm (TU50, class II bits).
- * There 6 % of the speech frames and 13 % of the signalling blocks are erased; the curves through these points are ours.
+ * <p>The bit error rate before decoding is that of minimum shift keying in Rayleigh fading, (1 - sqrt(g / (1 + g))) /
+ * 2, with g shifted so that 9 dB yield 8 %, as TS 45.005, table 1, requires at the reference level of -102 dBm (TU50,
+ * class II bits). There 6 % of the speech frames and 13 % of the signalling blocks are erased; the curves through these
+ * points are ours.
  */
 public final class ReceptionQuality {
     /** Carrier to noise or interference at the reference sensitivity (TS 45.005, 6.3: C/Ic = 9 dB). */
     public static final double REFERENCE_DECIBELS = 9;
     /** The reference level of a handset of GSM 900 (TS 45.005, 6.2). */
     public static final double REFERENCE_DBM = -102;
-    /** Noise in the receiver, so that the two agree. */
+    /** Noise of the receiver, consistent with both references. */
     public static final double NOISE_DBM = REFERENCE_DBM - REFERENCE_DECIBELS;
-    /** How much less the neighbour on the adjacent channel, 200 kHz away, disturbs (TS 45.005, 6.3: C/Ia1 = -9 dB). */
+    /** Attenuation of a neighbour on the adjacent channel, 200 kHz away (TS 45.005, 6.3: C/Ia1 = -9 dB). */
     public static final double ADJACENT_DECIBELS = 18;
 
     /** (1 - sqrt(g / (1 + g))) / 2 is 8 % at g = 3.80 dB. */
     private static final double SHIFT_DECIBELS = REFERENCE_DECIBELS - 3.80;
 
-    /** Bit error rates in percent, and the speech frames that are erased there. */
+    /** Bit error rates in percent, and the speech frames erased there. */
     private static final double[][] SPEECH = {
         {2, 0}, {4, 0.002}, {6.4, 0.02}, {8, 0.06}, {10, 0.16}, {12.8, 0.45}, {16, 0.8}, {20, 0.98}, {25, 1}
     };
@@ -39,7 +40,7 @@ public final class ReceptionQuality {
     /**
      * The carrier over noise and interference in dB.
      *
-     * @param interferenceMilliwatts the sum of what others send on the channel; 0 for none
+     * @param interferenceMilliwatts sum of other transmitters on the channel; 0 for none
      */
     public static double carrierDecibels(double carrierDbm, double interferenceMilliwatts) {
         return carrierDbm - 10 * Math.log10(milliwatts(NOISE_DBM) + interferenceMilliwatts);
@@ -51,12 +52,12 @@ public final class ReceptionQuality {
         return (1 - Math.sqrt(g / (1 + g))) / 2;
     }
 
-    /** The share of speech frames that are erased at a bit error rate, 0 to 1. */
+    /** The share of erased speech frames at a bit error rate, 0 to 1. */
     public static double frameErasureRate(double bitErrorRate) {
         return between(SPEECH, bitErrorRate);
     }
 
-    /** The share of signalling blocks (SACCH, SDCCH) that are lost at a bit error rate, 0 to 1. */
+    /** The share of lost signalling blocks (SACCH, SDCCH) at a bit error rate, 0 to 1. */
     public static double blockErasureRate(double bitErrorRate) {
         return between(SIGNALLING, bitErrorRate);
     }

@@ -16,7 +16,7 @@ public final class ShadowField {
     private static final int TABLE = 4096;
 
     private static final float[] COSINE = cosine();
-    /** Waves shorter than a metre are made a metre long: positions are not known more exactly. */
+    /** Minimum wavelength of 1 m: positions are not known more exactly. */
     private static final double WAVE_NUMBER_MAX = 2 * Math.PI;
 
     private final float amplitudeDecibels;

@@ -1,7 +1,7 @@
 package simgsm.cells.radio;
 
 /**
- * What can be changed at a tower while the town runs.
+ * A tower's variable properties.
  *
  * @param powerDbm radiated power, antenna gain included
  */

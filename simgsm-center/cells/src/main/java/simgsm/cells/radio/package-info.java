@@ -1,2 +1,2 @@
-/** What a mobile receives where. Read {@link simgsm.cells.radio.RadioField}. */
+/** A mobile's reception at each place. Read {@link simgsm.cells.radio.RadioField} first. */
 package simgsm.cells.radio;

@@ -4,11 +4,11 @@ package simgsm.cells.snapshot;
  * A tower and its cell.
  *
  * @param name of the tower
- * @param area the location area code that it broadcasts now
- * @param isOn whether it transmits
- * @param isConnected whether the controller has it
- * @param powerDbm radiated power now
- * @param freeChannels traffic channels that are not in use
+ * @param area its current location area code
+ * @param isOn true if it transmits
+ * @param isConnected true if the controller is connected
+ * @param powerDbm current radiated power
+ * @param freeChannels unused traffic channels
  * @param channels all traffic channels
  */
 public record CellState(

@@ -6,11 +6,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What the controller decides handovers by, for the window: controllers do not tell it.
+ * The controller's rule of handovers, set for the window, because controllers do not report it.
  *
- * @param marginDecibels by which a neighbour's average must exceed the serving level
+ * @param marginDecibels advantage of a neighbour's average over the serving level
  * @param periodReports reports between two decisions
- * @param averagedReports over which a neighbour's level is averaged, 1 to 10
+ * @param averagedReports reports in the average of a neighbour's level, 1 to 10
  */
 public record HandoverRule(int marginDecibels, int periodReports, int averagedReports) {
     /** Algorithm 1 of osmo-bsc with its defaults. */
@@ -24,9 +24,9 @@ public record HandoverRule(int marginDecibels, int periodReports, int averagedRe
                     + "|strongest-cell(,(margin|reports)=[0-9]{1,4})*");
 
     /**
-     * Reads the words of the centre's {@code --handover}.
+     * Parses the value of the centre's {@code --handover}.
      *
-     * @throws IllegalArgumentException naming what was expected
+     * @throws IllegalArgumentException naming the expected text
      */
     public static HandoverRule parse(String text) {
         if (!TEXT.matcher(text).matches()) {

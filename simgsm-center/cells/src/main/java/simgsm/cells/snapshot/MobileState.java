@@ -8,18 +8,18 @@ import simgsm.cells.town.TownPlace;
 /**
  * A phone or robot in the town.
  *
- * @param number its own, or as long as that is not known a word for its connection
- * @param cell the tower on which it is camped or in a connection; empty for none
- * @param isInCall whether it has a traffic channel
- * @param path the points ahead on its walk; empty if it stands
- * @param levels the serving cell first, then up to six neighbours, the strongest first
+ * @param number its number, or while that is unknown a word for its connection
+ * @param cell the tower of its cell or connection; empty for none
+ * @param isInCall true if it has a traffic channel
+ * @param path the points ahead on its walk; empty at rest
+ * @param levels the serving cell first, then up to six neighbours, strongest first
  * @param quality RXQUAL of the serving cell, 0 to 7; empty in idle mode
  * @param timingAdvance steps of 553.5 m; empty in idle mode
  * @param linkCounter radio link counter, SACCH blocks left; empty in idle mode
- * @param reportsToDecision reports until neighbours are compared the next time; empty in idle mode
+ * @param reportsToDecision reports until the next comparison of neighbours; empty in idle mode
  * @param periodReports reports between two such comparisons
- * @param marginDecibels by which a neighbour's average must exceed the serving level; C2 hysteresis in idle mode
- * @param gapMillis silence that the phone heard across its last handover; empty before
+ * @param marginDecibels advantage of a neighbour's average over the serving level; C2 hysteresis in idle mode
+ * @param gapMillis silence during its last handover; empty before
  */
 public record MobileState(
         String number,
@@ -36,9 +36,9 @@ public record MobileState(
         int periodReports,
         double marginDecibels,
         OptionalInt gapMillis) {
-    /** What a mobile is doing. */
+    /** A mobile's activity. */
     public enum State {
-        /** No cell is good enough. */
+        /** No cell is suitable. */
         SEARCHING,
         IDLE,
         DEDICATED,
@@ -47,10 +47,10 @@ public record MobileState(
     }
 
     /**
-     * How a mobile receives one cell.
+     * A mobile's reception of one cell.
      *
      * @param dbm of the last measurement
-     * @param averageDbm over the reports that the decision looks at; empty where there are too few
+     * @param averageDbm over the reports of the decision; empty if there are too few
      * @param c2 the criterion of idle mode in dB; empty in a connection
      */
     public record Level(String cell, double dbm, OptionalDouble averageDbm, OptionalDouble c2) {}

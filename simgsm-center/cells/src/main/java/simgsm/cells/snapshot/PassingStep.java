@@ -1,16 +1,16 @@
 package simgsm.cells.snapshot;
 
 /**
- * One step of what passes between a mobile, its towers and the controller.
+ * One step of signalling between a mobile, its towers and the controller.
  *
  * @param nanos the owner thread's time
  * @param number of the mobile
- * @param from the tower that carries it; the old one of a handover
+ * @param from the serving tower; the old one of a handover
  * @param to the new tower of a handover; empty for the other kinds
  * @param figure the report's number, the cause of a failure, the gap in milliseconds, the location area
  */
 public record PassingStep(long nanos, String number, Kind kind, String from, String to, int figure) {
-    /** The kinds, in the order in which a handover shows them. */
+    /** The kinds, in the order of a handover. */
     public enum Kind {
         /** MEASUREMENT REPORT; figure: its number. */
         REPORT,
@@ -21,11 +21,11 @@ public record PassingStep(long nanos, String number, Kind kind, String from, Str
         /** PHYSICAL INFORMATION; figure: the timing advance. */
         PHYSICAL_INFORMATION,
         HANDOVER_COMPLETE,
-        /** Back on the old channel; figure: the cause. */
+        /** Return to the old channel; figure: the cause. */
         HANDOVER_FAILURE,
-        /** Silence that the phone heard; figure: milliseconds. */
+        /** Silence during a handover; figure: milliseconds. */
         SPEECH_GAP,
-        /** Another cell was chosen in idle mode. */
+        /** Another cell was selected in idle mode. */
         RESELECTION,
         /** Figure: the new location area. */
         LOCATION_UPDATE,

@@ -7,13 +7,13 @@ import simgsm.cells.town.Town;
  * The whole program at one moment.
  *
  * @param nanos the owner thread's time
- * @param port on which terminals are accepted
+ * @param port for terminals
  * @param controller its address, as "127.0.0.1:3003"
- * @param isOsmocom whether the controller is osmo-bsc
- * @param isPaused whether walking mobiles stand still
+ * @param isOsmocom true if the controller is osmo-bsc
+ * @param isPaused true while walks are paused
  * @param cells in the order of the town's towers
  * @param mobiles in the order of their numbers
- * @param passing the newest last, at most some hundreds
+ * @param passing newest last, at most some hundreds
  */
 public record TownSnapshot(
         long nanos,
@@ -28,9 +28,9 @@ public record TownSnapshot(
         List<PassingStep> passing) {
     /** The state of the towers' connections to the controller. */
     public enum ControllerLink {
-        /** All towers that are on are connected. */
+        /** All towers in operation are connected. */
         UP,
-        /** Some are not. */
+        /** Some of them are not connected. */
         PARTLY,
         SEARCHING
     }

@@ -1,2 +1,2 @@
-/** What the cells program shows: immutable snapshots, and what a window may ask it to do. Needs no display. */
+/** Content and actions of the cells program's window: immutable snapshots, and requests. Needs no display. */
 package simgsm.cells.snapshot;

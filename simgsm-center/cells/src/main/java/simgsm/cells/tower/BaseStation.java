@@ -40,7 +40,7 @@ import simgsm.timer.Timers;
 public final class BaseStation {
     private static final System.Logger LOG = System.getLogger(BaseStation.class.getName());
     private static final ChannelNumber RACH = ChannelNumber.of(Kind.RACH, 0);
-    /** Mobiles that may wait for an answer on the access grant channel; more are not heard. */
+    /** Maximum of mobiles waiting for an answer on the access grant channel; more are ignored. */
     private static final int MOST_ACCESSES = 1_000;
 
     private static final int VIOLATIONS_LOGGED = 3;
@@ -55,15 +55,15 @@ public final class BaseStation {
     private Optional<SystemInformation.Type3> cell = Optional.empty();
     private List<Integer> neighbours = List.of();
     private boolean isOn = true;
-    /** Null while there is none. */
+    /** Null without a connection. */
     private TowerPort port;
 
     private int violations;
 
     /**
-     * A tower that is on, without a controller.
+     * Creates a tower that is on, without a controller.
      *
-     * @param radioLinkTimeout SACCH blocks, sent to a centre of this suite; osmo-bsc has its own
+     * @param radioLinkTimeout SACCH blocks, sent to a centre of this suite; osmo-bsc configures its own
      */
     public BaseStation(Tower tower, int radioLinkTimeout, Timers timers, TowerListener listener) {
         this.tower = tower;
@@ -81,12 +81,12 @@ public final class BaseStation {
         return tower;
     }
 
-    /** What the controller says that the cell broadcasts; empty before it has. */
+    /** The cell's broadcast by the controller; empty before its arrival. */
     public Optional<SystemInformation.Type3> cell() {
         return cell;
     }
 
-    /** The frequencies that mobiles in a connection measure, as their reports count them. */
+    /** The frequencies measured by mobiles in a connection, in the order of their reports. */
     public List<Integer> neighbours() {
         return neighbours;
     }
@@ -95,7 +95,7 @@ public final class BaseStation {
         return isOn;
     }
 
-    /** Whether mobiles can use the cell. */
+    /** True if mobiles can use the cell. */
     public boolean isInService() {
         return isOn && port != null && cell.isPresent();
     }
@@ -110,7 +110,7 @@ public final class BaseStation {
         return cell.map(known -> known.area().areaCode()).orElse(tower.area());
     }
 
-    /** Traffic channels that are not in use, as the town counts them. */
+    /** Unused traffic channels of the town's number. */
     public int freeTrafficChannels() {
         long used = channels.values().stream().filter(TowerChannel::isTraffic).count();
         return (int) Math.max(0, tower.trafficChannels() - used);
@@ -122,14 +122,14 @@ public final class BaseStation {
 
     // The link to the controller.
 
-    /** There is a connection to the controller. */
+    /** Connects to the controller. */
     public void connected(TowerPort newPort) {
         port = newPort;
         keepAlive.start();
         listener.changed(this);
     }
 
-    /** The connection is lost. */
+    /** Handles the loss of the connection. */
     public void disconnected() {
         port = null;
         keepAlive.stop();
@@ -139,7 +139,7 @@ public final class BaseStation {
         listener.changed(this);
     }
 
-    /** Switches the transmitter; the link goes with it, as with the power of the site. */
+    /** Switches the transmitter and the link, as with the power of the site. */
     public void switchTo(boolean on) {
         if (on != isOn) {
             isOn = on;
@@ -160,7 +160,7 @@ public final class BaseStation {
         lost.forEach(TowerChannel::close);
     }
 
-    /** A frame of the controller. */
+    /** Handles a frame of the controller. */
     public void frameArrived(IpaFrame frame) {
         keepAlive.heard();
         try {
@@ -313,7 +313,7 @@ public final class BaseStation {
         }
     }
 
-    /** The controller has released the channel. */
+    /** Handles the controller's release of the channel. */
     void released(TowerChannel channel) {
         channels.remove(channel.number());
         send(RslPdu.of(RslType.RF_CHANNEL_RELEASE_ACKNOWLEDGE, channel.number()));
@@ -322,9 +322,10 @@ public final class BaseStation {
     // The common channels.
 
     /**
-     * A CHANNEL REQUEST has been received in this frame.
+     * Handles a CHANNEL REQUEST received in this frame.
      *
-     * @param access its octet; @param delay of the burst, as timing advance
+     * @param access its octet;
+     * @param delay of the burst, as timing advance
      * @param user listens to the access grant channel from now on
      */
     public RequestReference requestChannel(int access, int delay, AccessUser user) {
@@ -338,7 +339,7 @@ public final class BaseStation {
         return reference;
     }
 
-    /** The mobile listens to the access grant channel no longer. */
+    /** Removes a mobile from the access grant channel. */
     public void endAccess(AccessUser user) {
         accesses.remove(user);
     }

@@ -13,6 +13,6 @@ public interface ChannelUser {
     /** PHYSICAL INFORMATION answers the mobile's HANDOVER ACCESS. */
     void physicalInformation(TowerChannel channel, int timingAdvance);
 
-    /** The channel is no more. */
+    /** The channel has ended. */
     void channelLost(TowerChannel channel);
 }

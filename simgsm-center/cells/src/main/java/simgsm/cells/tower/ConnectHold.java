@@ -14,7 +14,7 @@ import simgsm.timer.Timers;
  */
 final class ConnectHold {
     static final long SETTLING_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
-    /** Longest hold, for a controller that assigns the channel only after CONNECT. */
+    /** Maximum hold, for a controller that assigns the channel only after CONNECT. */
     static final long LIMIT_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private static final int RADIO_RESOURCE = 0x06;
@@ -35,7 +35,7 @@ final class ConnectHold {
         this.output = output;
     }
 
-    /** Passes a message of the main link on, now or later. */
+    /** Sends a message of the main link, now or later. */
     void send(OctetString layer3) {
         int discriminator = layer3.octet(0) & 0x0f;
         boolean isConnect = discriminator == CALL_CONTROL && layer3.length() > 1 && (layer3.octet(1) & 0x3f) == CONNECT;
@@ -63,7 +63,11 @@ final class ConnectHold {
         drain().forEach(output);
     }
 
-    /** Ends the hold. @return the messages that it has held */
+    /**
+     * Ends the hold.
+     *
+     * @return the held messages
+     */
     List<OctetString> drain() {
         timers.cancel(timer);
         List<OctetString> all = List.copyOf(held);

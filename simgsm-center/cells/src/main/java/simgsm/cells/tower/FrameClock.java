@@ -1,12 +1,12 @@
 package simgsm.cells.tower;
 
-/** TDMA frames (TS 45.002): numbers and times since the start. All towers count alike. */
+/** TDMA frames (TS 45.002): numbers and times since the start, equal for all towers. */
 public final class FrameClock {
     /** 26 frames in 120 ms. */
     private static final long MULTIFRAME_NANOS = 120_000_000;
 
     private static final int FRAMES = 26;
-    /** Frames of a multiframe of the common channels. */
+    /** Number of frames of a multiframe of the common channels. */
     private static final int COMMON_FRAMES = 51;
 
     private FrameClock() {}
@@ -15,19 +15,20 @@ public final class FrameClock {
         return nanos * FRAMES / MULTIFRAME_NANOS;
     }
 
-    /** The length of a number of frames, which are also the slots of random access. */
+    /** The duration of a number of frames, which are also the slots of random access. */
     public static long nanos(long frames) {
         return frames * MULTIFRAME_NANOS / FRAMES;
     }
 
     /**
-     * The time until a paging group's next block ends.
+     * The time until the end of a paging group's next block.
      *
-     * @param blocks paging blocks in a multiframe; @param multiframes BS_PA_MFRMS
+     * @param blocks paging blocks in a multiframe;
+     * @param multiframes BS_PA_MFRMS
      */
     static long untilPagingNanos(long nowNanos, int group, int blocks, int multiframes) {
         long period = (long) COMMON_FRAMES * multiframes;
-        // Blocks of four frames follow the BCCH's, which end with frame 5; between two pairs of them lie two frames.
+        // blocks of four frames follow the BCCH's, which end with frame 5; two frames separate pairs of them
         int block = group % blocks;
         long end = (long) group / blocks % multiframes * COMMON_FRAMES + 10 + 4L * block + block / 2 * 2L;
         long wait = Math.floorMod(end - frameAt(nowNanos), period);

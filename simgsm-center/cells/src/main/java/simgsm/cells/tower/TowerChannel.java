@@ -27,7 +27,7 @@ public final class TowerChannel {
     private static final System.Logger LOG = System.getLogger(TowerChannel.class.getName());
     private static final int SIGNALLING = 0;
     private static final int SHORT_MESSAGES = 3;
-    /** In a link identifier: the slow associated channel, which carries short messages beside speech. */
+    /** Bit in a link identifier for the slow associated channel, which carries short messages during speech. */
     private static final int SLOW_ASSOCIATED = 0x40;
 
     private static final int RADIO_LINK_FAILURE = 0x01;
@@ -35,18 +35,18 @@ public final class TowerChannel {
     private static final int HANDOVER_ASYNCHRONOUS = 2;
 
     private static final int HANDOVER_SYNCHRONOUS = 3;
-    /** PHYSICAL INFORMATION is sent again after T3105, 20 ms here, at most NY1 times. */
+    /** Period of PHYSICAL INFORMATION, T3105, 20 ms here; sent at most NY1 times. */
     private static final long T3105_NANOS = 20_000_000;
 
     private static final int NY1 = 10;
     private static final int NUMBERS = 256;
     private static final int RTP_GSM = 3;
-    /** In the MS power octet (TS 48.058, 9.3.13). */
+    /** Mask of the MS power octet (TS 48.058, 9.3.13). */
     private static final int POWER_LEVEL_MASK = 0x1f;
 
-    /** Packets of the controller that are passed on: twice the rate of a call; more are dropped. */
+    /** Maximum rate of the controller's packets: twice the rate of a call; more are dropped. */
     private static final int SPEECH_PER_SECOND = 100;
-    /** What arrives at once after a stall of 4 s. */
+    /** Burst after a stall of 4 s. */
     private static final int SPEECH_AT_ONCE = 200;
 
     private final BaseStation tower;
@@ -54,7 +54,7 @@ public final class TowerChannel {
     private final ChannelNumber number;
     private final int activation;
     private final Optional<Integer> handoverReference;
-    /** Null while no mobile is on the channel. */
+    /** Null without a mobile. */
     private ChannelUser user;
 
     private boolean isEstablished;
@@ -63,7 +63,7 @@ public final class TowerChannel {
     private int orderedPowerLevel;
     private int measurement;
     private int connection;
-    /** Null while there is no speech connection. */
+    /** Null without a speech connection. */
     private SpeechSocket speech;
 
     private final ConnectHold hold;
@@ -84,7 +84,7 @@ public final class TowerChannel {
         return message.find(RslElement.MS_POWER).map(value -> value.octet(0) & POWER_LEVEL_MASK);
     }
 
-    /** The power control level that the mobile is to use; 0, the largest output, if the controller orders none. */
+    /** The ordered power control level; 0, the largest output, without an order. */
     public int orderedPowerLevel() {
         return orderedPowerLevel;
     }
@@ -106,12 +106,12 @@ public final class TowerChannel {
         return !isClosed;
     }
 
-    /** Whether a mobile may come onto the channel: it is active, and no mobile is on it. */
+    /** True if a mobile may enter the channel: it is active, and has no mobile. */
     public boolean isAwaiting() {
         return user == null && !isClosed;
     }
 
-    /** Whether a mobile that is handed over here knows its timing advance. */
+    /** True if a mobile handed over to this channel knows its timing advance. */
     public boolean isSynchronised() {
         return activation == HANDOVER_SYNCHRONOUS;
     }
@@ -168,7 +168,7 @@ public final class TowerChannel {
             return;
         }
         Optional<SpeechSocket> opened = tower.port().openSpeech(this::speechReceived);
-        // The elements for addresses hold IPv4 only.
+        // the elements for addresses support only IPv4
         if (opened.isEmpty() || opened.get().address().host().contains(":")) {
             opened.ifPresent(SpeechSocket::close);
             tower.send(RslPdu.of(RslType.CREATE_CONNECTION_NEGATIVE_ACKNOWLEDGE, number)
@@ -238,7 +238,7 @@ public final class TowerChannel {
         }
     }
 
-    /** The channel is no more. */
+    /** Ends the channel. */
     void close() {
         isClosed = true;
         hold.drain();
@@ -252,7 +252,11 @@ public final class TowerChannel {
 
     // From the mobile.
 
-    /** The mobile comes onto the channel with SABM; no tower hears it if the channel is released. @param layer3 null for none */
+    /**
+     * Handles a mobile's SABM; no tower receives it if the channel is released.
+     *
+     * @param layer3 null for none
+     */
     public void establish(ChannelUser newUser, OctetString layer3) {
         if (isClosed) {
             return;
@@ -264,8 +268,8 @@ public final class TowerChannel {
     }
 
     /**
-     * A message of the mobile; the link for short messages is established before its first one. CONNECT may be held for a
-     * while.
+     * Sends a message of the mobile; its first short message first establishes the link. CONNECT may be held
+     * temporarily.
      */
     public void send(int sapi, OctetString layer3) {
         if (!isClosed && sapi == SIGNALLING) {
@@ -275,7 +279,7 @@ public final class TowerChannel {
         }
     }
 
-    /** Sends what another channel of the same mobile has held. */
+    /** Sends the messages held by another channel of the same mobile. */
     public void sendHeldBy(TowerChannel old) {
         old.hold.drain().forEach(hold::send);
     }
@@ -289,7 +293,7 @@ public final class TowerChannel {
         tower.send(RslPdu.of(RslType.DATA_INDICATION, number, link).with(RslElement.L3_INFORMATION, layer3));
     }
 
-    /** The mobile leaves the channel with DISC. */
+    /** Ends the mobile's use of the channel with DISC. */
     public void leave() {
         hold.drain();
         if (user != null) {
@@ -300,7 +304,7 @@ public final class TowerChannel {
         }
     }
 
-    /** The mobile has gone to another channel, or its signal is lost, without a message. */
+    /** Ends the mobile's use of the channel without a message, after its move or the loss of its signal. */
     public void forsake(boolean isReported) {
         if (user != null && isReported && !isClosed) {
             tower.send(RslPdu.of(RslType.CONNECTION_FAILURE, number).with(RslElement.CAUSE, RADIO_LINK_FAILURE));
@@ -308,7 +312,11 @@ public final class TowerChannel {
         user = null;
     }
 
-    /** HANDOVER ACCESS of a mobile. @return whether the reference is the channel's */
+    /**
+     * Handles HANDOVER ACCESS of a mobile.
+     *
+     * @return true if the reference is the channel's
+     */
     public boolean handoverAccess(ChannelUser newUser, int reference, int timingAdvance) {
         boolean isAwaited =
                 !isClosed && handoverReference.isPresent() && handoverReference.get() == reference && user == null;
@@ -334,11 +342,13 @@ public final class TowerChannel {
     }
 
     /**
-     * What tower and mobile measured in 480 ms.
+     * Reports the measurements of tower and mobile in 480 ms.
      *
-     * @param uplinkLevel RXLEV; @param uplinkQuality RXQUAL; @param powerLevel of the mobile
+     * @param uplinkLevel RXLEV;
+     * @param uplinkQuality RXQUAL;
+     * @param powerLevel of the mobile
      * @param report the mobile's; empty if its block was lost
-     * @return the number of the report; -1 if the channel reports no longer
+     * @return the number of the report; -1 if the channel no longer reports
      */
     public int measured(
             int uplinkLevel,
@@ -368,7 +378,7 @@ public final class TowerChannel {
         return now;
     }
 
-    /** Speech of the mobile: an RTP packet. */
+    /** Sends an RTP packet with the mobile's speech. */
     public void sendSpeech(byte[] rtp) {
         if (speech != null && isEstablished) {
             speech.send(rtp);

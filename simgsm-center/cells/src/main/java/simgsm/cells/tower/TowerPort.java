@@ -8,9 +8,13 @@ import simgsm.abis.IpaFrame;
 public interface TowerPort {
     void send(IpaFrame frame);
 
-    /** Opens a UDP socket for the speech of one channel. @param received takes each RTP packet; empty if it cannot be opened */
+    /**
+     * Opens a UDP socket for the speech of one channel.
+     *
+     * @param received receives each RTP packet; empty if it cannot be opened
+     */
     Optional<SpeechSocket> openSpeech(Consumer<byte[]> received);
 
-    /** Ends the connection; it is made again. */
+    /** Ends the connection, which is then made again. */
     void drop(String reason);
 }

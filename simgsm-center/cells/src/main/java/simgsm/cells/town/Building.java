@@ -1,7 +1,7 @@
 package simgsm.cells.town;
 
 /**
- * A building or a tunnel: a rectangle that weakens what is received inside.
+ * A building or a tunnel: a rectangle that attenuates reception inside.
  *
  * @param lossDecibels from its wall inwards
  */

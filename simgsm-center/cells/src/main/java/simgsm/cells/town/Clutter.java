@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/** What stands around (clutter in ITU-R P.1812), which Hata's formulas distinguish. */
+/** The surroundings (clutter in ITU-R P.1812) distinguished by Hata's formulas. */
 public enum Clutter {
     /** A large city with high buildings; COST 231 adds 3 dB. */
     METROPOLITAN,

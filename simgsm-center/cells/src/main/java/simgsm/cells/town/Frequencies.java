@@ -6,7 +6,7 @@ public final class Frequencies {
 
     private Frequencies() {}
 
-    /** Whether a channel number belongs to GSM 900 (0 to 124, 975 to 1023) or DCS 1800 (512 to 885). */
+    /** True for a channel number of GSM 900 (0 to 124, 975 to 1023) or DCS 1800 (512 to 885). */
     public static boolean isChannel(int arfcn) {
         return arfcn >= 0 && arfcn <= 124 || isDcs1800(arfcn) || arfcn >= 975 && arfcn <= 1023;
     }
@@ -15,7 +15,7 @@ public final class Frequencies {
         return arfcn >= 512 && arfcn <= 885;
     }
 
-    /** The frequency on which the tower transmits. IllegalArgumentException for a number without a channel. */
+    /** The tower's transmit frequency. IllegalArgumentException for a number without a channel. */
     public static double downlinkMegahertz(int arfcn) {
         if (!isChannel(arfcn)) {
             throw new IllegalArgumentException("ARFCN " + arfcn + ", expected 0 to 124, 512 to 885 or 975 to 1023");

@@ -4,7 +4,7 @@ package simgsm.cells.town;
  * A hill: a round obstacle between antennas.
  *
  * @param radiusMetres at its foot
- * @param heightMetres of its top; it falls to the foot as half a period of a cosine
+ * @param heightMetres of its top; the slope is half a period of a cosine
  */
 public record Hill(String name, TownPlace top, double radiusMetres, double heightMetres) {
     /** Height of the ground at a place. */

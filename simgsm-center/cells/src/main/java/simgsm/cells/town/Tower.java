@@ -5,12 +5,12 @@ import simgsm.octets.Bounds;
 /**
  * A base station with one cell.
  *
- * @param name stands in commands and events
+ * @param name used in commands and events
  * @param heightMetres of the antenna above the ground
  * @param powerDbm radiated power at the start, antenna gain included
  * @param arfcn channel number of the BCCH carrier, see {@link Frequencies}
  * @param bsic base station identity code, 0 to 63: network colour code times 8, plus base station colour code
- * @param area location area code, 0 to 65535; the controller's system information has the last word
+ * @param area location area code, 0 to 65535; the controller's system information overrides it
  * @param cellIdentity 0 to 65535, unique in the location area; likewise
  * @param site first part of the unit id that the tower sends to the controller, as 6969 in 6969/0/0
  * @param trafficChannels time slots for speech, 1 to 7
@@ -42,7 +42,7 @@ public record Tower(
         Bounds.check("traffic channels", trafficChannels, 1, MOST_TRAFFIC_CHANNELS);
     }
 
-    /** A tower with six traffic channels and the usual selection, whose cell identity is its site. */
+    /** Creates a tower with six traffic channels and the usual selection; its site is also its cell identity. */
     public Tower(
             String name,
             TownPlace place,
@@ -66,7 +66,7 @@ public record Tower(
                 CellSelection.STANDARD);
     }
 
-    /** Site, BTS and transceiver, as osmo-bsc and the centre know the cell. */
+    /** Site, BTS and transceiver, as in osmo-bsc and the centre. */
     public String unitId() {
         return site + "/0/0";
     }

@@ -5,9 +5,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A town: what a {@code .town} file holds.
+ * The content of a {@code .town} file.
  *
- * @param name shown as the window's title
+ * @param name the window's title
  * @param westMetres x of its western edge
  * @param southMetres y of its southern edge
  * @param widthMetres from west to east
@@ -15,7 +15,7 @@ import java.util.Optional;
  * @param shadowDecibels standard deviation of the shadowing; 0 for none
  * @param shadowMetres distance at which its correlation has fallen to 1/e
  * @param radioLinkTimeout SACCH blocks, 4 to 64 in steps of 4 (RADIO_LINK_TIMEOUT)
- * @param starts where mobiles appear, by number
+ * @param starts initial places of mobiles, by number
  */
 public record Town(
         String name,
@@ -62,7 +62,7 @@ public record Town(
                 Map.of());
     }
 
-    /** Where a mobile appears: its own line, the begin of its walk, or the town's middle. */
+    /** A mobile's initial place: its line, the begin of its walk, or the town's middle. */
     public TownPlace start(String number) {
         TownPlace own = starts.get(number);
         return own != null
@@ -72,7 +72,7 @@ public record Town(
                         .orElse(new TownPlace(westMetres + widthMetres / 2, southMetres + heightMetres / 2));
     }
 
-    /** The walk on which a mobile sets out when it appears. */
+    /** A mobile's initial walk. */
     public Optional<Walk> walkOf(String number) {
         return walks.stream().filter(walk -> walk.number().equals(number)).findFirst();
     }

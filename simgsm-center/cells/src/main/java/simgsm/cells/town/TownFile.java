@@ -8,7 +8,7 @@ import simgsm.file.Utf8Text;
 public final class TownFile {
     private TownFile() {}
 
-    /** @throws IOException naming the file, and the line that is wrong with what was expected */
+    /** @throws IOException naming the file, and the wrong line with the expected text */
     public static Town read(Path file) throws IOException {
         return TownReader.read(file.getFileName().toString(), Utf8Text.read(file));
     }

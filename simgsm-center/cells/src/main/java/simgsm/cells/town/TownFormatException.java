@@ -2,7 +2,7 @@ package simgsm.cells.town;
 
 import java.io.IOException;
 
-/** A town file cannot be read; the message names file, line, what was found and what was expected. */
+/** A town file cannot be read; the message names file, line, the text found and the expected one. */
 public final class TownFormatException extends IOException {
     private final int line;
 

@@ -43,7 +43,7 @@ final class TownLine {
         return !words.isEmpty();
     }
 
-    /** @param what is expected, for the error */
+    /** @param what the expected element, for the error */
     String word(String what) throws TownFormatException {
         if (words.isEmpty()) {
             throw fault("the line's end", what);
@@ -89,14 +89,14 @@ final class TownLine {
         return new TownPlace(number("x of " + what + " in metres"), number("y of " + what + " in metres"));
     }
 
-    /** A value that may be left out. */
+    /** An optional value. */
     double setting(String key, double otherwise, double least, double most) throws TownFormatException {
         known.add(key);
         String text = settings.remove(key);
         return text == null ? otherwise : inRange(text, key, least, most);
     }
 
-    /** A whole number that may be left out, in steps from its least value. */
+    /** An optional whole number, in steps from its minimum. */
     int whole(String key, int otherwise, int least, int most, int step) throws TownFormatException {
         known.add(key);
         String text = settings.remove(key);
@@ -116,7 +116,7 @@ final class TownLine {
         return whole(key, otherwise, least, most, 1);
     }
 
-    /** A whole number that has to be there. */
+    /** A mandatory whole number. */
     int required(String key, int least, int most) throws TownFormatException {
         if (!settings.containsKey(key)) {
             throw fault("no " + key + "=", key + "=" + least + " to " + most);
@@ -130,7 +130,7 @@ final class TownLine {
         return text == null ? otherwise : text;
     }
 
-    /** Refuses what was not read. */
+    /** Refuses unread words. */
     void end() throws TownFormatException {
         if (!words.isEmpty()) {
             throw fault(quoted(words.peek()), known.isEmpty() ? "the line's end" : "settings of " + known);

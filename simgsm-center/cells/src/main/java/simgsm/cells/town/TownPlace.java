@@ -8,7 +8,7 @@ public record TownPlace(double xMetres, double yMetres) {
         return Math.hypot(other.xMetres - xMetres, other.yMetres - yMetres);
     }
 
-    /** The point so far on the way to a target; the target itself if it is not farther than that. */
+    /** The point at a distance towards a target; at most the target itself. */
     public TownPlace towards(TownPlace target, double metres) {
         double distance = distanceMetres(target);
         if (distance <= metres) {

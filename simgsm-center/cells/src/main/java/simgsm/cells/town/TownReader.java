@@ -7,14 +7,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Reads {@code .town} files: text, one object a line, {@code #} begins a remark; docs/TOWNS.md has the format. */
+/** Reads {@code .town} files: text, one object per line, {@code #} begins a comment; docs/TOWNS.md has the format. */
 public final class TownReader {
-    /** Towers in one town; a mobile's list of neighbours has room for fewer, but towers far away need none. */
+    /** Maximum of towers in a town; a mobile's list of neighbours holds fewer, but distant towers need none. */
     public static final int TOWERS_MAX = 500;
 
     private static final double SIDE_MAX_METRES = 100_000;
     private static final double STRIP_METRES = 1_000;
-    /** A mobile that walks to and fro must get somewhere. */
+    /** A walk to and fro needs a length. */
     private static final double SHORTEST_WALK_METRES = 1;
 
     private static final int FIRST_SITE = 6969;
@@ -39,9 +39,9 @@ public final class TownReader {
     }
 
     /**
-     * The town that the text describes.
+     * Reads a town from a text.
      *
-     * @param source the file's name, for errors; without {@code .town} the town's name if no line gives one
+     * @param source the file's name, for errors; without {@code .town} the default of the town's name
      */
     public static Town read(String source, String text) throws TownFormatException {
         TownReader reader = new TownReader(source);
@@ -225,7 +225,7 @@ public final class TownReader {
         walks.add(new Walk(walk, number.isEmpty() ? "" : number(line, number), speed, points));
     }
 
-    /** Without a size line the town reaches 1 km beyond its outermost towers. */
+    /** Builds the town; without a size line it extends 1 km beyond its outermost towers. */
     private Town town() {
         Extent extent = edges.orElseGet(() -> Extent.around(towers, STRIP_METRES));
         return new Town(

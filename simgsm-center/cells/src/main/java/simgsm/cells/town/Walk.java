@@ -3,9 +3,9 @@ package simgsm.cells.town;
 import java.util.List;
 
 /**
- * A path that mobiles can walk to and fro.
+ * A path for mobiles to walk to and fro.
  *
- * @param number of the mobile that begins to walk when it appears; empty for a path that is only offered
+ * @param number of the mobile that begins to walk when it appears; empty for a path on offer
  * @param points at least two
  */
 public record Walk(String name, String number, double metresPerSecond, List<TownPlace> points) {

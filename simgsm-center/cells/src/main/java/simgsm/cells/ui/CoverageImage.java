@@ -8,12 +8,12 @@ import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 
 /**
- * A coverage as a picture, a pixel a square: the colour is the strongest cell, its density the level in steps of 10 dB, so
- * that the steps are contour lines. Borders and location areas are those without shadowing, which would tear them to pieces;
+ * A coverage as a picture, one pixel per square: the colour is the strongest cell, its density the level in steps of 10
+ * dB, so that the steps are contour lines. Borders and location areas omit shadowing, which would fragment them;
  * location areas other than the lowest are hatched.
  */
 final class CoverageImage {
-    /** Nothing is drawn below; mobiles hear nothing there. */
+    /** Minimum level drawn; mobiles receive nothing below. */
     static final int WEAKEST_DBM = -110;
 
     static final int STEP_DECIBELS = 10;
@@ -43,9 +43,9 @@ final class CoverageImage {
      * Draws the picture.
      *
      * @param median the coverage without shadowing, on the same raster
-     * @param levels whether levels are shown
-     * @param borders whether borders are shown
-     * @param marginDecibels width of the strip along borders in which a mobile keeps the cell that it has
+     * @param levels true to show levels
+     * @param borders true to show borders
+     * @param marginDecibels width of the strip along borders in which a mobile keeps its cell
      */
     static BufferedImage of(
             Coverage coverage,
@@ -65,7 +65,7 @@ final class CoverageImage {
         return image;
     }
 
-    /** How dense a level is drawn, 0 to 1. */
+    /** The density of a level's colour, 0 to 1. */
     static double density(double dbm) {
         if (dbm < WEAKEST_DBM) {
             return 0;

@@ -11,14 +11,14 @@ import simgsm.cells.snapshot.CellState;
 import simgsm.cells.snapshot.TownSnapshot;
 import simgsm.draw.Appearance;
 
-/** Keeps the coverage's picture up to date. A worker computes it; until then the picture before is shown. */
+/** Updates the coverage's picture. A worker computes it; the old picture is shown meanwhile. */
 final class CoverageView {
-    /** The least width of the raster's squares, device pixels. */
+    /** Minimum width of the raster's squares, device pixels. */
     private static final double SQUARE_PIXELS = 3;
-    /** More squares are not worth their time; the picture is enlarged. */
+    /** Maximum of columns; beyond it the picture is enlarged to save time. */
     private static final double COLUMNS_MAX = 400;
 
-    /** What a picture depends on. */
+    /** The properties that determine a picture. */
     private record Look(
             double squareMetres,
             List<TowerState> towers,
@@ -39,7 +39,7 @@ final class CoverageView {
     private boolean isComputing;
     private Optional<BufferedImage> image = Optional.empty();
 
-    /** @param changed run on the event thread when a new picture is there */
+    /** @param changed run on the event thread after a new picture */
     CoverageView(Propagation propagation, Executor worker, Executor eventThread, Runnable changed) {
         this.propagation = propagation;
         this.worker = worker;
@@ -53,7 +53,7 @@ final class CoverageView {
                 .toList();
     }
 
-    /** The newest picture; asks for another if it is not the one that belongs to these values. On the event thread. */
+    /** The newest picture; requests another if it does not match these values. On the event thread. */
     Optional<BufferedImage> image(
             TownSnapshot snapshot,
             double pixelsPerMetre,
@@ -87,7 +87,7 @@ final class CoverageView {
         });
     }
 
-    /** On the worker, which alone uses the rasters. */
+    /** Draws on the worker, which alone uses the rasters. */
     private BufferedImage draw(Look look) {
         if (raster == null || rasterSquareMetres != look.squareMetres) {
             raster = LossRaster.of(propagation, look.squareMetres);

@@ -11,7 +11,7 @@ import simgsm.ui.Drawing;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
-/** The reports until the next decision: a dot for each, filled for those that have come, and the number in words. */
+/** The reports until the next decision: a dot for each, filled once received, and the number in words. */
 final class DecisionCount extends PaintedComponent {
     private static final int MOST_DOTS = 10;
 
@@ -27,7 +27,11 @@ final class DecisionCount extends PaintedComponent {
         setToolTipText(texts.of("decision.why"));
     }
 
-    /** @param reports to the next decision; @param between two decisions; @param decibels margin of the better cell */
+    /**
+     * @param reports until the next decision;
+     * @param between two decisions;
+     * @param decibels margin of the better cell
+     */
     void show(OptionalInt reports, int between, double decibels) {
         change(() -> {
             left = reports;

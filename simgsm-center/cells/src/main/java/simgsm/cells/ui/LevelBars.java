@@ -17,7 +17,7 @@ import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
 /**
- * A bar for each cell that a mobile receives: the level of the last measurement, a tick at the average that decides, and a
+ * A bar for each received cell: the level of the last measurement, a tick at the average used by the decision, and a
  * line at the level that a neighbour's average has to reach.
  */
 final class LevelBars extends PaintedComponent {
@@ -58,7 +58,7 @@ final class LevelBars extends PaintedComponent {
                 .orElse(texts.of("levels.none"));
     }
 
-    /** The average if the decision has one, else the last level; in idle mode C2, too. */
+    /** The average if the decision has one, else the last level; in idle mode also C2. */
     private String figures(Level level) {
         long dbm = Math.round(level.averageDbm().orElse(level.dbm()));
         return level.c2().isPresent()

@@ -6,7 +6,7 @@ import simgsm.draw.Face;
 import simgsm.draw.Ink;
 import simgsm.draw.Outline;
 
-/** What the densities of the map mean, at its lower right. */
+/** The key to the map's densities, at its lower right. */
 final class LevelLegend {
     private static final double BOX_UNITS = 32;
     private static final double HEIGHT_UNITS = 10;

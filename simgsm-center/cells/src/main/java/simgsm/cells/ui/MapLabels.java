@@ -4,22 +4,22 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What a name on the map must not cover: names and marks that stand already. */
+/** Areas of the map that a name must not cover: earlier names and marks. */
 final class MapLabels {
     private final Rectangle2D map;
     private final List<Rectangle2D> taken = new ArrayList<>();
 
-    /** @param map names stay within it */
+    /** @param map bounds of all names */
     MapLabels(Rectangle2D map) {
         this.map = map;
     }
 
-    /** Something stands there. */
+    /** Adds an occupied area. */
     void take(Rectangle2D box) {
         taken.add(box);
     }
 
-    /** The first of several places where a name covers least. It is moved into the map, and is taken then. */
+    /** The first of several places at which a name covers least, moved into the map and then occupied. */
     Rectangle2D place(List<Rectangle2D> choices) {
         Rectangle2D best = null;
         double least = Double.POSITIVE_INFINITY;

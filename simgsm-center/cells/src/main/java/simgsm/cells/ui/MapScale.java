@@ -4,7 +4,7 @@ import simgsm.cells.town.Town;
 import simgsm.cells.town.TownPlace;
 
 /**
- * Where the town lies in the picture: as large as fits, in the middle.
+ * The town's position in the picture: the largest that fits, centred.
  *
  * @param left pixels of the western edge
  * @param top pixels of the northern edge

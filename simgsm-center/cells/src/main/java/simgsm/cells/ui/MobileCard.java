@@ -28,7 +28,7 @@ import simgsm.ui.Lamp;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
-/** The chosen mobile: its cell and levels, what the controller decides by, and the walk that it is sent on. */
+/** The selected mobile: its cell and levels, the values of the controller's decision, and its walk. */
 final class MobileCard extends JPanel {
     private static final double SPEED_LEAST = 0.5;
     private static final double SPEED_MOST = 100;
@@ -51,8 +51,8 @@ final class MobileCard extends JPanel {
     private boolean isShowing;
 
     /**
-     * @param chosen takes the number chosen in the list
-     * @param speedChosen takes the chosen speed of walks in m/s
+     * @param chosen receives the number selected in the list
+     * @param speedChosen receives the selected speed of walks in m/s
      */
     MobileCard(TextBundle texts, TownActions town, Consumer<String> chosen, DoubleConsumer speedChosen) {
         super(new BorderLayout());
@@ -72,7 +72,7 @@ final class MobileCard extends JPanel {
         nameEditor();
         numbers.addActionListener(event -> choose());
         walks.addActionListener(event -> adoptSpeed());
-        // the whole name, where the list is too narrow for it
+        // the whole name, which the list may truncate
         walks.addActionListener(event -> walks.setToolTipText((String) walks.getSelectedItem()));
         speed.addChangeListener(event -> speedChosen.accept(metresPerSecond()));
         speed.setToolTipText(texts.of("walk.speed"));
@@ -99,7 +99,7 @@ final class MobileCard extends JPanel {
         show(Optional.empty());
     }
 
-    /** A spinner's keys are those of the text field in it. */
+    /** Names the text field in the spinner, which has its keys. */
     private void nameEditor() {
         if (speed.getEditor() instanceof JSpinner.DefaultEditor editor) {
             ComponentNames.name(editor.getTextField(), "speed.field", texts.of("walk.speed"));

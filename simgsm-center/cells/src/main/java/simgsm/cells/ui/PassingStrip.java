@@ -14,11 +14,11 @@ import simgsm.ui.Drawing;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 
-/** What passes between the chosen mobile, its towers and the controller: the newest at the right. */
+/** The signalling between the selected mobile, its towers and the controller, newest at the right. */
 final class PassingStrip extends PaintedComponent {
     private static final int HEIGHT_UNITS = 30;
 
-    /** Of a run of reports the newest are shown each, those before them as one. */
+    /** Number of reports of a sequence shown separately; the earlier ones share a box. */
     private static final int REPORTS_EACH = 3;
 
     /** A box of the strip. */
@@ -34,7 +34,7 @@ final class PassingStrip extends PaintedComponent {
         setToolTipText(texts.of("strip.why"));
     }
 
-    /** @param selected the mobile whose steps are shown, with those of the towers; empty for all */
+    /** @param selected the mobile whose steps are shown with those of the towers; empty for all */
     void show(List<PassingStep> passing, Optional<String> selected) {
         List<PassingStep> filtered = passing.stream()
                 .filter(step -> selected.isEmpty()
@@ -47,7 +47,7 @@ final class PassingStrip extends PaintedComponent {
         }
     }
 
-    /** One step in words, as "report 17" or "Handover Command B". */
+    /** One step in words, such as "report 17" or "Handover Command B". */
     static String words(TextBundle texts, PassingStep step) {
         return texts.of(
                 "passing." + step.kind().name().toLowerCase(Locale.ROOT),
@@ -56,7 +56,7 @@ final class PassingStrip extends PaintedComponent {
                 step.to());
     }
 
-    /** The words of the boxes, the newest last. */
+    /** The words of the boxes, newest last. */
     List<String> words() {
         return boxes().stream().map(Box::words).toList();
     }
@@ -130,7 +130,7 @@ final class PassingStrip extends PaintedComponent {
             double wide = Drawing.width(font, words) + Theme.exact(16);
             double left = right - wide;
             if (left < 0 && i < boxes.size() - 1) {
-                return; // Only whole boxes; the newest in any case.
+                return; // only whole boxes, but at least the newest
             }
             var box = Drawing.round(left + 0.5, top + 0.5, wide - 1, tall - 1, Theme.exact(Theme.CONTROL_RADIUS));
             g.setColor(Theme.color(isPlain ? Ink.CARD : ink));

@@ -58,7 +58,7 @@ final class TownHeader extends JPanel {
         show(first);
     }
 
-    /** The port stands in the title's tool tip where there is no room for it. */
+    /** Moves the port to the title's tool tip if there is no space. */
     @Override
     public void doLayout() {
         int own = port.getPreferredSize().width + Theme.px(GAP_UNITS);

@@ -37,9 +37,9 @@ import simgsm.ui.UserAction;
 final class TownMap extends PaintedComponent {
     private static final double STEP = 1 / 50.0;
     private static final double FINE_STEP = 1 / 500.0;
-    /** A mouse hits what is so near, in units. */
+    /** Maximum distance of a mouse hit, in units. */
     private static final double REACH_UNITS = 14;
-    /** Points of a drawn path lie at least so far apart, in units. */
+    /** Minimum distance of a drawn path's points, in units. */
     private static final double PATH_UNITS = 8;
 
     private final TextBundle texts;
@@ -56,8 +56,8 @@ final class TownMap extends PaintedComponent {
     private boolean showsPaths = true;
 
     /**
-     * @param first the snapshot to begin with
-     * @param selected takes the number of a mobile chosen with the mouse
+     * @param first the initial snapshot
+     * @param selected receives the number of a mobile selected with the mouse
      */
     TownMap(
             TextBundle texts,
@@ -127,7 +127,7 @@ final class TownMap extends PaintedComponent {
         repaint();
     }
 
-    /** The speed of paths that are drawn from now on. */
+    /** Sets the speed of newly drawn paths. */
     void walkAt(double metresPerSecond) {
         walkMetresPerSecond = metresPerSecond;
     }

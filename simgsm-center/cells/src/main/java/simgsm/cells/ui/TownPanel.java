@@ -25,9 +25,9 @@ import simgsm.ui.pane.DividedPanel;
 import simgsm.ui.pane.Divider;
 import simgsm.ui.pane.ScrolledColumn;
 
-/** The content of the town's window: shows snapshots and passes the user's actions on. Needs no display. */
+/** The content of the town's window: shows snapshots and performs the user's actions. Needs no display. */
 public final class TownPanel extends DressedPanel {
-    /** Of the window at first, where the screen has room for it. */
+    /** Initial size of the window, if the screen permits it. */
     static final Dimension SIZE_UNITS = new Dimension(1100, 760);
 
     private static final int MARGIN_UNITS = 12;
@@ -41,7 +41,10 @@ public final class TownPanel extends DressedPanel {
     private final PassingStrip strip;
     private final List<TowerRow> rows = new ArrayList<>();
     private Optional<String> selected = Optional.empty();
-    /** True once the user has chosen a mobile; until then the one with the lowest number is shown, also when others came first. */
+    /**
+     * True once the user has selected a mobile; before, the one with the lowest number is shown, whatever the order of
+     * arrival.
+     */
     private boolean isChosen;
 
     private TownSnapshot snapshot;
@@ -50,10 +53,10 @@ public final class TownPanel extends DressedPanel {
     /**
      * Creates the panel.
      *
-     * @param first the snapshot to begin with; later ones have the same town
-     * @param propagation of that town, with the seed that the core uses
+     * @param first the initial snapshot; later ones have the same town
+     * @param propagation of that town, with the core's seed
      * @param worker computes the coverage
-     * @param eventThread runs what follows
+     * @param eventThread runs the updates
      */
     public TownPanel(
             TextBundle texts,
@@ -106,7 +109,7 @@ public final class TownPanel extends DressedPanel {
         strip.show(snapshot.passing(), selected);
     }
 
-    /** Shows the newest picture; called on the event thread. */
+    /** Shows the newest snapshot; called on the event thread. */
     public void show(TownSnapshot newest) {
         snapshot = newest;
         boolean isThere = isChosen
@@ -126,7 +129,7 @@ public final class TownPanel extends DressedPanel {
         strip.show(newest.passing(), selected);
     }
 
-    /** The map comes first for the keyboard. */
+    /** Focuses the map. */
     @Override
     public boolean requestFocusInWindow() {
         return map.requestFocusInWindow();

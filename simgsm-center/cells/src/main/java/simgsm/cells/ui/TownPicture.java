@@ -23,7 +23,7 @@ import simgsm.draw.Ink;
 import simgsm.draw.Outline;
 import simgsm.draw.StatusMark;
 
-/** Draws what stands and moves in a town, over its coverage. */
+/** Draws a town's objects and mobiles over its coverage. */
 final class TownPicture {
     /** Radius of a mobile, in units. */
     static final double MOBILE_UNITS = 7;
@@ -31,7 +31,7 @@ final class TownPicture {
     static final double MAST_UNITS = 26;
 
     private static final double CHIP_HEIGHT_UNITS = 17;
-    /** Each tower needs a map of that width for its second line. */
+    /** Minimum width of the map per tower for its second line. */
     private static final double DETAIL_UNITS = 170;
 
     private static final double CHIP_PADDING_UNITS = 4;
@@ -56,11 +56,11 @@ final class TownPicture {
     }
 
     /**
-     * Draws all.
+     * Draws everything.
      *
-     * @param selected number of the mobile that is marked
-     * @param showsPaths whether the town's walks are shown
-     * @param drawn a path that is being drawn; empty for none
+     * @param selected number of the marked mobile
+     * @param showsPaths true to show the town's walks
+     * @param drawn the path being drawn; may be empty
      */
     void draw(Optional<String> selected, boolean showsPaths, List<TownPlace> drawn) {
         snapshot.town().hills().forEach(this::rings);
@@ -142,12 +142,12 @@ final class TownPicture {
         }
     }
 
-    /** Names are wider than high. */
+    /** Distance of names, which are wider than high. */
     private static double apart(TownPlace one, TownPlace other) {
         return Math.hypot(one.xMetres() - other.xMetres(), 2 * (one.yMetres() - other.yMetres()));
     }
 
-    /** The middle, a quarter and three quarters of each part. */
+    /** The points at a quarter, a half and three quarters of each part. */
     private static List<TownPlace> quarters(List<TownPlace> points) {
         List<TownPlace> places = new ArrayList<>();
         for (int i = 1; i < points.size(); i++) {
@@ -190,7 +190,7 @@ final class TownPicture {
         return xy;
     }
 
-    /** A line from a mobile to its tower: solid in a connection, dashed if it only listens. */
+    /** Draws a line from a mobile to its tower: solid in a connection, dashed if it only listens. */
     private void connection(MobileState mobile) {
         Integer index = towerIndices.get(mobile.cell());
         if (index != null) {
@@ -251,7 +251,9 @@ final class TownPicture {
         labels.take(new Rectangle2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
     }
 
-    /** The number stands below its mobile, or where it covers no other name: above, beside, or a row further away. */
+    /**
+     * Writes the number below its mobile, or where it covers no other name: above, at the side, or a row further away.
+     */
     private void number(MobileState mobile) {
         double x = scale.x(mobile.place().xMetres());
         double y = scale.y(mobile.place().yMetres());
@@ -287,7 +289,7 @@ final class TownPicture {
         };
     }
 
-    /** A text on a card, with the colour of its cell at the left. */
+    /** Draws a text on a card, with the colour of its cell at the left. */
     private void chip(String text, Face face, double x, double y, Optional<Ink> cell) {
         double width = g.width(text, face) + 2 * g.px(CHIP_PADDING_UNITS) + stripe(cell);
         double height = g.px(CHIP_HEIGHT_UNITS);
@@ -313,7 +315,7 @@ final class TownPicture {
         return cell.isPresent() ? g.px(5) : 0;
     }
 
-    /** A length of 1, 2 or 5 times a power of ten, about a sixth of the picture. */
+    /** Draws a length of 1, 2 or 5 times a power of ten, about a sixth of the picture. */
     private void scaleBar() {
         Town town = snapshot.town();
         double wanted = town.widthMetres() / 6;

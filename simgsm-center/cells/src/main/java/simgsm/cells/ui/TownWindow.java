@@ -26,10 +26,10 @@ public final class TownWindow {
     }
 
     /**
-     * To be called on the event thread.
+     * Creates the content; called on the event thread.
      *
-     * @param town has a snapshot already
-     * @param propagation of that town, with the seed that the core uses
+     * @param town already has a snapshot
+     * @param propagation of that town, with the core's seed
      */
     public static ProgramWindow.Content content(TownActions town, Propagation propagation, Locale language) {
         ExecutorService worker = Executors.newSingleThreadExecutor(action -> {

@@ -1,2 +1,4 @@
-/** The window of the cells program: the map, the mobile, the towers and what passes. Begin with {@link TownPanel}. */
+/**
+ * The window of the cells program: the map, the mobile, the towers and the signalling. Begin with {@link TownPanel}.
+ */
 package simgsm.cells.ui;

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 
-/** The algorithms to choose from, each with its numbers, as text: {@code power-budget,interval=6,hysteresis=3}. */
+/** The available algorithms with their numbers, as text: {@code power-budget,interval=6,hysteresis=3}. */
 public final class HandoverAlgorithm {
     /** osmo-bsc's algorithm 1 with its defaults. */
     public static final HandoverAlgorithm STANDARD = of("power-budget");
@@ -21,7 +21,7 @@ public final class HandoverAlgorithm {
         this.numbers = numbers;
     }
 
-    /** @throws IllegalArgumentException naming what was expected */
+    /** @throws IllegalArgumentException naming the expected text */
     public static HandoverAlgorithm of(String text) {
         String[] parts = text.split(",");
         Set<String> known = switch (parts[0]) {
@@ -42,7 +42,7 @@ public final class HandoverAlgorithm {
         return algorithm;
     }
 
-    /** The margin in dB by which another cell has to be better. */
+    /** The margin in dB of a better cell. */
     public int marginDecibels() {
         return name.equals("power-budget")
                 ? powerBudget().hysteresisDecibels()
@@ -53,7 +53,7 @@ public final class HandoverAlgorithm {
         return new IllegalArgumentException("expected " + EXPECTED + ", found " + text);
     }
 
-    /** The decision for one mobile on a new traffic channel. */
+    /** Creates the decision for one mobile on a new traffic channel. */
     public HandoverDecision decision() {
         return name.equals("power-budget")
                 ? new PowerBudgetDecision(powerBudget())

@@ -2,12 +2,12 @@ package simgsm.center.bsc.handover;
 
 import java.util.Optional;
 
-/** Decides for one mobile on one traffic channel. A new channel begins with a new decision. */
+/** Decides for one mobile on one traffic channel. Each channel has a new decision. */
 public interface HandoverDecision {
     /** A cell to move to. */
     record Target(NeighbourCell cell, Reason reason) {}
 
-    /** Why a mobile is to move. */
+    /** Reason of a handover. */
     enum Reason {
         /** Bad quality in spite of a good level. */
         INTERFERENCE,
@@ -18,9 +18,9 @@ public interface HandoverDecision {
         POWER_BUDGET
     }
 
-    /** Takes each result, also while no handover is possible. */
+    /** Adds a result, even if no handover is possible. */
     void add(Measurement measurement);
 
-    /** The cell to move to after the latest result, if any. */
+    /** The target after the latest result, if any. */
     Optional<Target> target();
 }

@@ -10,7 +10,7 @@ final class LevelWindow {
         count++;
     }
 
-    /** The mean of the latest levels, cut to a whole number; of fewer if there are fewer. */
+    /** The mean of the latest levels, truncated; of fewer than {@code window} if there are fewer. */
     int average(int window) {
         int size = Math.min(window, Math.min(count, levels.length));
         int sum = 0;

@@ -6,11 +6,11 @@ import java.util.List;
  * One measurement result of a mobile on a traffic channel. Levels are RXLEV, 0 to 63: the level in dBm plus 110.
  *
  * @param number 0 to 255, counts the results of a channel
- * @param isValid whether the values of the serving cell are valid
+ * @param isValid true if the values of the serving cell are valid
  * @param level of the serving cell over all bursts
- * @param averagedLevel of the serving cell, over the bursts that were surely sent, and without the base station's power
- *     reduction
- * @param quality RXQUAL, 0 to 7, likewise
+ * @param averagedLevel of the serving cell, over the bursts certainly sent, and without the base station's power
+ * reduction
+ * @param quality RXQUAL, 0 to 7, over the same bursts
  * @param timingAdvance in bits
  * @param neighbours at most 6, in the order of the report
  */
@@ -22,7 +22,7 @@ public record Measurement(
         int quality,
         int timingAdvance,
         List<Neighbour> neighbours) {
-    /** What is added to a level in dBm. */
+    /** RXLEV minus the level in dBm. */
     public static final int RXLEV_OFFSET = 110;
 
     /** A neighbour cell with its level. */

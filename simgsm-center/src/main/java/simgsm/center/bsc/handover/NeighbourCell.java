@@ -1,4 +1,9 @@
 package simgsm.center.bsc.handover;
 
-/** A neighbour cell as a mobile reports it. @param frequency ARFCN @param identityCode BSIC */
+/**
+ * A neighbour cell in a mobile's report.
+ *
+ * @param frequency ARFCN
+ * @param identityCode BSIC
+ */
 public record NeighbourCell(int frequency, int identityCode) {}

@@ -10,7 +10,7 @@ import java.util.Optional;
  * sequences of results.
  */
 public final class PowerBudgetDecision implements HandoverDecision {
-    /** Results that are kept, and neighbours. */
+    /** Number of results and neighbours kept. */
     static final int MOST_RESULTS = 10;
 
     private final PowerBudgetSettings settings;
@@ -45,7 +45,7 @@ public final class PowerBudgetDecision implements HandoverDecision {
         }
     }
 
-    /** A cell that is followed and not reported counts with level 0; a result without any neighbours counts for none. */
+    /** Level 0 counts for followed cells missing from a report; a report without neighbours counts for none. */
     private void follow(List<Measurement.Neighbour> reported) {
         List<Measurement.Neighbour> rest = new ArrayList<>(reported);
         for (Followed each : neighbours) {
@@ -88,7 +88,7 @@ public final class PowerBudgetDecision implements HandoverDecision {
     private Optional<Reason> reason() {
         Optional<Integer> level = averageDbm();
         if (isQualityBad()) {
-            // Without an average the level counts as good.
+            // without an average the level counts as good
             boolean isLoud = level.map(dbm -> dbm > settings.interferenceDbm()).orElse(true);
             return Optional.of(isLoud ? Reason.INTERFERENCE : Reason.BAD_QUALITY);
         }
@@ -102,7 +102,7 @@ public final class PowerBudgetDecision implements HandoverDecision {
         return isDue ? Optional.of(Reason.POWER_BUDGET) : Optional.empty();
     }
 
-    /** The serving cell's average over the window's valid results; empty before there are as many results. */
+    /** The serving cell's average over the window's valid results; empty before it is full. */
     private Optional<Integer> averageDbm() {
         if (count < settings.levelWindow()) {
             return Optional.empty();

@@ -3,17 +3,17 @@ package simgsm.center.bsc.handover;
 import simgsm.octets.Bounds;
 
 /**
- * The numbers of {@link PowerBudgetDecision}, with the names and values that osmo-bsc's algorithm 1 has for them.
+ * The numbers of {@link PowerBudgetDecision}, with the names and values of osmo-bsc's algorithm 1.
  *
- * @param levelWindow results over which the serving cell's level is averaged, 1 to 10
- * @param neighbourWindow results over which a neighbour's level is averaged, 1 to 10
+ * @param levelWindow results in the average of the serving cell's level, 1 to 10
+ * @param neighbourWindow results in the average of a neighbour's level, 1 to 10
  * @param interval results between two comparisons with the neighbours, 1 to 99
- * @param hysteresisDecibels by which a neighbour must be better, 0 to 999
+ * @param hysteresisDecibels margin of a better neighbour, 0 to 999
  * @param maximumDistance timing advance above which the mobile moves, 0 to 9999
  * @param badQuality RXQUAL from which a result counts as bad
- * @param badResults this number of bad ones among the last {@code qualityWindow} move the mobile
- * @param interferenceDbm above this level bad quality is interference
- * @param lowLevelDbm at and below this level the mobile moves
+ * @param badResults number of bad ones among the last {@code qualityWindow} that moves the mobile
+ * @param interferenceDbm level above which bad quality is interference
+ * @param lowLevelDbm level at and below which the mobile moves
  */
 public record PowerBudgetSettings(
         int levelWindow,

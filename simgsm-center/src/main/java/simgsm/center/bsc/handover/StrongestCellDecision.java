@@ -4,8 +4,8 @@ import java.util.Optional;
 import simgsm.octets.Bounds;
 
 /**
- * Moves a mobile when the same neighbour was the strongest, and stronger than the serving cell by a margin, in a number of results
- * in a row: simple to follow on a map, and quicker than a window of averages.
+ * Moves a mobile when the same neighbour was the strongest, and stronger than the serving cell by a margin, in a number
+ * of successive results: easy to follow on a map, and faster than a window of averages.
  */
 public final class StrongestCellDecision implements HandoverDecision {
     /**

@@ -1,5 +1,5 @@
 /**
- * When a call moves to another cell: decisions on measurement reports, without any knowledge of channels. Read {@link
+ * Handover: decisions on measurement reports, independent of channels. Read {@link
  * simgsm.center.bsc.handover.HandoverDecision} first.
  */
 package simgsm.center.bsc.handover;

@@ -49,20 +49,20 @@ public final class CallLeg implements PagedTransaction {
     private boolean isHeld;
     private boolean isSpeechRefused;
     private boolean isClearedByUser;
-    /** Why the leg is cleared, for the other leg. */
+    /** The cause of the leg's clearing, for the other leg. */
     private Cause cause = Cause.NORMAL_CALL_CLEARING;
     /** The cause in the clearing message to the mobile; empty if the mobile clears. */
     private Optional<Cause> sentCause = Optional.empty();
 
     private CauseLocation location = CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER;
-    /** Whether the message of this state announces a tone of the network's. */
+    /** True if the message of this state announces a tone of the network. */
     private boolean announcesTone;
     /** Null until the mobile signals its first key. */
     private ToneSender keyTones;
 
     /**
-     * @param transaction as the network writes it
-     * @param calling the caller's number, for a called mobile; empty on the caller's own leg
+     * @param transaction as written by the network
+     * @param calling the caller's number, for a called mobile; empty on the caller's leg
      * @param toneSet of the network's tones for a caller, if any
      */
     CallLeg(
@@ -114,13 +114,17 @@ public final class CallLeg implements PagedTransaction {
         machine.fire(NetworkCallEvent.ANSWER);
     }
 
-    /** Clears this leg for a cause on the other leg. @param byUser whether the other mobile gave it */
+    /**
+     * Clears this leg for a cause on the other leg.
+     *
+     * @param byUser true if the other mobile sent it
+     */
     void clear(Cause why, boolean byUser) {
         location = byUser ? CauseLocation.USER : CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER;
         fire(NetworkCallEvent.CLEAR, why, Optional.of(why));
     }
 
-    /** Clears both legs, because this one's mobile gets no traffic channel. */
+    /** Clears both legs, because this leg's mobile gets no traffic channel. */
     void refuseSpeech(Cause why) {
         isSpeechRefused = true;
         clear(why, false);
@@ -145,7 +149,7 @@ public final class CallLeg implements PagedTransaction {
         fire(NetworkCallEvent.LINK_LOST, why, Optional.empty());
     }
 
-    /** Takes a message of this transaction; one without a row in this state is answered with STATUS. */
+    /** Handles a message of this transaction; one without a row in this state is answered with STATUS. */
     void receive(CallControl message) {
         if (message instanceof CallControl.StatusEnquiry) {
             sendStatus(Cause.RESPONSE_TO_STATUS_ENQUIRY);
@@ -166,12 +170,12 @@ public final class CallLeg implements PagedTransaction {
         }
     }
 
-    /** Whether speech passes between the mobile and this leg. */
+    /** True if speech passes between the mobile and this leg. */
     boolean speaks() {
         return state().speaks() && !isHeld;
     }
 
-    /** What the leg needs of the mobile's speech path: nothing more once that was refused. */
+    /** The leg's need of the mobile's speech path; none after a refusal. */
     SpeechNeed speechNeed() {
         if (isSpeechRefused) {
             return SpeechNeed.NONE;
@@ -182,7 +186,7 @@ public final class CallLeg implements PagedTransaction {
         return state().needsSpeechPath() ? SpeechNeed.PREPARED : SpeechNeed.NONE;
     }
 
-    /** Whether the mobile holds the call (TS 24.083, 2). */
+    /** True if the mobile holds the call (TS 24.083, 2). */
     boolean isHeld() {
         return isHeld;
     }
@@ -198,7 +202,7 @@ public final class CallLeg implements PagedTransaction {
         }
     }
 
-    /** Only while no other call is active. */
+    /** Retrieves the call, only while no other call is active. */
     private void retrieve() {
         boolean isFree = legs.live().stream().noneMatch(leg -> leg != this && !leg.isHeld);
         if (isHeld && isFree) {
@@ -210,14 +214,14 @@ public final class CallLeg implements PagedTransaction {
         }
     }
 
-    /** Notifies this mobile that the other one holds the call, or has taken it back. */
+    /** Notifies this mobile of hold and retrieval by the other one. */
     void notifyHold(boolean onHold) {
         if (state().speaks()) {
             link.send(new CallControl.Facility(transaction, HoldNotification.encode(onHold)));
         }
     }
 
-    /** The other party holds the call, or has taken it back: this mobile hears a tone meanwhile. */
+    /** Plays a tone to this mobile while the other party holds the call. */
     void heldByOther(boolean nowHeld) {
         if (nowHeld && state().speaks()) {
             networkTones.playHold();
@@ -246,7 +250,7 @@ public final class CallLeg implements PagedTransaction {
         return event != null && machine.fire(event);
     }
 
-    /** Whether the mobile itself has cleared the leg. */
+    /** True if the mobile has cleared the leg. */
     boolean isClearedByUser() {
         return isClearedByUser;
     }
@@ -262,7 +266,7 @@ public final class CallLeg implements PagedTransaction {
         return keyTones;
     }
 
-    /** The frame that the other leg hears for this one: itself, the tone of a signalled key, or null for none. */
+    /** The frame for the other leg: this one, the tone of a signalled key, or null for none. */
     IpaFrame audible(IpaFrame speech) {
         return keyTones == null ? speech : keyTones.inPlaceOf(speech);
     }
@@ -273,7 +277,7 @@ public final class CallLeg implements PagedTransaction {
 
     /**
      * @param why the cause for the other leg if this one is cleared
-     * @param sent the cause for the mobile if it is cleared by the network
+     * @param sent the cause for the mobile if the network clears it
      */
     private boolean fire(NetworkCallEvent event, Cause why, Optional<Cause> sent) {
         if (machine.accepts(event) && !state().isClearing()) {
@@ -294,7 +298,7 @@ public final class CallLeg implements PagedTransaction {
         legs.changed(this);
     }
 
-    /** Tones are played to a caller before the call is connected. */
+    /** True if a tone is played to a caller before the call is connected. */
     private boolean announcesTone(NetworkCallState before) {
         return switch (state()) {
             case CALL_DELIVERED -> networkTones.hasRingBack();
@@ -358,7 +362,7 @@ public final class CallLeg implements PagedTransaction {
         }
     }
 
-    /** A second call is marked as waiting (TS 24.083, 1). */
+    /** Marks a second call as waiting (TS 24.083, 1). */
     private Optional<CallControl.Signal> waitingSignal() {
         boolean isSecond = legs.live().stream().anyMatch(leg -> leg != this);
         return isSecond ? Optional.of(CallControl.Signal.CALL_WAITING) : Optional.empty();

@@ -24,7 +24,7 @@ import simgsm.tone.ToneSet;
 
 /** Number analysis and switching: connects the two legs of each call, and the speech between them. */
 public final class CallSwitch implements LinkUser {
-    /** Calls at a time; further ones are refused with cause 42. */
+    /** Maximum of simultaneous calls; further ones are refused with cause 42. */
     static final int MAX_CALLS = 5_000;
 
     /** RTP version 2 in bits 8-7 of the first octet (RFC 3550, 5.1). */
@@ -46,9 +46,9 @@ public final class CallSwitch implements LinkUser {
 
     /**
      * @param tones of the network to callers, if any
-     * @param callWaiting whether a second call is offered to a mobile in a call whose subscriber has not set it
+     * @param callWaiting default of offering a second call to a mobile in a call
      * @param setupNanos T303
-     * @param changes is given each call that enters a state
+     * @param changes receives each call that enters a state
      */
     public CallSwitch(
             MobilityProcedures mobility,
@@ -88,7 +88,7 @@ public final class CallSwitch implements LinkUser {
         return links.computeIfAbsent(link, LinkCalls::new);
     }
 
-    /** The leg of a transaction as the mobile writes it. */
+    /** The leg of a transaction as written by the mobile. */
     public Optional<CallLeg> leg(Link link, TransactionIdentifier received) {
         return on(link).leg(received);
     }
@@ -110,7 +110,7 @@ public final class CallSwitch implements LinkUser {
         closed.releaseHeld(this::reach);
     }
 
-    /** Passes a message to its leg; without one it is answered as TS 24.008, 8.3 says. */
+    /** Passes a message to its leg; without one it is answered by TS 24.008, 8.3. */
     public void receive(Link link, CallControl message) {
         Optional<CallLeg> leg = leg(link, message.transaction());
         if (message instanceof CallControl.Setup setup) {
@@ -150,7 +150,7 @@ public final class CallSwitch implements LinkUser {
     /** Connects a call to the called mobile, or refuses it. */
     void route(NetworkCall call) {
         if (tones.isPresent()) {
-            // A tone for a refused call needs a channel first (TS 24.008, 5.2.1.2).
+            // a tone for a refused call first needs a channel (TS 24.008, 5.2.1.2)
             call.originating().proceed();
         }
         if (call.to().isEmpty()) {
@@ -167,7 +167,7 @@ public final class CallSwitch implements LinkUser {
 
     private void reach(NetworkCall call) {
         if (forwarding(call, SsCode.FORWARDING_UNCONDITIONAL).isPresent()) {
-            // Forwarded too often, the call ends: this subscriber is not to be rung.
+            // forwarded too often, the call ends without ringing this subscriber
             fail(call, SsCode.FORWARDING_UNCONDITIONAL, Cause.CALL_REJECTED);
             return;
         }
@@ -205,18 +205,22 @@ public final class CallSwitch implements LinkUser {
         }
     }
 
-    /** Where the called subscriber forwards this call on a condition. */
+    /** The called subscriber's forwarding of this call on a condition. */
     Optional<Msisdn> forwarding(NetworkCall call, SsCode condition) {
         return subscriberOf(call).flatMap(called -> called.services().forwarding(condition));
     }
 
-    /** How long the called mobile rings before a call is forwarded. */
+    /** Ringing time of the called mobile before a call is forwarded. */
     long noReplyNanos(NetworkCall call) {
         return TimeUnit.SECONDS.toNanos(
                 subscriberOf(call).orElseThrow().services().noReplySeconds());
     }
 
-    /** Forwards the call if the called subscriber wants it (TS 23.082, 1.3). @return whether it goes on, or has been refused */
+    /**
+     * Forwards the call if the called subscriber has set it (TS 23.082, 1.3).
+     *
+     * @return true if it continues, or has been refused
+     */
     boolean divert(NetworkCall call, SsCode condition) {
         Optional<Msisdn> next = forwarding(call, condition);
         if (next.isEmpty() || !call.turn(next.get())) {
@@ -230,7 +234,7 @@ public final class CallSwitch implements LinkUser {
         return true;
     }
 
-    /** As {@link #divert(NetworkCall, SsCode)}, for a call that the called mobile has not taken. */
+    /** As {@link #divert(NetworkCall, SsCode)}, for a call not taken by the called mobile. */
     boolean divert(NetworkCall call, Cause why) {
         return switch (why) {
             case USER_BUSY -> divert(call, SsCode.FORWARDING_ON_BUSY);
@@ -240,7 +244,7 @@ public final class CallSwitch implements LinkUser {
         };
     }
 
-    /** Legs on this link have changed: calls that are held for it may go on. */
+    /** Continues calls held for a link after a change of its legs. */
     public void legsChanged(Link link) {
         if (links.containsKey(link)) {
             links.get(link).releaseHeld(call -> {
@@ -257,7 +261,7 @@ public final class CallSwitch implements LinkUser {
         return ++lastCallId;
     }
 
-    /** To be called by a call that has entered a state. */
+    /** Called by a call that has entered a state. */
     void changed(NetworkCall call) {
         if (call.state() == CallProgress.RELEASED) {
             calls.remove(call);
@@ -268,7 +272,7 @@ public final class CallSwitch implements LinkUser {
     }
 
     /**
-     * Passes a speech frame on unchanged, with the speaker's own numbering and losses; the tone of a signalled key replaces
+     * Passes a speech frame on unchanged, with the speaker's numbering and losses; the tone of a signalled key replaces
      * it.
      */
     public void switchSpeech(Link link, IpaFrame frame) {
@@ -284,12 +288,12 @@ public final class CallSwitch implements LinkUser {
         }
     }
 
-    /** The speech path of a mobile cannot be had: calls that need it end. */
+    /** Ends calls that need the unavailable speech path of a mobile. */
     public void speechRefused(Link link, Cause cause) {
         on(link).live().stream().filter(leg -> leg.state().needsSpeechPath()).forEach(leg -> leg.refuseSpeech(cause));
     }
 
-    /** Whether these octets are an RTP packet of version 2. */
+    /** True if these octets are an RTP packet of version 2. */
     public static boolean isRtp(byte[] payload) {
         return payload.length > RTP_HEADER_LENGTH && (payload[0] & RTP_VERSION_MASK) == RTP_VERSION_2;
     }

@@ -10,13 +10,13 @@ import simgsm.event.EventLine;
  *
  * <p>As a line: answer to {@code calls}; seconds since it became active.
  *
- * @param to the number as dialled; empty if it could not be decoded
- * @param activeSeconds time for which the call has been active, or was
- * @param cause why the call was cleared; empty before
+ * @param to the dialled number; empty if it could not be decoded
+ * @param activeSeconds duration of the active call
+ * @param cause of the clearing; empty before
  */
 @EventLine("call from= to= state= seconds=activeSeconds")
 public record CallView(Msisdn from, String to, CallProgress state, long activeSeconds, Optional<Cause> cause) {
-    /** A call that has not been cleared. */
+    /** Creates a call that has not been cleared. */
     public CallView(Msisdn from, String to, CallProgress state, long activeSeconds) {
         this(from, to, state, activeSeconds, Optional.empty());
     }

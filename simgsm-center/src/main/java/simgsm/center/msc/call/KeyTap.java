@@ -14,7 +14,7 @@ import simgsm.speech.SpeechCodec;
  * party's in brackets, as {@code **#**20** [6] [3]}. Idle until {@link #watch}.
  */
 public final class KeyTap {
-    /** Characters of the text; the oldest are removed. */
+    /** Maximum length of the text; the oldest characters are removed. */
     private static final int MAX_LENGTH = 80;
 
     private final StringBuilder keys = new StringBuilder();
@@ -29,7 +29,7 @@ public final class KeyTap {
         isWatched = true;
     }
 
-    /** Decodes this call from now on, and clears the text of the one before. */
+    /** Decodes this call from now on, and clears the text of the last one. */
     public void follow(NetworkCall newCall) {
         if (newCall != call) {
             call = newCall;
@@ -40,7 +40,7 @@ public final class KeyTap {
         }
     }
 
-    /** A speech frame of a leg has passed. */
+    /** Decodes a speech frame of a leg. */
     void passed(CallLeg leg, byte[] rtp) {
         if (!isWatched || call == null) {
             return;
@@ -76,7 +76,7 @@ public final class KeyTap {
             receiver = new DtmfReceiver(listener);
         }
 
-        /** A frame that cannot be decoded ends the digit in progress. */
+        /** Decodes a frame; an invalid one ends the current digit. */
         void accept(byte[] rtp) {
             try {
                 RtpPacket packet = RtpPacket.decode(rtp);

@@ -16,8 +16,8 @@ import simgsm.center.msc.link.RadioAccess.SpeechNeed;
 import simgsm.timer.Timer;
 
 /**
- * The calls on one link: its legs, and calls to it that are held while its last call is being cleared. Clearing takes some
- * milliseconds as a rule, so a number can be dialled again at once after hanging up.
+ * The calls on one link: its legs, and incoming calls held while its last call is being cleared. Clearing usually takes
+ * some milliseconds, so a number can be dialled again directly after the clearing.
  */
 final class LinkCalls {
     private static final int TRANSACTIONS = 7;
@@ -34,7 +34,7 @@ final class LinkCalls {
         return link;
     }
 
-    /** A leg has changed its state. */
+    /** Handles a leg's change of state. */
     void changed(CallLeg leg) {
         if (leg.state() == NetworkCallState.NULL) {
             legs.remove(leg);
@@ -53,7 +53,7 @@ final class LinkCalls {
                 .orElse(SpeechNeed.NONE);
     }
 
-    /** @param received the transaction as the mobile writes it */
+    /** @param received the transaction as written by the mobile */
     Optional<CallLeg> leg(TransactionIdentifier received) {
         TransactionIdentifier ours = received.answered();
         return legs.stream().filter(leg -> leg.transaction().equals(ours)).findFirst();
@@ -84,7 +84,7 @@ final class LinkCalls {
         return legs.stream().filter(leg -> !leg.state().isClearing()).toList();
     }
 
-    /** Whether exactly one call is active, so that a second one may wait (TS 22.083). */
+    /** True if exactly one call is active, so that a second one may wait (TS 22.083). */
     boolean allowsWaitingCall() {
         List<CallLeg> live = live();
         return live.size() == 1 && live.get(0).state() == NetworkCallState.ACTIVE;
@@ -94,7 +94,7 @@ final class LinkCalls {
         return legs.stream().anyMatch(leg -> leg.state().isClearing());
     }
 
-    /** Whether a leg uses the radio connection or will use it without paging. */
+    /** True if a leg uses the radio connection or will use it without paging. */
     boolean needsRadio() {
         return legs.stream().anyMatch(leg -> leg.state() != NetworkCallState.MM_CONNECTION_PENDING);
     }
@@ -103,7 +103,7 @@ final class LinkCalls {
         List.copyOf(legs).forEach(CallLeg::linkLost);
     }
 
-    /** Holds a call to this link until {@link #releaseHeld}; after the timer's time the mobile counts as busy. */
+    /** Holds a call to this link until {@link #releaseHeld}; after the timer's expiry the mobile counts as busy. */
     void hold(NetworkCall call) {
         Timer timer = call.originating().link().timers().start(NetworkTimer.HELD_CALL.nanos(), () -> {
             forget(call);
@@ -112,12 +112,12 @@ final class LinkCalls {
         held.put(call, timer);
     }
 
-    /** The call has ended, or goes on. */
+    /** Removes a held call that has ended or continues. */
     void forget(NetworkCall call) {
         link.timers().cancel(held.remove(call));
     }
 
-    /** Hands the held calls over if the mobile has finished clearing, or is gone. */
+    /** Passes on the held calls if the mobile has finished clearing, or is lost. */
     void releaseHeld(Consumer<NetworkCall> next) {
         if (!held.isEmpty() && (link.isClosed() || !isClearing())) {
             List<NetworkCall> free = List.copyOf(held.keySet());

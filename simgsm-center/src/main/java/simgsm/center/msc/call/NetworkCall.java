@@ -8,9 +8,9 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.ss.SsCode;
 import simgsm.timer.Timer;
 
-/** A call from SETUP to its clearing: passes the events of one leg on to the other. */
+/** A call from SETUP to its clearing: passes the events of each leg to the other. */
 public final class NetworkCall {
-    /** Limits a circle of forwardings. */
+    /** Limits circular forwarding. */
     private static final int MAX_FORWARDINGS = 5;
 
     private final CallSwitch exchange;
@@ -22,7 +22,7 @@ public final class NetworkCall {
     /** The called link while this call is held; null otherwise. */
     private LinkCalls heldFor;
 
-    /** Where the call goes: the number as dialled, or the one to which it was forwarded last. */
+    /** The current destination: the dialled number, or the last one of a forwarding. */
     private Optional<Msisdn> target;
 
     private int forwardings;
@@ -46,12 +46,12 @@ public final class NetworkCall {
         return exchange.setupNanos();
     }
 
-    /** Unique, rising from 1 in the order of SETUP. */
+    /** Unique, increasing from 1 in the order of SETUP. */
     public long id() {
         return id;
     }
 
-    /** Why the call was cleared; empty before. */
+    /** The cause of the clearing; empty before. */
     public Optional<Cause> cause() {
         return cause;
     }
@@ -60,7 +60,7 @@ public final class NetworkCall {
         return from;
     }
 
-    /** The number as dialled; empty if it could not be decoded. */
+    /** The dialled number; empty if it could not be decoded. */
     public Optional<Msisdn> to() {
         return to;
     }
@@ -69,7 +69,7 @@ public final class NetworkCall {
         return state;
     }
 
-    /** Since the call became active; 0 before, and after its end the whole time. */
+    /** Seconds since the call became active; 0 before, constant after its end. */
     long activeSeconds() {
         return state == CallProgress.ACTIVE
                 ? TimeUnit.NANOSECONDS.toSeconds(nowNanos() - activeSinceNanos)
@@ -84,7 +84,7 @@ public final class NetworkCall {
         return originating;
     }
 
-    /** The subscriber who answers, maybe after forwarding. */
+    /** The subscriber who answers, possibly after forwarding. */
     Msisdn connected() {
         return terminating.link().subscriber().number();
     }
@@ -100,12 +100,16 @@ public final class NetworkCall {
         called.hold(this);
     }
 
-    /** The number that is called now; empty if it could not be decoded. */
+    /** The currently called number; empty if it could not be decoded. */
     Optional<Msisdn> target() {
         return target;
     }
 
-    /** Turns the call to another number. @return false if it was forwarded too often (TS 22.082, 1.3) */
+    /**
+     * Forwards the call to another number.
+     *
+     * @return false if it was forwarded too often (TS 22.082, 1.3)
+     */
     boolean turn(Msisdn next) {
         if (forwardings == MAX_FORWARDINGS) {
             return false;
@@ -136,13 +140,13 @@ public final class NetworkCall {
         return leg == originating ? terminating : originating;
     }
 
-    /** The leg that hears this one; null if none does. */
+    /** The leg that receives this one's speech; null if none does. */
     CallLeg listenerOf(CallLeg leg) {
         CallLeg other = other(leg);
         return other != null && other.speaks() && leg.speaks() ? other : null;
     }
 
-    /** A mobile holds the call or has taken it back; the held party hears a tone meanwhile. */
+    /** Handles hold and retrieval by a mobile; the held party hears a tone meanwhile. */
     void holdChanged(CallLeg leg) {
         CallLeg other = other(leg);
         if (other != null) {
@@ -165,7 +169,7 @@ public final class NetworkCall {
         }
     }
 
-    /** The called mobile is left, and the call goes on to another one. */
+    /** Leaves the called mobile, and continues the call with another one. */
     private void notAnswered() {
         CallLeg left = terminating;
         if (exchange.divert(this, SsCode.FORWARDING_ON_NO_REPLY)) {
@@ -184,7 +188,7 @@ public final class NetworkCall {
         enter(CallProgress.ACTIVE);
     }
 
-    /** A leg is being cleared by its mobile, a timer or the loss of its link. */
+    /** Handles the clearing of a leg by its mobile, a timer or the loss of its link. */
     void cleared(CallLeg leg, Cause cause) {
         boolean isCalled = leg == terminating;
         boolean isForwarded = isCalled && !isAnswered && exchange.divert(this, cause);

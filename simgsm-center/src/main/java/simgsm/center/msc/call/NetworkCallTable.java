@@ -64,28 +64,28 @@ public final class NetworkCallTable {
         }
 
         /**
-         * The timer that runs in this state.
+         * The timer of this state.
          *
-         * @param withTone whether the network plays a tone to the mobile in it
+         * @param withTone true if the network plays a tone to the mobile in it
          */
         Optional<NetworkTimer> guard(boolean withTone) {
             return Optional.ofNullable(withTone && this == DISCONNECT_INDICATION ? NetworkTimer.T306 : guard);
         }
 
-        /** Whether speech passes: from CONNECT on, so that none is lost before its acknowledgement. */
+        /** True if speech passes: from CONNECT on, so that none is lost before its acknowledgement. */
         boolean speaks() {
             return this == ACTIVE || this == CONNECT_INDICATION;
         }
 
         /**
-         * Whether a tower gives the mobile a traffic channel: from CALL PROCEEDING or CALL CONFIRMED on, so that it is there when the
-         * called party answers.
+         * True if a tower gives the mobile a traffic channel: from CALL PROCEEDING or CALL CONFIRMED on, so that it is
+         * ready when the called party answers.
          */
         boolean needsSpeechPath() {
             return this == CALL_PROCEEDING || this == CALL_CONFIRMED || mayHear();
         }
 
-        /** Whether the mobile may hear something: from alerting to the end of clearing. */
+        /** True if the mobile may hear something: from alerting to the end of clearing. */
         boolean mayHear() {
             return this == CALL_DELIVERED || this == CALL_RECEIVED || this == DISCONNECT_INDICATION || speaks();
         }
@@ -160,11 +160,11 @@ public final class NetworkCallTable {
         SEND_DISCONNECT,
         SEND_RELEASE,
         SEND_RELEASE_COMPLETE,
-        /** Restarts the timer of the state, which was not left. */
+        /** Restarts the timer of the state, which remains. */
         START_T308,
-        /** Plays the network's tone if the message before has announced one. */
+        /** Plays the network's tone if the last message has announced one. */
         PLAY_TONE,
-        // To the call, and through it to the other leg.
+        // Reports to the call, and through it to the other leg.
         TELL_OFFERED,
         TELL_ALERTING,
         TELL_ANSWERED,
@@ -245,7 +245,7 @@ public final class NetworkCallTable {
                 .on(EnumSet.of(RELEASE_REQUEST), EnumSet.of(RELEASE_RECEIVED, T308_EXPIRED_AGAIN), NULL)
                 .on(RELEASE_REQUEST, T308_EXPIRED, RELEASE_REQUEST, START_T308, SEND_RELEASE)
                 .on(CLEARING, EnumSet.of(RELEASE_COMPLETE_RECEIVED, STATUS_NULL_RECEIVED, LINK_LOST), NULL)
-                // Messages that crossed the network's clearing message.
+                // messages that crossed the network's clearing message
                 .stay(CLEARING, CALL_CONFIRMED_RECEIVED)
                 .stay(CLEARING, ALERTING_RECEIVED)
                 .stay(CLEARING, CONNECT_RECEIVED)

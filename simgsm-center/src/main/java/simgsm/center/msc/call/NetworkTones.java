@@ -16,9 +16,9 @@ import simgsm.tone.ToneCadence;
 import simgsm.tone.ToneSet;
 
 /**
- * Call progress tones of the network to one caller, in A-law frames of 20 ms, pauses included. As a rule a GSM phone makes
- * these tones itself (TS 22.001, annex F); a network that plays its own announces them by progress indicator 8 in ALERTING
- * (TS 24.008, 5.5.1) and DISCONNECT (5.4.4.1.1).
+ * Call progress tones of the network to one caller, in A-law frames of 20 ms, pauses included. A GSM phone usually
+ * makes these tones itself (TS 22.001, annex F); a network with its own tones announces them by progress indicator 8 in
+ * ALERTING (TS 24.008, 5.5.1) and DISCONNECT (5.4.4.1.1).
  */
 final class NetworkTones {
     private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
@@ -51,7 +51,7 @@ final class NetworkTones {
         return set.isPresent();
     }
 
-    /** Whether there is a tone for a call that has failed for this cause. */
+    /** True if there is a tone for a call that has failed for this cause. */
     boolean has(Cause cause) {
         return toneOf(cause).isPresent();
     }

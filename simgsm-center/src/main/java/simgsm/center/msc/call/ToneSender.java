@@ -23,27 +23,27 @@ import simgsm.timer.Timer;
  * START DTMF is acknowledged at once, STOP DTMF after the tone.
  */
 public final class ToneSender {
-    /** Keys of a mobile that does not wait for acknowledgements, the sounding one included. */
+    /** Maximum of keys of a mobile that does not wait for acknowledgements, including the sounding one. */
     public static final int MAX_KEYS = 32;
 
     static final int LONGEST_FRAMES = 1_500;
 
     private static final long FRAME_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
-    /** A speech frame of the mobile is expected within this time. */
+    /** Maximum wait for a speech frame of the mobile. */
     private static final long PATIENCE_NANOS = TimeUnit.MILLISECONDS.toNanos(40);
 
     private static final long NANOS_PER_SAMPLE = 125_000;
     /** The RTP source before the first speech frame of the mobile: "tone". */
     private static final int OWN_SOURCE = 0x746f6e65;
 
-    /** A larger distance of sequence numbers means a new stream, not a late frame; 1 s. */
+    /** A larger difference of sequence numbers, 1 s, means a new stream, not a late frame. */
     private static final int LONGEST_LEAD_FRAMES = 50;
 
     private final CallLeg leg;
     private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
     /** Tones without ramps, so that a tone begins and ends with its frames. */
     private final DtmfGenerator generator = new DtmfGenerator(ToneShape.STANDARD.withRamp(0), key -> toneLeft());
-    /** From START DTMF to the tone's end, the sounding one first. */
+    /** Keys from START DTMF to the tone's end, the sounding one first. */
     private final Deque<SignalledKey> keys = new ArrayDeque<>();
 
     private final short[] samples = new short[SpeechCodec.SAMPLES_PER_FRAME];
@@ -55,7 +55,7 @@ public final class ToneSender {
     private int source = OWN_SOURCE;
     private int sequence;
     private int timestamp;
-    /** Whether tone frames were sent with numbers that the mobile's stream has not yet reached. */
+    /** True if tone frames were sent with numbers that the mobile's stream has not yet reached. */
     private boolean isAhead;
 
     private static final class SignalledKey {
@@ -97,7 +97,7 @@ public final class ToneSender {
         waitFor(PATIENCE_NANOS);
     }
 
-    /** STOP DTMF; acknowledged even if the key has ended already. */
+    /** STOP DTMF; acknowledged even if the key has already ended. */
     void stop() {
         if (keys.isEmpty() || keys.getLast().isReleased) {
             acknowledgeStop();
@@ -108,14 +108,14 @@ public final class ToneSender {
         }
     }
 
-    /** The leg passes no speech any more. */
+    /** Ends the tones, because the leg passes no more speech. */
     void end() {
         generator.drop();
         keys.clear();
         leg.link().timers().cancel(patience);
     }
 
-    /** The frame that is sent for a speech frame of the mobile: itself, a tone frame, or null if it is late. */
+    /** The frame that replaces a speech frame of the mobile: itself, a tone frame, or null if it is late. */
     IpaFrame inPlaceOf(IpaFrame speech) {
         ByteBuffer header = ByteBuffer.wrap(speech.payload());
         if (isAhead && isLate(header)) {

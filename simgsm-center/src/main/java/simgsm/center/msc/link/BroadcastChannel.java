@@ -2,7 +2,7 @@ package simgsm.center.msc.link;
 
 import simgsm.octets.OctetString;
 
-/** Where cell broadcast goes out: to one terminal, or to all mobiles of a controller's towers. */
+/** Transmits cell broadcast to one terminal, or to all mobiles of a controller's towers. */
 public interface BroadcastChannel {
     /** @param page of 88 octets (TS 23.041) */
     void broadcast(OctetString page);

@@ -2,9 +2,9 @@ package simgsm.center.msc.link;
 
 /** A party of the ladder diagram: a mobile or a tower. */
 public interface Lifeline {
-    /** The name under which it is shown now. */
+    /** Its current name. */
     String lifeline();
 
-    /** Whether this name is final: a mobile's number, and not the address before it has registered. */
+    /** True if this name is final: a mobile's number, not the address before its registration. */
     boolean hasNumber();
 }

@@ -13,9 +13,9 @@ import simgsm.octets.OctetString;
 import simgsm.timer.Timers;
 import simgsm.trace.MessageText;
 
-/** One mobile as the exchange knows it: its subscriber, its radio connection, and the way to reach it. */
+/** One mobile in the exchange: its subscriber, its radio connection, and its access. */
 public final class Link implements Lifeline {
-    /** Protocol errors that are answered as the standard says before the link is closed. */
+    /** Number of protocol errors answered by the standard's rules before the link is closed. */
     public static final int MAX_VIOLATIONS = 100;
 
     private static final int MAX_LOGGED_VIOLATIONS = 3;
@@ -34,19 +34,19 @@ public final class Link implements Lifeline {
     private int violations;
 
     /**
-     * What all links share.
+     * The context shared by all links.
      *
      * @param open all open links
-     * @param touched links that the exchange looks at before it returns to its driver
-     * @param users protocols on top of the links, in the order in which they end when a radio connection is lost
+     * @param touched links to process before the exchange returns to its driver
+     * @param users protocols above the links, in the order of their end after the loss of a radio connection
      */
     public record Context(Timers timers, Trace trace, Set<Link> open, Set<Link> touched, List<LinkUser> users) {}
 
     /**
      * A mobile that has not registered.
      *
-     * @param address stands for its number until then
-     * @param isLocal whether it has no rate limits, because it runs on this machine
+     * @param address replaces its number until then
+     * @param isLocal true if it runs on this machine, without rate limits
      */
     public Link(RadioAccess access, String address, boolean isLocal, Context context) {
         this.access = access;
@@ -85,7 +85,7 @@ public final class Link implements Lifeline {
         return isClosed;
     }
 
-    /** The subscriber registered here; null before the location update has ended, and after detach. */
+    /** The subscriber registered here; null before the end of the location update, and after detach. */
     public Subscriber subscriber() {
         return subscriber;
     }
@@ -94,7 +94,7 @@ public final class Link implements Lifeline {
         return subscriber != null;
     }
 
-    /** Takes a registered subscriber. */
+    /** Sets the registered subscriber. */
     public void register(Subscriber registered) {
         subscriber = registered;
         lifeline = registered.number().digits();
@@ -105,13 +105,13 @@ public final class Link implements Lifeline {
         subscriber = null;
     }
 
-    /** The number that was registered here last, else the peer's address. */
+    /** The last number registered here, else the peer's address. */
     @Override
     public String lifeline() {
         return lifeline;
     }
 
-    /** Whether a subscriber was ever registered here. */
+    /** True if a subscriber has ever registered here. */
     @Override
     public boolean hasNumber() {
         return !lifeline.equals(address);
@@ -138,7 +138,10 @@ public final class Link implements Lifeline {
         return context.users();
     }
 
-    /** Has the exchange look at this link before it returns to its driver: a transaction may have released the radio. */
+    /**
+     * Marks this link for processing before the exchange returns to its driver: a transaction may have released the
+     * radio.
+     */
     public void touch() {
         context.touched().add(this);
     }
@@ -152,13 +155,13 @@ public final class Link implements Lifeline {
         }
     }
 
-    /** Closes this link after an error of our own, and no other. */
+    /** Closes this link, and no other, after an internal error. */
     public void failed(RuntimeException e) {
         LOG.log(Level.ERROR, this + ": closed after an error of our own", e);
         drop("internal error");
     }
 
-    /** The mobile is gone: all transactions end, and the subscriber is detached. */
+    /** Ends all transactions, and detaches the subscriber of a lost mobile. */
     public void forget() {
         if (isClosed) {
             return;
@@ -179,7 +182,10 @@ public final class Link implements Lifeline {
         }
     }
 
-    /** The radio connection of a link without a subscriber has proved to be this mobile's. An older one is lost; that link ends. */
+    /**
+     * Takes over the radio connection of a link without a subscriber, proved to be this mobile's. An older one is lost;
+     * that link ends.
+     */
     public void takeOver(Link provisional) {
         access.takeOver(provisional.access);
         radio.takeOver(provisional.radio);

@@ -8,8 +8,8 @@ import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.air.ProtocolViolation;
 
 /**
- * The speech of one link's calls: as RTP over UDP if the exchange is set so and the terminal takes part (MGCP, RFC 3435), else
- * as frames of the link. A session begins when a call alerts and ends with the link's last call.
+ * The speech of one link's calls: as RTP over UDP if the exchange is set so and the terminal agrees (MGCP, RFC 3435),
+ * else as frames of the link. A session begins when a call alerts and ends with the link's last call.
  */
 public final class LinkMedia {
     private static final System.Logger LOG = System.getLogger(LinkMedia.class.getName());
@@ -18,7 +18,7 @@ public final class LinkMedia {
 
     private enum State {
         CLOSED,
-        /** CRCX is sent; speech goes as frames meanwhile. */
+        /** CRCX is sent; speech is sent as frames meanwhile. */
         CREATING,
         OPEN
     }
@@ -37,7 +37,7 @@ public final class LinkMedia {
         this.isOverUdp = isOverUdp;
     }
 
-    /** Whether a call of this link needs the speech path. */
+    /** @param isInUse true if a call of this link needs the speech path */
     public void setInUse(boolean isInUse) {
         if (isInUse && state == State.CLOSED && isOverUdp) {
             create();
@@ -55,14 +55,14 @@ public final class LinkMedia {
         }
     }
 
-    /** While the connection's identifier is not known, all of the call are deleted (RFC 3435, 2.3.9). */
+    /** Deletes the connection; while its identifier is unknown, all connections of the call (RFC 3435, 2.3.9). */
     private void delete() {
         Optional<String> known = state == State.OPEN ? Optional.of(connection) : Optional.empty();
         send(MgcpMessage.delete(++transaction, callId(), known));
         close();
     }
 
-    /** The subscriber's number and a count, so that no other link has the same. */
+    /** The subscriber's number and a count, unique among links. */
     private String callId() {
         return link.lifeline() + String.format("%02x", calls % COUNTS);
     }
@@ -76,7 +76,7 @@ public final class LinkMedia {
         port.closeMedia();
     }
 
-    /** The terminal's answer. */
+    /** Handles the terminal's answer. */
     public void receive(byte[] octets) throws ProtocolViolation {
         MgcpMessage answer = MgcpMessage.decode(octets);
         if (state != State.CREATING || answer.transaction() != transaction) {

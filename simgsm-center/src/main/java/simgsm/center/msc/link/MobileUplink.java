@@ -5,9 +5,9 @@ import simgsm.abis.RslMessage;
 import simgsm.air.Cause;
 import simgsm.octets.OctetString;
 
-/** Takes what mobiles send, whatever way they are reached by. */
+/** Receives the messages of mobiles on any access. */
 public interface MobileUplink {
-    /** The first layer 3 message of a radio connection, or of SAPI 3 on one. */
+    /** The first layer 3 message of a radio connection, or of SAPI 3. */
     void established(Link link, RslMessage.Sapi sapi, OctetString layer3);
 
     /** A further layer 3 message. */
@@ -19,6 +19,6 @@ public interface MobileUplink {
     /** A speech frame. */
     void spoke(Link link, IpaFrame frame);
 
-    /** The speech path that a call needs cannot be had. */
+    /** The speech path of a call is unavailable. */
     void speechRefused(Link link, Cause cause);
 }

@@ -34,7 +34,7 @@ public final class NetworkRadioConnection {
         return state == State.IDLE;
     }
 
-    /** When the connection was last opened or ended. */
+    /** Time of the connection's last opening or end. */
     public long usedNanos() {
         return usedNanos;
     }
@@ -47,7 +47,7 @@ public final class NetworkRadioConnection {
         expectedSequence = 0;
     }
 
-    /** Goes on as the connection of another link, which has proved to be this one's mobile. */
+    /** Continues the connection of another link, proved to be this one's mobile. */
     void takeOver(NetworkRadioConnection other) {
         established();
         expectedSequence = other.expectedSequence;
@@ -79,7 +79,7 @@ public final class NetworkRadioConnection {
         return granted;
     }
 
-    /** Whether a location update has the connection for itself. */
+    /** True if a location update reserves the connection. */
     boolean isReserved() {
         return link.users().stream().anyMatch(user -> user.reservesRadio(link));
     }

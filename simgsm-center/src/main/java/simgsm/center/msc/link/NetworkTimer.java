@@ -2,7 +2,7 @@ package simgsm.center.msc.link;
 
 import java.util.concurrent.TimeUnit;
 
-/** Signalling timers of the network side, with their clause; those of our own have no number. */
+/** Signalling timers of the network side, with their clause; our own timers have no number. */
 public enum NetworkTimer {
     // Call control: TS 24.008, table 11.4.
 
@@ -46,13 +46,13 @@ public enum NetworkTimer {
 
     // Our own.
 
-    /** A mobile's user does not answer a question of USSD. */
+    /** A mobile's user does not answer a USSD question. */
     USSD_REPLY(60),
     /** The mobile does not begin the transaction that CM SERVICE ACCEPT allows. */
     SERVICE(10),
     /** A called mobile does not finish clearing its last call. */
     HELD_CALL(5),
-    /** A peer neither identifies itself nor registers, as a port scanner. */
+    /** A peer, such as a port scanner, neither identifies itself nor registers. */
     IDENTIFICATION(15);
 
     private final long nanos;

@@ -1,6 +1,6 @@
 package simgsm.center.msc.link;
 
-/** A transaction that the network begins, and that waits for a radio connection. */
+/** A transaction that the network begins, waiting for a radio connection. */
 public interface PagedTransaction {
     /** The mobile is on a radio connection; called once per request. */
     void radioConnected();

@@ -21,7 +21,7 @@ public final class Paging {
         this.link = link;
     }
 
-    /** Connects the transaction at once if the mobile is on a connection; else pages it as soon as it is idle. */
+    /** Connects the transaction at once if the mobile has a connection; else pages it once it is idle. */
     public void request(PagedTransaction transaction) {
         waiting.add(transaction);
         if (link.radio().isEstablished() && !link.radio().isReserved()) {
@@ -46,13 +46,13 @@ public final class Paging {
         }
     }
 
-    /** The mobile is on a connection, whatever its first message was. */
+    /** Handles a mobile's new connection, whatever its first message. */
     public void answered() {
         isUnanswered = false;
         end(PagedTransaction::radioConnected);
     }
 
-    /** Whether the mobile has not answered the last paging, so that it may be gone. */
+    /** True if the mobile has not answered the last paging, so that it may be lost. */
     public boolean isUnanswered() {
         return isUnanswered;
     }

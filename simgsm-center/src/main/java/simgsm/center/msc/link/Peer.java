@@ -12,7 +12,7 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * One connection to the centre's port: of a terminal until its identity says that it is a tower. An opaque handle to the
+ * One connection to the centre's port, a terminal's until its identity declares a tower. An opaque handle to the
  * exchange's driver.
  */
 public final class Peer {
@@ -29,9 +29,9 @@ public final class Peer {
     private boolean isClosed;
 
     /**
-     * @param isLocal whether the peer runs on this machine, without rate limits
-     * @param terminal makes the user that the peer has at first
-     * @param towers makes the user of a peer that says it is a tower
+     * @param isLocal true if the peer runs on this machine, without rate limits
+     * @param terminal creates the initial user
+     * @param towers creates the user of a peer that declares a tower
      */
     public Peer(
             LinkPort port,
@@ -49,7 +49,7 @@ public final class Peer {
         this.user = terminal.apply(this);
     }
 
-    /** Asks the peer for its identity and begins to supervise the connection. */
+    /** Requests the peer's identity and begins to supervise the connection. */
     public void open() {
         send(new CcmMessage.IdentityRequest());
         keepAlive.start();
@@ -62,7 +62,7 @@ public final class Peer {
         }
     }
 
-    /** Takes a frame of any stream. */
+    /** Handles a frame of any stream. */
     public void received(IpaFrame frame) throws ProtocolViolation {
         if (frame.stream() == IpaFrame.CCM) {
             receive(CcmCodec.decode(frame.payload()));
@@ -115,7 +115,7 @@ public final class Peer {
         return port < 0 ? address : address.substring(0, port);
     }
 
-    /** Whether the peer has not been heard for 30 to 60 s, so that it may be gone. */
+    /** True after 30 to 60 s without a frame of the peer, which may be lost. */
     public boolean isSilent() {
         return keepAlive.isSilent();
     }

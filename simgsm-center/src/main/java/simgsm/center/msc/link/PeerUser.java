@@ -3,7 +3,7 @@ package simgsm.center.msc.link;
 import simgsm.abis.IpaFrame;
 import simgsm.air.ProtocolViolation;
 
-/** What a peer of the centre's port is: a terminal or a tower. */
+/** The user of a connection to the centre's port: a terminal or a tower. */
 public interface PeerUser {
     /** A frame of signalling or speech. */
     void received(IpaFrame frame) throws ProtocolViolation;
@@ -11,10 +11,10 @@ public interface PeerUser {
     /** Counts and logs a protocol error of the peer. */
     void violated(String what);
 
-    /** An error of our own in the peer's name: its connection is closed. */
+    /** Closes the connection after an internal error in the peer's processing. */
     void failed(RuntimeException e);
 
-    /** Whether the peer has registered, without telling its identity. */
+    /** True if the peer has registered without sending its identity. */
     boolean isKnown();
 
     /** The connection is closed. */

@@ -6,12 +6,12 @@ import simgsm.air.LocationArea;
 import simgsm.air.MobileIdentity;
 import simgsm.octets.OctetString;
 
-/** How the exchange reaches one mobile: by the link of a terminal that carries its own cell, or by towers. */
+/** The exchange's access to one mobile: the link of a terminal with its own cell, or towers. */
 public interface RadioAccess {
-    /** What a mobile's calls need of speech, the least first. */
+    /** Degrees of need for speech, the smallest first. */
     enum SpeechNeed {
         NONE,
-        /** A traffic channel has to be there when the called party answers. */
+        /** A traffic channel must be ready when the called party answers. */
         PREPARED,
         /** The mobile may hear something. */
         HEARD
@@ -26,26 +26,29 @@ public interface RadioAccess {
     /** Pages the mobile once. */
     void page(MobileIdentity identity);
 
-    /** Where the mobile hears cell broadcast. */
+    /** The channel of the mobile's cell broadcast. */
     BroadcastChannel broadcastChannel();
 
-    /** The location area in which the mobile was last seen. */
+    /** The location area of the mobile's last activity. */
     LocationArea area();
 
-    /** How far a call needs a speech path. {@link MobileUplink#speechRefused} follows if there is none. */
+    /** Sets the need for a speech path. {@link MobileUplink#speechRefused} follows if there is none. */
     void setSpeechNeed(SpeechNeed need);
 
     /** Sends speech if there is a path for it. */
     void sendSpeech(IpaFrame frame);
 
-    /** Whether the mobile is reached by towers, which other mobiles use too. */
+    /** True if the mobile is reached by towers, which other mobiles share. */
     boolean isShared();
 
-    /** The radio connection of another mobile's access turns out to be this mobile's; an older one is lost. Over towers only. */
+    /**
+     * Takes over the radio connection of another access, which proved to be this mobile's; an older one is lost. Over
+     * towers only.
+     */
     default void takeOver(RadioAccess other) {
         throw new IllegalStateException("a terminal's own link has no other's connection");
     }
 
-    /** The mobile's link is over. */
+    /** Ends the access with the mobile's link. */
     void close(String reason);
 }

@@ -18,7 +18,7 @@ public final class TerminalAccess implements RadioAccess, BroadcastChannel, Peer
     private final LinkMedia media;
     private final MobileUplink uplink;
 
-    /** @param speaksUdp whether the terminal is asked for speech as RTP over UDP */
+    /** @param speaksUdp true to ask the terminal for speech as RTP over UDP */
     public TerminalAccess(Peer peer, Link.Context context, MobileUplink uplink, boolean speaksUdp) {
         this.peer = peer;
         this.uplink = uplink;

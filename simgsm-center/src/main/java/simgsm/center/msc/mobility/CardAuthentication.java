@@ -23,15 +23,15 @@ public final class CardAuthentication {
     private static final int MAX_OUTDATED = 8;
 
     private final Link link;
-    /** Expected answers to cancelled challenges, which may arrive late on a later radio connection. */
+    /** Expected answers to cancelled challenges; they may arrive late on another radio connection. */
     private final Deque<OctetString> outdated = new ArrayDeque<>();
 
     private OctetString expected;
-    /** Is given the outcome of the challenge under way; null without one. */
+    /** Receives the outcome of the current challenge; null without one. */
     private Consumer<Boolean> ended;
 
     private Timer guard;
-    /** Of the latest successful challenge, and of the latest challenge. */
+    /** Key sequence numbers of the latest successful challenge, and of the latest challenge. */
     private int keySequence = MobilityManagement.NO_KEY;
 
     private int challengeSequence = MobilityManagement.NO_KEY;
@@ -41,12 +41,12 @@ public final class CardAuthentication {
         this.link = link;
     }
 
-    /** Whether a challenge is unanswered. */
+    /** True if a challenge is unanswered. */
     boolean isAwaited() {
         return ended != null;
     }
 
-    /** Counts a service by the key that the mobile names; false if the key is not valid for one. */
+    /** Counts a service with the mobile's key number; false if that key is not valid for one. */
     boolean useKey(int namedKeySequence) {
         boolean isValid =
                 keySequence != MobilityManagement.NO_KEY && namedKeySequence == keySequence && keyUses < MAX_KEY_USES;
@@ -57,7 +57,7 @@ public final class CardAuthentication {
     /**
      * Challenges the card. Without an answer within T3260 the radio connection is released.
      *
-     * @param outcome is given whether the card has its key
+     * @param outcome receives true if the card has its key
      */
     void begin(SimCard card, OctetString rand, Consumer<Boolean> outcome) {
         cancel();
@@ -68,7 +68,7 @@ public final class CardAuthentication {
         link.send(new MobilityManagement.AuthenticationRequest(challengeSequence, rand, Optional.empty()));
     }
 
-    /** Takes the answer; false for any other message, or if none is awaited. */
+    /** Handles the answer; false for any other message, or without a challenge. */
     boolean receive(MobilityManagement message) {
         if (!isAwaited()) {
             return false;
@@ -101,7 +101,7 @@ public final class CardAuthentication {
         link.radio().release();
     }
 
-    /** Ends the challenge under way without an outcome. */
+    /** Ends the current challenge without an outcome. */
     void cancel() {
         if (isAwaited()) {
             outdated.addLast(expected);

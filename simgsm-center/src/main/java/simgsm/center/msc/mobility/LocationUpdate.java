@@ -25,7 +25,7 @@ final class LocationUpdate {
     private final MobilityProcedures mobility;
     private final StateMachine<LocationUpdateState, LocationUpdateEvent, LocationUpdateAction> machine;
     private Timer guard;
-    /** The claimed identity; it enters the register only when it is admitted. */
+    /** The claimed identity; it is registered only on admission. */
     private Imsi imsi;
 
     private boolean isIdentifiedByTmsi;
@@ -54,7 +54,7 @@ final class LocationUpdate {
         }
     }
 
-    /** Takes an answer of the mobile; false if this one is not expected. */
+    /** Handles an answer of the mobile; false if it is not expected. */
     boolean receive(MobilityManagement message) {
         if (message instanceof MobilityManagement.IdentityResponse response) {
             return receiveIdentity(response.identity());
@@ -104,7 +104,7 @@ final class LocationUpdate {
         }
     }
 
-    /** A TMSI may have led to the wrong card; then the IMSI is requested (TS 24.008, 4.3.2.5). */
+    /** A TMSI may have selected the wrong card; then the IMSI is requested (TS 24.008, 4.3.2.5). */
     private void authenticated(boolean hasKey) {
         if (hasKey) {
             identityHolds(LocationUpdateEvent.AUTHENTICATED);
@@ -133,8 +133,8 @@ final class LocationUpdate {
         if (subscriber.isEmpty()) {
             reject(RejectCause.CONGESTION);
         } else if (!mobility.claim(subscriber.get(), imei, link)) {
-            // Cause 3 would make the SIM invalid for a mobile of towers, although its former self may only have been
-            // killed.
+            // cause 3 would invalidate the SIM of a tower's mobile, although its former process may only have been
+            // killed
             reject(link.access().isShared() ? RejectCause.CONGESTION : RejectCause.ILLEGAL_MS);
         } else {
             admitted = subscriber.get();

@@ -30,7 +30,7 @@ public final class LocationUpdateTable {
             this.guard = guard;
         }
 
-        /** The timer that runs in this state. */
+        /** The timer of this state. */
         Optional<NetworkTimer> guard() {
             return Optional.ofNullable(guard);
         }
@@ -44,7 +44,7 @@ public final class LocationUpdateTable {
         /** The identity is known and its card has a key. */
         IDENTIFIED_WITH_KEY,
         AUTHENTICATED,
-        /** The card did not have its key, and was identified by a TMSI, which may be another card's. */
+        /** The card did not have its key, and was identified by a TMSI, possibly another card's. */
         TMSI_WRONG,
         /** The card does not have its key. */
         CARD_REFUSED,

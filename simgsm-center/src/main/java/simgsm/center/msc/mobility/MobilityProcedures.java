@@ -30,7 +30,7 @@ public final class MobilityProcedures implements LinkUser {
     private final Consumer<Subscriber> detached;
     private final Consumer<Subscriber> reachable;
     private final Map<Subscriber, Link> locations = new HashMap<>();
-    /** Run for subscribers over towers; see {@link #detachSilentAfter}. */
+    /** Timers of subscribers over towers; see {@link #detachSilentAfter}. */
     private final Map<Subscriber, Timer> silences = new HashMap<>();
 
     private final Map<Link, LocationUpdate> updates = new HashMap<>();
@@ -38,9 +38,9 @@ public final class MobilityProcedures implements LinkUser {
     private long silenceNanos;
 
     /**
-     * @param attached is called when a subscriber attaches
-     * @param detached is called when a subscriber is detached
-     * @param reachable is called when an attached subscriber is heard again after a paging without an answer
+     * @param attached called when a subscriber attaches
+     * @param detached called when a subscriber is detached
+     * @param reachable called when an attached subscriber sends a message after an unanswered paging
      */
     public MobilityProcedures(
             SubscriberRegister register,
@@ -119,7 +119,7 @@ public final class MobilityProcedures implements LinkUser {
         }
     }
 
-    /** To be called by the update itself. */
+    /** Called by the update itself. */
     void updateEnded(Link link) {
         updates.remove(link);
         authenticationOf(link).cancel();
@@ -167,7 +167,7 @@ public final class MobilityProcedures implements LinkUser {
 
     // Radio connections over towers, on which any mobile can name the identity of another.
 
-    /** Whether a radio connection that names the subscriber of this link has to prove it with the card's key. */
+    /** True if a radio connection that names the subscriber of this link has to prove it with the card's key. */
     public boolean mustProve(Link link) {
         return link.access().isShared() && cardOf(link.subscriber()).isPresent();
     }
@@ -176,7 +176,10 @@ public final class MobilityProcedures implements LinkUser {
         return register.home().cardOf(subscriber.imsi());
     }
 
-    /** The link of the subscriber whom a message names: this one, or one over towers that the mobile may prove to be its own. */
+    /**
+     * The link of the subscriber named in a message: this one, or one over towers that the mobile may prove to be its
+     * own.
+     */
     private Optional<Link> namedBy(Link link, MobileIdentity identity) {
         if (isSubscriberOf(link, identity)) {
             return Optional.of(link);
@@ -186,8 +189,8 @@ public final class MobilityProcedures implements LinkUser {
     }
 
     /**
-     * Challenges the mobile on a link. One with the key goes on with the link of its subscriber; until then that link, its connection
-     * and what waits for its paging are left alone.
+     * Challenges the mobile on a link. One with the key continues with the link of its subscriber, which is unchanged
+     * until then, with its connection and paging.
      */
     private void prove(Link link, Subscriber subscriber, Consumer<Link> proved) {
         authenticate(link, cardOf(subscriber).orElseThrow(), hasKey -> {
@@ -195,7 +198,7 @@ public final class MobilityProcedures implements LinkUser {
             if (!hasKey) {
                 refuse(link);
             } else if (own.isEmpty()) {
-                // Detached meanwhile.
+                // detached meanwhile
                 link.radio().release();
             } else {
                 if (own.get() != link) {
@@ -207,15 +210,15 @@ public final class MobilityProcedures implements LinkUser {
     }
 
     /**
-     * IMSI DETACH of the link's own subscriber. The standard asks for no proof (TS 24.008, 4.3.4), and lets the network ask for
-     * one on each connection (4.3.2.2).
+     * Handles IMSI DETACH of the link's subscriber. The standard requires no proof (TS 24.008, 4.3.4), but permits one
+     * on each connection (4.3.2.2).
      */
     private void leave(Link link) {
         link.loseTransactions();
         detach(link);
     }
 
-    /** Time without a message after which a subscriber over towers is detached (TS 24.008, 4.4.2); 0 for never. */
+    /** Sets the silence after which a subscriber over towers is detached (TS 24.008, 4.4.2); 0 for never. */
     public void detachSilentAfter(long nanos) {
         silenceNanos = nanos;
     }
@@ -239,7 +242,7 @@ public final class MobilityProcedures implements LinkUser {
         link.timers().cancel(silences.remove(subscriber));
     }
 
-    /** The subscriber is on a radio connection: what waits for one goes on. */
+    /** Continues the waiting transactions of a subscriber with a radio connection. */
     private void heard(Link link) {
         boolean wasSilent = link.paging().isUnanswered();
         link.paging().answered();
@@ -263,7 +266,7 @@ public final class MobilityProcedures implements LinkUser {
             return;
         }
         Link named = namedBy(link, request.identity()).orElseThrow();
-        // Over towers the identity and key number of another are to be had, since they are not ciphered.
+        // over towers a mobile can learn another's identity and key number, because they are not ciphered
         boolean isKeyTrusted = !mustProve(named) && authenticationOf(link).useKey(request.keySequence());
         if (isKeyTrusted || cardOf(named.subscriber()).isEmpty()) {
             admit(link, request);
@@ -273,8 +276,8 @@ public final class MobilityProcedures implements LinkUser {
     }
 
     /**
-     * A card without its key is not the registered one. On a terminal's own link it has taken that one's place, which is detached
-     * (TS 24.008, 4.3.2.5); over towers the registered one stays attached.
+     * Refuses a card without its key, which is not the registered one. On a terminal's link it has replaced that one,
+     * which is detached (TS 24.008, 4.3.2.5); over towers the registered one stays attached.
      */
     private void refuse(Link link) {
         link.send(new MobilityManagement.AuthenticationReject());
@@ -296,7 +299,11 @@ public final class MobilityProcedures implements LinkUser {
         heard(link);
     }
 
-    /** Challenges a card with a new RAND. @param ended is given whether the card has its key */
+    /**
+     * Challenges a card with a new RAND.
+     *
+     * @param ended receives true if the card has its key
+     */
     void authenticate(Link link, SimCard card, Consumer<Boolean> ended) {
         byte[] rand = new byte[Milenage.KEY_LENGTH];
         random.nextBytes(rand);
@@ -330,7 +337,7 @@ public final class MobilityProcedures implements LinkUser {
     }
 
     /**
-     * Whether the subscriber may register on this link. The same equipment replaces its own old link; another one is
+     * True if the subscriber may register on this link. The same equipment replaces its old link; another one is
      * refused while the old link is open.
      */
     boolean claim(Subscriber subscriber, Imei imei, Link link) {
@@ -351,7 +358,7 @@ public final class MobilityProcedures implements LinkUser {
         return true;
     }
 
-    /** A mobile of towers updates its location on a new radio connection: it stays attached. */
+    /** Moves a mobile of towers to its new radio connection; it stays attached. */
     private void move(Subscriber subscriber, Link old) {
         old.deregister();
         leaveLocation(subscriber, old);

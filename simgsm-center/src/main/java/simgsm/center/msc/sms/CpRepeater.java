@@ -5,7 +5,7 @@ import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.timer.Timer;
 
-/** Sends CP-DATA, at most three times, and runs TC1* after each (TS 24.011, 5.3.2). */
+/** Sends CP-DATA at most three times, with TC1* after each (TS 24.011, 5.3.2). */
 final class CpRepeater {
     private static final int MAX_SENDINGS = 3;
 
@@ -17,8 +17,8 @@ final class CpRepeater {
     private int sendings;
 
     /**
-     * @param expired is called after TC1*, {@link #send} repeats the message
-     * @param expiredAtLast is called after TC1* of the last sending
+     * @param expired called after TC1*, {@link #send} repeats the message
+     * @param expiredAtLast called after the last TC1*
      */
     CpRepeater(Link link, Runnable expired, Runnable expiredAtLast) {
         this.link = link;

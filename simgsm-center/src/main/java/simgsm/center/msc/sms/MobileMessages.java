@@ -21,12 +21,12 @@ public final class MobileMessages implements LinkUser, DeliveryPort {
     private final Map<Link, ShortMessageTransfers> transfers = new HashMap<>();
     private ShortMessageCenter center;
 
-    /** @param locations gives the link of an attached subscriber */
+    /** @param locations finds the link of an attached subscriber */
     public MobileMessages(Function<Msisdn, Optional<Link>> locations) {
         this.locations = locations;
     }
 
-    /** Sets the short message centre, whose delivery port this is. */
+    /** Sets the short message centre that delivers through this port. */
     public void serve(ShortMessageCenter shortMessages) {
         center = shortMessages;
     }

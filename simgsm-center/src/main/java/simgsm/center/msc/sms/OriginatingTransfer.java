@@ -27,7 +27,8 @@ final class OriginatingTransfer {
 
     /**
      * @param first the message that begins the transaction
-     * @param isRepeated whether the mobile may repeat a message of a transaction that has ended without its acknowledgement
+     * @param isRepeated true if the mobile may repeat a message of a transaction that has ended without its
+     * acknowledgement
      */
     OriginatingTransfer(
             Link link,
@@ -56,7 +57,7 @@ final class OriginatingTransfer {
         return first;
     }
 
-    /** Whether the mobile has acknowledged the answer. */
+    /** True if the mobile has acknowledged the answer. */
     boolean isConfirmed() {
         return isConfirmed;
     }

@@ -12,7 +12,7 @@ import simgsm.state.StateTable;
 public final class OriginatingTransferTable {
     public enum OriginatingState {
         IDLE,
-        /** RP-DATA is with the short message centre. */
+        /** The short message centre has RP-DATA. */
         WAIT_TO_SEND_RP_ACK,
         /** CP-DATA with RP-ACK or RP-ERROR is sent. */
         WAIT_FOR_CP_ACK,
@@ -35,7 +35,7 @@ public final class OriginatingTransferTable {
         SEND_CP_ACK,
         SUBMIT,
         SEND_CP_DATA,
-        /** The mobile has the answer, and will not send the message again. */
+        /** The mobile has the answer, and will not repeat the message. */
         CONFIRM,
         END
     }

@@ -11,7 +11,7 @@ import simgsm.center.smsc.DeliveryOutcome;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.octets.OctetString;
 
-/** The short message transactions of one link: those of the mobile, and at most one to it. */
+/** The short message transactions of one link: the mobile's, and at most one to it. */
 final class ShortMessageTransfers {
     private static final int TRANSACTIONS = 7;
     private static final int REFERENCES = 256;
@@ -56,7 +56,7 @@ final class ShortMessageTransfers {
         } else if (originating.size() == TRANSACTIONS || !link.radio().takeService()) {
             refuseUnlessError(message, NOT_COMPATIBLE_WITH_STATE);
         } else {
-            // The mobile may have sent this message before, in a transaction that has ended here meanwhile.
+            // the mobile may have sent this message before, in a transaction that has ended here
             boolean isRepeated = message.equals(unconfirmed);
             unconfirmed = null;
             OriginatingTransfer fresh =
@@ -93,7 +93,7 @@ final class ShortMessageTransfers {
         link.touch();
     }
 
-    /** Delivers a message to the mobile, which is paged if necessary; one at a time. */
+    /** Delivers a message to the mobile, after paging if necessary; one at a time. */
     void deliver(OctetString tpdu, Consumer<DeliveryOutcome> ended) {
         TransactionIdentifier transaction = new TransactionIdentifier(nextTransaction, false);
         nextTransaction = (nextTransaction + 1) % TRANSACTIONS;
@@ -106,7 +106,7 @@ final class ShortMessageTransfers {
         link.paging().request(terminating);
     }
 
-    /** The radio connection is lost, or cannot be had. */
+    /** Handles the loss or lack of the radio connection. */
     void radioLost() {
         List.copyOf(originating).forEach(OriginatingTransfer::radioLost);
         if (terminating != null) {

@@ -24,7 +24,7 @@ import simgsm.ss.SsOperation;
 import simgsm.ss.SsProblem;
 import simgsm.ss.UssdText;
 
-/** The USSD dialogues of one link: those of the mobile, and at most one that the network began. */
+/** The USSD dialogues of one link: the mobile's, and at most one that the network began. */
 final class LinkDialogues {
     private static final int TRANSACTIONS = 7;
 
@@ -32,7 +32,7 @@ final class LinkDialogues {
     private final BiConsumer<UssdSession, String> services;
     private final ServiceProcedures procedures;
     private final List<UssdDialogue> ofMobile = new ArrayList<>(1);
-    /** What the mobile has asked to change, and is stored before it is answered. */
+    /** Changes requested by the mobile that are being stored before the answer. */
     private final List<SsRegister> storing = new ArrayList<>(1);
 
     private UssdDialogue ofNetwork;
@@ -49,7 +49,7 @@ final class LinkDialogues {
         return !ofMobile.isEmpty() || !storing.isEmpty() || ofNetwork != null && ofNetwork.needsRadio();
     }
 
-    /** The mobile is gone. */
+    /** Ends all dialogues of a lost mobile. */
     void closed() {
         storing.clear();
     }
@@ -63,7 +63,7 @@ final class LinkDialogues {
     }
 
     /**
-     * Asks the mobile a question, after paging if necessary; while the same question is open, its outcome serves all.
+     * Asks the mobile a question, after paging if necessary; an open dialogue with the same question is shared.
      *
      * @param told receives the outcome, once
      */
@@ -119,7 +119,11 @@ final class LinkDialogues {
         }
     }
 
-    /** An operation on a supplementary service. @return false if it is none */
+    /**
+     * Performs an operation on a supplementary service.
+     *
+     * @return false if it is none
+     */
     private boolean perform(SsRegister register, Component component, TransactionIdentifier transaction) {
         if (!(component instanceof Invoke invoke)) {
             return false;
@@ -141,7 +145,7 @@ final class LinkDialogues {
         link.send(new SsReleaseComplete(transaction, ComponentCodec.encode(last)));
     }
 
-    /** @return what the dialogue is refused with */
+    /** @return the reason of a refusal */
     private Optional<Component> begin(Component component, TransactionIdentifier transaction) {
         if (!(component instanceof Invoke invoke)) {
             return Optional.of(new Reject(Optional.empty(), SsProblem.UNRECOGNIZED_COMPONENT));

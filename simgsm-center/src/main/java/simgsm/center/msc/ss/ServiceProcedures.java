@@ -21,8 +21,8 @@ import simgsm.ss.SsOperation;
 import simgsm.ss.SsProblem;
 
 /**
- * Operations on a subscriber's call forwarding and call waiting (TS 23.082, 1.1; TS 23.083, 1.1), and what is asked of line
- * identification (TS 23.081).
+ * Operations on a subscriber's call forwarding and call waiting (TS 23.082, 1.1; TS 23.083, 1.1), and interrogation of
+ * line identification (TS 23.081).
  */
 final class ServiceProcedures {
     private static final Set<SsOperation> OPERATIONS = Set.of(
@@ -32,7 +32,7 @@ final class ServiceProcedures {
             SsOperation.DEACTIVATE_SS,
             SsOperation.INTERROGATE_SS);
 
-    /** The services for numbers that are shown: all callers and answering parties show theirs. */
+    /** The services of number presentation: all callers and answering parties show theirs. */
     private static final Set<SsCode> SHOWN =
             Set.of(SsCode.CALLING_LINE_PRESENTATION, SsCode.CONNECTED_LINE_PRESENTATION);
 
@@ -44,8 +44,8 @@ final class ServiceProcedures {
     /**
      * Procedures for all subscribers.
      *
-     * @param callWaiting whether a second call may wait for subscribers who have not set it
-     * @param store stores the services of a subscriber, who has changed them, and tells whether they are stored
+     * @param callWaiting default of call waiting
+     * @param store stores the changed services of a subscriber, and reports their storage
      */
     ServiceProcedures(boolean callWaiting, BiConsumer<Subscriber, Consumer<Boolean>> store) {
         this.callWaiting = callWaiting;
@@ -55,7 +55,7 @@ final class ServiceProcedures {
     /**
      * Performs an operation on a supplementary service.
      *
-     * @param answer receives the answer once: of a change as soon as it is stored, else at once
+     * @param answer receives the answer once: to a change once it is stored, else at once
      * @return false if it is no such operation
      */
     boolean perform(Subscriber subscriber, Invoke invoke, Consumer<Component> answer) {
@@ -107,7 +107,7 @@ final class ServiceProcedures {
             return forward(subscriber, operation, service, argument);
         }
         if (service.isLineIdentification()) {
-            // TS 23.081: these are interrogated alone.
+            // TS 23.081: these permit only interrogation
             return operation == SsOperation.INTERROGATE_SS
                     ? Optional.empty()
                     : Optional.of(SsError.ILLEGAL_SS_OPERATION);
@@ -167,7 +167,7 @@ final class ServiceProcedures {
         return Optional.empty();
     }
 
-    /** Of a group, how its first service stands. */
+    /** The status of a service; of a group, that of its first service. */
     private ServiceStatus status(CallServices services, SsCode service) {
         if (service == SsCode.CALL_WAITING) {
             int active = services.hasCallWaiting(callWaiting) ? ServiceStatus.ACTIVE : 0;

@@ -41,7 +41,7 @@ final class UssdDialogue implements PagedTransaction, UssdSession {
     private final StateMachine<UssdState, UssdEvent, UssdAction> machine;
     /** Invoke identifier of the mobile's request; empty if the network began the dialogue. */
     private final Optional<Integer> request;
-    /** Receives what became of the question of a dialogue that the network began. */
+    /** Receives the outcome of a question that the network began. */
     private Consumer<UssdOutcome> told = outcome -> {};
     /** Receives the reply to the current question. */
     private Consumer<String> reply = text -> {};
@@ -50,7 +50,7 @@ final class UssdDialogue implements PagedTransaction, UssdSession {
     private int questionId;
     private String replied = "";
     private UssdOutcome.Kind failure = UssdOutcome.Kind.ABSENT;
-    /** What RELEASE COMPLETE carries. */
+    /** The component of RELEASE COMPLETE. */
     private Optional<Component> last = Optional.empty();
 
     private Optional<Cause> cause = Optional.empty();
@@ -69,13 +69,13 @@ final class UssdDialogue implements PagedTransaction, UssdSession {
         machine = new StateMachine<>(UssdDialogueTable.ROWS, link, this::perform, initial);
     }
 
-    /** A dialogue that the mobile has begun by this operation. */
+    /** Creates a dialogue that the mobile has begun by this operation. */
     static UssdDialogue ofMobile(
             Link link, TransactionIdentifier transaction, Invoke request, Consumer<UssdDialogue> ended) {
         return new UssdDialogue(link, transaction, Optional.of(request.id()), UssdState.IN_SERVICE, ended);
     }
 
-    /** A dialogue that the network begins with a question, once the mobile is paged. */
+    /** Creates a dialogue that the network begins with a question, once the mobile is paged. */
     static UssdDialogue ofNetwork(
             Link link,
             TransactionIdentifier transaction,
@@ -92,7 +92,11 @@ final class UssdDialogue implements PagedTransaction, UssdSession {
         return begun;
     }
 
-    /** Gives the outcome of the question to a further receiver. @return false if this dialogue has another question */
+    /**
+     * Adds a receiver of the question's outcome.
+     *
+     * @return false if this dialogue has another question
+     */
     boolean join(String sameQuestion, Consumer<UssdOutcome> alsoTold) {
         boolean isSame = question.text().equals(sameQuestion);
         if (isSame) {
@@ -167,7 +171,7 @@ final class UssdDialogue implements PagedTransaction, UssdSession {
         read(message.facility());
     }
 
-    /** The mobile has ended the dialogue; its last component may be the reply. */
+    /** Handles the mobile's end of the dialogue; its last component may be the reply. */
     void receive(SsReleaseComplete message) {
         failure = UssdOutcome.Kind.REFUSED;
         message.facility().ifPresent(facility -> {

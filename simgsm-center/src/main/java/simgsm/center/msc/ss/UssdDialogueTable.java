@@ -14,9 +14,9 @@ public final class UssdDialogueTable {
     public enum UssdState {
         /** The mobile is being paged. */
         PAGING,
-        /** A service of the network is at work. */
+        /** A service of the network is working. */
         IN_SERVICE,
-        /** The mobile has been asked. */
+        /** The question is sent to the mobile. */
         WAIT_FOR_REPLY,
         ENDED
     }
@@ -27,7 +27,7 @@ public final class UssdDialogueTable {
         PAGING_FAILED,
         /** The service asks the user of a dialogue that the mobile began. */
         SERVICE_ASKS,
-        /** The service ends the dialogue, with its answer or without. */
+        /** The service ends the dialogue, with or without an answer. */
         SERVICE_ENDS,
         /** The result of the question. */
         REPLIED,
@@ -46,9 +46,9 @@ public final class UssdDialogueTable {
         SEND_RELEASE_COMPLETE,
         START_REPLY_TIMER,
         STOP_REPLY_TIMER,
-        /** Gives the reply to the service. */
+        /** Passes the reply to the service. */
         TELL_REPLY,
-        /** Gives the question's failure to the service that began the dialogue. */
+        /** Reports the question's failure to the service that began the dialogue. */
         TELL_FAILURE,
         END
     }

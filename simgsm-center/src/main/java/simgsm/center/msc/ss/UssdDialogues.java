@@ -21,9 +21,9 @@ public final class UssdDialogues implements LinkUser {
     private final ServiceProcedures procedures;
 
     /**
-     * @param locations gives the link of an attached subscriber
+     * @param locations finds the link of an attached subscriber
      * @param language of the services' texts
-     * @param callWaiting whether a second call may wait for subscribers who have not set it
+     * @param callWaiting default of call waiting
      * @param store as for {@link ServiceProcedures}
      */
     public UssdDialogues(
@@ -41,7 +41,7 @@ public final class UssdDialogues implements LinkUser {
         return dialogues.computeIfAbsent(link, each -> new LinkDialogues(each, services::begin, procedures));
     }
 
-    /** A message of a registered mobile. */
+    /** Handles a message of a registered mobile. */
     public void receive(Link link, SupplementaryService message) {
         on(link).receive(message);
     }

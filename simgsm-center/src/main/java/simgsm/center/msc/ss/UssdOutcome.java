@@ -1,7 +1,7 @@
 package simgsm.center.msc.ss;
 
 /**
- * What became of a question that the network asked a mobile.
+ * The outcome of a question that the network asked a mobile.
  *
  * @param text of the reply; else empty
  */
@@ -13,7 +13,7 @@ public record UssdOutcome(Kind kind, String text) {
         ABSENT,
         /** It has another dialogue. */
         BUSY,
-        /** Its user has ended the dialogue, or it does not know the operation. */
+        /** The user has ended the dialogue, or the mobile does not know the operation. */
         REFUSED,
         /** No reply in time. */
         NO_REPLY

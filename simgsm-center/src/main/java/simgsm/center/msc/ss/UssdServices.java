@@ -12,7 +12,7 @@ import simgsm.ss.UssdText;
 
 /** The services behind USSD codes; any other code fails with the error "unexpected data value". */
 final class UssdServices {
-    /** The caller's own number. */
+    /** The caller's number. */
     private static final String OWN_NUMBER = "*100#";
     /** All services as a menu. */
     private static final String MENU = "*111#";
@@ -49,7 +49,7 @@ final class UssdServices {
                 UssdServices.class.getModule());
     }
 
-    /** A mobile has begun a dialogue with this code. */
+    /** Handles a dialogue begun by a mobile with this code. */
     void begin(UssdSession session, String code) {
         Matcher robot = ROBOT.matcher(code);
         Matcher name = NAME.matcher(code);

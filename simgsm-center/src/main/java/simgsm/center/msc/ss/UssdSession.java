@@ -4,15 +4,15 @@ import java.util.function.Consumer;
 import simgsm.air.Msisdn;
 import simgsm.ss.SsError;
 
-/** A dialogue that a mobile has begun, as a service sees it. After the end, from either side, calls do nothing. */
+/** A dialogue that a mobile has begun, for a service. After its end by either side, calls have no effect. */
 public interface UssdSession {
     /** The subscriber who asks. */
     Msisdn subscriber();
 
-    /** Shows a text and waits for the user's reply; not while another one is awaited. */
+    /** Shows a text and waits for the user's reply; only one reply at a time. */
     void ask(String text, Consumer<String> reply);
 
-    /** Ends the dialogue with its last text. */
+    /** Ends the dialogue with a last text. */
     void end(String text);
 
     /** Ends the dialogue with an error. */

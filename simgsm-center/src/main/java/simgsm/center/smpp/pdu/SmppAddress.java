@@ -20,7 +20,7 @@ public record SmppAddress(int ton, int npi, String value) {
     /** addr_ton (5.2.5): unknown ... abbreviated. */
     private static final int MAX_TON = 6;
 
-    /** addr_npi (5.2.6); 18, a WAP client's id, has no place in the address of a mobile. */
+    /** addr_npi (5.2.6); 18, a WAP client's id, cannot be a mobile's address. */
     private static final Set<Integer> PLANS = Set.of(0, 1, 3, 4, 6, 8, 9, 10, 14);
 
     public static SmppAddress of(SmsAddress address) {
@@ -36,15 +36,15 @@ public record SmppAddress(int ton, int npi, String value) {
         return Optional.of(new Msisdn(digits));
     }
 
-    /** {@link SmppStatus#OK}, or the status given for what is not a type of number or numbering plan. */
+    /** {@link SmppStatus#OK}, or the given status for an invalid type of number or numbering plan. */
     public int check(int typeStatus, int planStatus) {
         return ton > MAX_TON ? typeStatus : PLANS.contains(npi) ? SmppStatus.OK : planStatus;
     }
 
     /**
-     * The address for a mobile: a number, or up to 11 letters for any type of number; empty if it is neither. Numbers of the
-     * network have at most 10 digits and no country code, but most applications call every number international: these
-     * are of unknown type for a mobile.
+     * The address for a mobile: a number, or up to 11 letters for any type of number; empty if it is neither. Numbers
+     * of the network have at most 10 digits and no country code, but most applications call every number international:
+     * these are of unknown type for a mobile.
      */
     public Optional<SmsAddress> forMobiles() {
         if (value.isEmpty()) {

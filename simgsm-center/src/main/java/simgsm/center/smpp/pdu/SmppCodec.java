@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import simgsm.octets.OctetString;
 
-/** Decodes and encodes PDUs. Each kind has one method that names its fields in order, for both directions. */
+/** Decodes and encodes PDUs. Each kind has one method that lists its fields in order, for both directions. */
 public final class SmppCodec {
     /** Length, command id, status, sequence number, 4 octets each (3.2). */
     public static final int HEADER_LENGTH = 16;
@@ -15,7 +15,7 @@ public final class SmppCodec {
     /** interface_version of SMPP 3.4; a lower one is of 3.3 or earlier (5.2.4). */
     public static final int INTERFACE_VERSION = 0x34;
 
-    /** An application of SMPP 5.0 is answered by 3.4, as sc_interface_version says. */
+    /** Version of SMPP 5.0; the centre answers with 3.4 in sc_interface_version. */
     private static final int SMPP_5 = 0x50;
     /** message_state UNKNOWN (5.2.28). */
     private static final int UNKNOWN = 7;
@@ -61,7 +61,7 @@ public final class SmppCodec {
         return decode(octets, 0, octets.length);
     }
 
-    /** @param to behind the last octet of the PDU, at least {@link #HEADER_LENGTH} behind the first */
+    /** @param to end of the PDU, exclusive, at least {@link #HEADER_LENGTH} after its start */
     static SmppPdu decode(byte[] octets, int from, int to) throws SmppViolation {
         SmppReader in = new SmppReader(octets, from, to);
         in.fourOctets("command_length", 0);
@@ -95,10 +95,10 @@ public final class SmppCodec {
     }
 
     /**
-     * Encodes one PDU. Of the responses with an error status those to bind_transmitter, bind_receiver and submit_sm have no
-     * body (4.1.2, 4.1.4, 4.4.2); that to bind_transceiver has one, because gosmpp reads it.
+     * Encodes one PDU. Error responses to bind_transmitter, bind_receiver and submit_sm have no body (4.1.2, 4.1.4,
+     * 4.4.2); that to bind_transceiver has one, because gosmpp reads it.
      *
-     * @param withParameters whether the peer takes optional parameters
+     * @param withParameters true if the peer accepts optional parameters
      */
     public static byte[] encode(SmppPdu pdu, boolean withParameters) {
         SmppWriter out = new SmppWriter(withParameters);
@@ -178,7 +178,7 @@ public final class SmppCodec {
         return bodyOnMessages(fields, pdu);
     }
 
-    /** The body of a PDU that names a submitted message; all other kinds have none. */
+    /** The body of a PDU that names a submitted message; other kinds have none. */
     private static SmppPdu bodyOnMessages(SmppFields fields, SmppPdu pdu) throws SmppViolation {
         if (pdu instanceof SmppPdu.Query query) {
             return new SmppPdu.Query(
@@ -278,7 +278,7 @@ public final class SmppCodec {
         return new SmppPdu.SubmitMultiResponse(response.status(), response.sequence(), messageId, refused);
     }
 
-    /** The fields that submit_sm, deliver_sm and submit_multi end with. */
+    /** The last fields of submit_sm, deliver_sm and submit_multi. */
     private static SmppMessage fromEsmClass(
             SmppFields fields, String serviceType, SmppAddress source, SmppAddress destination, SmppMessage message)
             throws SmppViolation {

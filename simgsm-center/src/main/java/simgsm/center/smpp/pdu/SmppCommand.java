@@ -6,7 +6,7 @@ import java.util.Optional;
 
 /** Commands that the centre implements (5.1.2.1). */
 public enum SmppCommand {
-    /** Only as a response. */
+    /** Exists only as a response. */
     GENERIC_NACK(0x000),
     BIND_RECEIVER(0x001),
     BIND_TRANSMITTER(0x002),
@@ -21,7 +21,7 @@ public enum SmppCommand {
     SUBMIT_MULTI(0x021),
     DATA_SM(0x103);
 
-    /** Set in the command_id of a response. */
+    /** Bit of the command_id of responses. */
     public static final int RESPONSE = 0x8000_0000;
 
     private static final Map<Integer, SmppCommand> BY_CODE = new HashMap<>();

@@ -4,7 +4,7 @@ import java.util.List;
 import simgsm.octets.OctetString;
 
 /**
- * The fields of a PDU, one call each in their order. A reader ignores the given value and returns the one it finds; a writer
+ * The fields of a PDU, one call each in order. A reader ignores the given value and returns the one read; a writer
  * writes the given value and returns it. So one description of a PDU serves both directions.
  */
 interface SmppFields {
@@ -20,9 +20,9 @@ interface SmppFields {
     int fourOctets(String field, int value) throws SmppViolation;
 
     /**
-     * A text that ends with a zero octet.
+     * A text terminated by a zero octet.
      *
-     * @param most octets, with the zero
+     * @param most octets, including the zero
      * @param status the answer to a longer one
      */
     String text(String field, int most, int status, String value) throws SmppViolation;
@@ -30,6 +30,6 @@ interface SmppFields {
     /** sm_length and short_message: at most {@link SmppMessage#MAX_SHORT_MESSAGE} octets. */
     OctetString shortMessage(OctetString value) throws SmppViolation;
 
-    /** Optional parameters, up to the end of the PDU. */
+    /** Optional parameters up to the end of the PDU. */
     List<Tlv> parameters(List<Tlv> values) throws SmppViolation;
 }

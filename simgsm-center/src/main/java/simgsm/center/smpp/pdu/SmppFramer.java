@@ -5,7 +5,7 @@ import java.util.Arrays;
 
 /** Splits a stream of octets into PDUs. */
 public final class SmppFramer {
-    /** The longest message_payload and all other fields. */
+    /** Maximum length: the longest message_payload and all other fields. */
     static final int MAX_PDU = 70_000;
 
     private static final int INITIAL_CAPACITY = 1_024;
@@ -28,7 +28,11 @@ public final class SmppFramer {
         end += count;
     }
 
-    /** Whether a complete PDU has arrived. @throws SmppViolation for a wrong command_length; the stream is unusable then */
+    /**
+     * True if a complete PDU has arrived.
+     *
+     * @throws SmppViolation for a wrong command_length; the stream is unusable then
+     */
     public boolean hasNext() throws SmppViolation {
         if (end - start < SmppCodec.HEADER_LENGTH) {
             if (end - start >= 4) {
@@ -40,7 +44,7 @@ public final class SmppFramer {
         return end - start >= length();
     }
 
-    /** Only after {@link #hasNext}. */
+    /** The next PDU; requires {@link #hasNext}. */
     public SmppPdu next() throws SmppViolation {
         int from = start;
         start += length();

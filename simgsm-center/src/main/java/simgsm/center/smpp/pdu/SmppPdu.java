@@ -49,7 +49,7 @@ public sealed interface SmppPdu {
         }
     }
 
-    /** @param refused the destinations to which nothing was submitted */
+    /** @param refused the destinations without a submission */
     record SubmitMultiResponse(int status, int sequence, String messageId, List<Refused> refused) implements Response {
         @Override
         public SmppCommand command() {
@@ -67,7 +67,7 @@ public sealed interface SmppPdu {
         }
     }
 
-    /** @param finalDate 16 characters; empty before the message has ended */
+    /** @param finalDate 16 characters; empty before the message's end */
     record QueryResponse(int status, int sequence, String messageId, String finalDate, int state, int error)
             implements Response {
         @Override
@@ -79,7 +79,7 @@ public sealed interface SmppPdu {
     /**
      * cancel_sm (4.9.1).
      *
-     * @param serviceType empty: of any; not looked at where the id is given
+     * @param serviceType empty for any; ignored with an id
      * @param messageId empty: all messages from this source to this destination
      */
     record Cancel(int sequence, String serviceType, String messageId, SmppAddress source, SmppAddress destination)
@@ -93,8 +93,8 @@ public sealed interface SmppPdu {
     /**
      * replace_sm (4.10.1).
      *
-     * @param schedule empty: as it was
-     * @param validity empty: as it was
+     * @param schedule empty: unchanged
+     * @param validity empty: unchanged
      */
     record Replace(
             int sequence,
@@ -115,7 +115,7 @@ public sealed interface SmppPdu {
     /** enquire_link or unbind. */
     record Plain(SmppCommand command, int sequence) implements SmppPdu {}
 
-    /** The response to those, to cancel_sm and replace_sm. */
+    /** The response to enquire_link, unbind, cancel_sm and replace_sm. */
     record PlainResponse(SmppCommand command, int status, int sequence) implements Response {}
 
     record GenericNack(int status, int sequence) implements Response {

@@ -5,7 +5,7 @@ import java.util.List;
 import simgsm.octets.OctetReader;
 import simgsm.octets.OctetString;
 
-/** Reads one PDU; where it is too short or a field too long, the violation has the status that answers it. */
+/** Reads one PDU; if it is too short or a field too long, the violation has the status for the answer. */
 final class SmppReader extends OctetReader<SmppViolation> implements SmppFields {
     /** Tag and length, two octets each (5.3.1). */
     private static final int TLV_HEADER = 4;
@@ -70,7 +70,7 @@ final class SmppReader extends OctetReader<SmppViolation> implements SmppFields 
         return found;
     }
 
-    /** Whether further mandatory fields follow; peers omit the body of a response, above all in refusals. */
+    /** True if further mandatory fields follow; peers omit the body of a response, especially in refusals. */
     boolean hasBody() {
         return hasMore();
     }

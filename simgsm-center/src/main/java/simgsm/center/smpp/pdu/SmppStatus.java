@@ -48,17 +48,17 @@ public final class SmppStatus {
     public static final int OPTIONAL_PARAMETER_NOT_ALLOWED = 0xc1;
     public static final int INVALID_PARAMETER_LENGTH = 0xc2;
     public static final int INVALID_PARAMETER_VALUE = 0xc4;
-    /** Of SMPP 5.0, 4.7.6; SMPP 3.4 has no status that names data_coding. */
+    /** Defined by SMPP 5.0, 4.7.6; SMPP 3.4 has no status for data_coding. */
     public static final int INVALID_DATA_CODING = 0x104;
 
     private SmppStatus() {}
 
-    /** Whether the same message may be accepted later. */
+    /** True if the same message may be accepted later. */
     public static boolean mayPass(int status) {
         return isBusy(status) || status == SYSTEM_ERROR || status == TEMPORARY_APPLICATION_ERROR;
     }
 
-    /** Whether it may be accepted within seconds. */
+    /** True if it may be accepted within seconds. */
     public static boolean isBusy(int status) {
         return status == THROTTLED || status == QUEUE_FULL;
     }

@@ -24,7 +24,7 @@ public final class SmppViolation extends Exception {
         return this;
     }
 
-    /** Empty where no response is due, as for an invalid response. */
+    /** The response; empty if none is due, as for an invalid response. */
     public Optional<SmppPdu> answer() {
         return Optional.ofNullable(answer);
     }

@@ -9,7 +9,7 @@ final class SmppWriter implements SmppFields {
     private final OctetWriter out = new OctetWriter();
     private final boolean writesParameters;
 
-    /** @param writesParameters whether the peer takes optional parameters: not below SMPP 3.4 (3.4.2) */
+    /** @param writesParameters true if the peer accepts optional parameters: from SMPP 3.4 on (3.4.2) */
     SmppWriter(boolean writesParameters) {
         this.writesParameters = writesParameters;
     }
@@ -51,7 +51,7 @@ final class SmppWriter implements SmppFields {
         return values;
     }
 
-    /** The PDU with its command_length, whose place was written as 0. */
+    /** The PDU with its command_length, written as 0 until now. */
     byte[] toArray() {
         byte[] octets = out.toArray();
         for (int i = 0; i < 4; i++) {

@@ -6,7 +6,7 @@ import simgsm.octets.OctetString;
 /** One optional parameter (5.3). */
 public record Tlv(int tag, OctetString value) {
     public static final int RECEIPTED_MESSAGE_ID = 0x001e;
-    /** The message id's lowest two octets; a repeated delivery has the same. */
+    /** The lowest two octets of the message id, equal in a repeated delivery. */
     public static final int USER_MESSAGE_REFERENCE = 0x0204;
 
     public static final int SAR_REFERENCE = 0x020c;
