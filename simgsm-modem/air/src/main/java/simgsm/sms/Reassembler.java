@@ -73,11 +73,6 @@ public final class Reassembler {
         return Optional.of(message.text());
     }
 
-    /** The number of messages with missing parts. */
-    public int unfinishedCount() {
-        return unfinished.size();
-    }
-
     /** Replaces an unfinished message with the same reference. */
     private Unfinished begin(Key key, long nowNanos) {
         unfinished.remove(key);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.EnumMap;
-import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -122,13 +121,6 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
     /** All rows, in the order in which they were added. */
     public Collection<Row<S, E, A>> rows() {
         return List.copyOf(rows);
-    }
-
-    /** The states that can directly follow a state; the state itself if a row keeps it. */
-    public Set<S> successors(S state) {
-        Set<S> next = EnumSet.noneOf(initial.getDeclaringClass());
-        rows.stream().filter(row -> row.state == state).forEach(row -> next.add(row.next));
-        return next;
     }
 
     /**

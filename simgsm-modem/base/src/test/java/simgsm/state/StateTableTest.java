@@ -47,13 +47,6 @@ class StateTableTest {
     }
 
     @Test
-    void theSuccessorsOfAStateAreThoseOfItsRows() {
-        assertEquals(EnumSet.of(Lamp.ON, Lamp.BROKEN), table().successors(Lamp.OFF));
-        assertEquals(EnumSet.allOf(Lamp.class), table().successors(Lamp.ON));
-        assertEquals(Set.of(), table().successors(Lamp.BROKEN));
-    }
-
-    @Test
     void aRowIsAddedForEachPairOfAStateAndAnEvent() {
         StateTable<Lamp, Act, Deed> table = new StateTable<Lamp, Act, Deed>("lamp", Lamp.OFF)
                 .on(EnumSet.of(Lamp.OFF, Lamp.ON), EnumSet.of(Act.KICK, Act.PRESS), Lamp.BROKEN, Deed.BANG);

@@ -30,10 +30,6 @@ public final class SignalBars extends PaintedComponent {
         }
     }
 
-    public int level() {
-        return level;
-    }
-
     @Override
     protected String spoken() {
         return subject + ": " + level + "/" + BARS;

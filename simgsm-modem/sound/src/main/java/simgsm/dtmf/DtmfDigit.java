@@ -51,11 +51,6 @@ public record DtmfDigit(
         return columnDbm0 - rowDbm0;
     }
 
-    /** Level of both tones together. */
-    public double levelDbm0() {
-        return 10 * Math.log10(Math.pow(10, rowDbm0 / 10) + Math.pow(10, columnDbm0 / 10));
-    }
-
     public double durationMillis() {
         return durationSamples / 8.0;
     }

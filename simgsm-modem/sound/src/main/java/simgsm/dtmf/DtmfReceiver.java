@@ -72,11 +72,6 @@ public final class DtmfReceiver implements KeyReceiver {
         waiting -= used;
     }
 
-    /** Number of samples since the start or the last {@link #reset}. */
-    public long samplesHeard() {
-        return hopsDone * ToneBank.HOP + waiting;
-    }
-
     @Override
     public ToneLevels levels() {
         return gate.levels(bank, ToneBank.HISTORY - 1);

@@ -11,7 +11,7 @@ final class Residue {
     /** Samples in either window. */
     static final int LENGTH = 224;
 
-    private static final int SIZE = 256;
+    private static final int SIZE = FourierTransform.SIZE;
     private static final double BIN_HERTZ = 8000.0 / SIZE;
     private static final int LOWEST = (int) Math.ceil(560 / BIN_HERTZ);
     private static final int HIGHEST = (int) (3500 / BIN_HERTZ);
@@ -42,9 +42,6 @@ final class Residue {
     private final double[] im = new double[SIZE];
     private final double[] during = new double[SIZE / 2];
     private final double[] before = new double[SIZE / 2];
-    private final double[] cosine = new double[SIZE / 2];
-    private final double[] sine = new double[SIZE / 2];
-    private final int[] reversed = new int[SIZE];
     private final double scale;
     private double row;
     private double column;
@@ -56,13 +53,6 @@ final class Residue {
             squares += window[i] * window[i];
         }
         scale = 4 / (SIZE * squares);
-        for (int i = 0; i < SIZE / 2; i++) {
-            cosine[i] = Math.cos(2 * Math.PI * i / SIZE);
-            sine[i] = -Math.sin(2 * Math.PI * i / SIZE);
-        }
-        for (int i = 0; i < SIZE; i++) {
-            reversed[i] = Integer.reverse(i) >>> 24;
-        }
     }
 
     /**
@@ -77,10 +67,11 @@ final class Residue {
         Arrays.fill(re, 0);
         Arrays.fill(im, 0);
         for (int i = 0; i < LENGTH; i++) {
-            re[reversed[i]] = window[i] * samples[late + i];
-            im[reversed[i]] = window[i] * samples[early + i];
+            int at = FourierTransform.reversed(i);
+            re[at] = window[i] * samples[late + i];
+            im[at] = window[i] * samples[early + i];
         }
-        transform();
+        FourierTransform.transform(re, im);
         row = rowHertz;
         column = columnHertz;
         for (int k = LOWEST - 1; k <= HIGHEST + 1; k++) {
@@ -158,27 +149,5 @@ final class Residue {
     private boolean isTones(int k) {
         double hertz = k * BIN_HERTZ;
         return Math.abs(hertz - row) < HALF_LINE_HERTZ || Math.abs(hertz - column) < HALF_LINE_HERTZ;
-    }
-
-    /** In place, with input in bit-reversed order. */
-    private void transform() {
-        double[] x = re;
-        double[] y = im;
-        for (int half = 1; half < SIZE; half *= 2) {
-            int stride = SIZE / 2 / half;
-            for (int i = 0, t = 0; i < half; i++, t += stride) {
-                double c = cosine[t];
-                double s = sine[t];
-                for (int a = i; a < SIZE; a += 2 * half) {
-                    int b = a + half;
-                    double u = x[b] * c - y[b] * s;
-                    double v = y[b] * c + x[b] * s;
-                    x[b] = x[a] - u;
-                    y[b] = y[a] - v;
-                    x[a] += u;
-                    y[a] += v;
-                }
-            }
-        }
     }
 }

@@ -113,7 +113,7 @@ public final class ToneTracer {
         ReceiverTrace ours = modem.newest(isExperiment());
         ToneLevels before = isExperiment() && !silent ? reference.levels() : ours.levels();
         newest = new ToneTrace(
-                samples.clone(), original, afterwards, experiment, before, ours, classic.newest(isExperiment()));
+                original, afterwards, experiment, before, ours, classic.newest(isExperiment()));
     }
 
     private boolean isSilent() {

@@ -32,7 +32,6 @@ public final class KeyPrediction {
     private ToneTrace held = ToneTrace.EMPTY;
     private Optional<DtmfDigit> known = Optional.empty();
     private DtmfKey answer;
-    private DtmfKey guessed;
     private int right;
     private int asked;
 
@@ -67,7 +66,6 @@ public final class KeyPrediction {
         stage = Stage.ASKING;
         held = trace;
         answer = key;
-        guessed = null;
     }
 
     /** Level of the key's weaker tone in dBm0, low at the tone's start and end. */
@@ -91,7 +89,6 @@ public final class KeyPrediction {
     /** Guesses the key asked for; no effect without a question. */
     public void guess(DtmfKey key) {
         if (stage == Stage.ASKING) {
-            guessed = key;
             asked++;
             boolean isRight = answer == key;
             right += isRight ? 1 : 0;
@@ -116,11 +113,6 @@ public final class KeyPrediction {
     /** The key played; empty while no picture is held. */
     public Optional<DtmfKey> answer() {
         return held().map(picture -> answer);
-    }
-
-    /** The last guess; empty before. */
-    public Optional<DtmfKey> guessed() {
-        return Optional.ofNullable(guessed);
     }
 
     /** Right guesses since the start. */

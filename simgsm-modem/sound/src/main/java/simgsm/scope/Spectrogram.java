@@ -1,5 +1,7 @@
 package simgsm.scope;
 
+import simgsm.dtmf.FourierTransform;
+
 /**
  * The power of a sound over time and frequency: spectra of 256 samples under a Hann window, 31.25 Hz apart, a spectrum every
  * 10 ms.
@@ -12,8 +14,7 @@ public final class Spectrogram {
     /** Lower levels are shown as this one. */
     public static final double FLOOR_DBM0 = -60;
 
-    private static final int WINDOW = 256;
-    private static final int BITS = 8;
+    private static final int WINDOW = FourierTransform.SIZE;
     /** A sine of this peak has 0 dBm0: 3.14 dB below the largest sine (ITU-T G.711). */
     private static final double PEAK_OF_0_DBM0 = 32768 * Math.pow(10, -3.14 / 20);
     /** The mean of a Hann window. */
@@ -48,34 +49,14 @@ public final class Spectrogram {
         double[] im = new double[WINDOW];
         for (int i = 0; i < WINDOW; i++) {
             double hann = WINDOW_MEAN * (1 - Math.cos(2 * Math.PI * i / WINDOW));
-            re[Integer.reverse(i) >>> Integer.SIZE - BITS] = samples[from + i] * hann;
+            re[FourierTransform.reversed(i)] = samples[from + i] * hann;
         }
-        transform(re, im);
+        FourierTransform.transform(re, im);
         float[] levels = new float[WINDOW / 2];
         for (int bin = 0; bin < levels.length; bin++) {
             double peak = 2 * Math.hypot(re[bin], im[bin]) / (WINDOW * WINDOW_MEAN);
             levels[bin] = (float) Math.max(FLOOR_DBM0, 20 * Math.log10(Math.max(1e-9, peak / PEAK_OF_0_DBM0)));
         }
         return levels;
-    }
-
-    /** A fast Fourier transform in place, of samples in bit-reversed order (Cooley and Tukey, radix 2). */
-    private static void transform(double[] re, double[] im) {
-        for (int half = 1; half < re.length; half *= 2) {
-            for (int k = 0; k < half; k++) {
-                double angle = -Math.PI * k / half;
-                double cos = Math.cos(angle);
-                double sin = Math.sin(angle);
-                for (int i = k; i < re.length; i += 2 * half) {
-                    int j = i + half;
-                    double r = re[j] * cos - im[j] * sin;
-                    double m = re[j] * sin + im[j] * cos;
-                    re[j] = re[i] - r;
-                    im[j] = im[i] - m;
-                    re[i] += r;
-                    im[i] += m;
-                }
-            }
-        }
     }
 }

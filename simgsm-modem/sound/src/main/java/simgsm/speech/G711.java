@@ -54,10 +54,6 @@ public final class G711 implements SpeechCodec {
         return toLinear[octet & 0xFF];
     }
 
-    byte compress(short sample) {
-        return toOctet[sample & 0xFFFF];
-    }
-
     /** Table 1 of G.711 scaled to 16 bits: sign (1 is positive), 3 bits of segment, 4 of step, even bits inverted. */
     private static int expandALaw(int octet) {
         int code = octet ^ 0x55;

@@ -71,7 +71,6 @@ class DtmfReceiverTest {
         receiver.accept(samples);
         receiver.finish();
         assertEquals(hear(samples, samples.length).decided, ear.decided);
-        assertEquals(samples.length, receiver.samplesHeard());
     }
 
     @Test
@@ -98,9 +97,8 @@ class DtmfReceiverTest {
     }
 
     @Test
-    void theLevelOfAKeyIsThatOfBothTones() {
+    void theErrorOfAKeyIsTheLargerOfItsTones() {
         DtmfDigit digit = new DtmfDigit(DtmfKey.FIVE, 0, 0, 0, -10, -10, 0, 0.01);
-        assertEquals(-6.99, digit.levelDbm0(), 0.01);
         assertEquals(1, digit.frequencyErrorPercent(), 1e-9);
     }
 

@@ -42,12 +42,18 @@ class G711Test {
         return reference + 10 * Math.log10(2 * power / fullScale / fullScale);
     }
 
+    private static byte compress(G711 codec, short sample) {
+        short[] frame = new short[SpeechCodec.SAMPLES_PER_FRAME];
+        frame[0] = sample;
+        return codec.encode(frame)[0];
+    }
+
     @ParameterizedTest
     @EnumSource(names = {"A_LAW", "MU_LAW"})
     void everyOctetSurvivesTheWayThere(SpeechCodec.Kind kind) {
         G711 codec = codec(kind);
         for (int octet = 0; octet < 256; octet++) {
-            byte back = codec.compress(codec.expand((byte) octet));
+            byte back = compress(codec, codec.expand((byte) octet));
             // Mu-law has two zeros; the negative one (0x7F) comes back as the positive.
             int expected = kind == SpeechCodec.Kind.MU_LAW && octet == 0x7F ? 0xFF : octet;
             assertEquals(expected, back & 0xFF);
@@ -66,7 +72,7 @@ class G711Test {
         int clip = levels[255];
         int before = Short.MIN_VALUE;
         for (int sample = Short.MIN_VALUE; sample <= Short.MAX_VALUE; sample++) {
-            int level = codec.expand(codec.compress((short) sample));
+            int level = codec.expand(compress(codec, (short) sample));
             assertTrue(level >= before, "not monotonic at " + sample);
             before = level;
             int at = Arrays.binarySearch(levels, level);

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayDeque;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumSet;
 import java.util.Queue;
@@ -173,11 +172,7 @@ class TablesTest {
 
     @Test
     void theNumbersOfTheStandardsTable() {
-        assertEquals("U11", MobileCallState.DISCONNECT_REQUEST.shortName());
         assertEquals(11, MobileCallState.DISCONNECT_REQUEST.code());
-        Arrays.stream(MobileCallState.values())
-                .filter(state -> state != MobileCallState.MM_CONNECTION_PENDING)
-                .forEach(state -> assertEquals("U" + state.code(), state.shortName()));
     }
 
     private interface RowCheck {

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.tools.audio.SpeechFile;
+import simgsm.tools.audio.WholeSpeechFile;
 
 class ToolsMainTest {
     @TempDir
@@ -69,9 +69,9 @@ class ToolsMainTest {
     @Test
     void tonesLast100MillisecondsEachByDefault() throws IOException {
         run("tones", "1 2", file("a.wav"));
-        assertEquals(2 * 200 * 8, SpeechFile.readAll(folder.resolve("a.wav")).length);
+        assertEquals(2 * 200 * 8, WholeSpeechFile.read(folder.resolve("a.wav")).length);
         run("tones", "--tone-ms=50", "12", "--pause-ms", "40", file("b.wav"), "--level", "-20.5");
-        short[] samples = SpeechFile.readAll(folder.resolve("b.wav"));
+        short[] samples = WholeSpeechFile.read(folder.resolve("b.wav"));
         assertEquals(2 * 90 * 8, samples.length);
         int peak = 0;
         for (short sample : samples) {
@@ -129,7 +129,7 @@ class ToolsMainTest {
         assertEquals(0, run("gsm", "encode", file("a.wav"), file("a.gsm")));
         assertEquals(42 * 33, Files.size(folder.resolve("a.gsm")));
         assertEquals(0, run("gsm", "decode", file("a.gsm"), file("b.wav")));
-        assertEquals(42 * 160, SpeechFile.readAll(folder.resolve("b.wav")).length);
+        assertEquals(42 * 160, WholeSpeechFile.read(folder.resolve("b.wav")).length);
         run("decode", file("b.wav"));
         assertTrue(out().contains("\t159D\t"), out());
     }
@@ -241,7 +241,7 @@ class ToolsMainTest {
         run("gsm", "encode", file("b.wav"), file("b.gsm"));
         Files.write(folder.resolve("b.gsm"), java.util.Arrays.copyOf(Files.readAllBytes(folder.resolve("b.gsm")), 40));
         assertEquals(1, run("gsm", "decode", file("b.gsm"), file("c.wav")));
-        assertEquals(160, SpeechFile.readAll(folder.resolve("c.wav")).length);
+        assertEquals(160, WholeSpeechFile.read(folder.resolve("c.wav")).length);
     }
 
     @Test

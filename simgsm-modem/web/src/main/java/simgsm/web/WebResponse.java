@@ -25,10 +25,6 @@ public record WebResponse(int status, String type, byte[] body) {
         return text("application/json", json);
     }
 
-    public static WebResponse html(String html) {
-        return text("text/html; charset=utf-8", html);
-    }
-
     public static WebResponse jpeg(byte[] jpeg) {
         return new WebResponse(OK, "image/jpeg", jpeg);
     }

@@ -53,7 +53,7 @@ class WebPagesTest {
                 case "parts":
                     return Optional.of(WebResponse.json(parts.toString()));
                 case "html":
-                    return Optional.of(WebResponse.html("\u00f1"));
+                    return Optional.of(WebResponse.text("text/html; charset=utf-8", "\u00f1"));
                 case "jpeg":
                     return Optional.of(WebResponse.jpeg(PICTURE));
                 case "stream":

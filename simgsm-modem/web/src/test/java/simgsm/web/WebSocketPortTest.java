@@ -54,7 +54,7 @@ class WebSocketPortTest {
                     throws RequestException {
                 clients.add(client(exchange));
                 if (parts.isEmpty()) {
-                    return Optional.of(WebResponse.html("page"));
+                    return Optional.of(WebResponse.text("text/html; charset=utf-8", "page"));
                 }
                 if (parts.get(0).equals("large")) {
                     return Optional.of(new WebResponse(WebResponse.OK, "image/png", new byte[3_000_000]));

@@ -52,11 +52,6 @@ public enum DtmfDialect {
      */
     record Report(Optional<DtmfKey> key, OptionalInt millis) {}
 
-    /** Prefix of the reports. */
-    public String prefix() {
-        return prefix;
-    }
-
     /** The commands that enable reports, the best first; the first accepted one is used. */
     public List<String> enablers() {
         return enablers;

@@ -13,7 +13,6 @@ import java.nio.channels.ReadableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Arrays;
 import java.util.Optional;
 import javax.sound.sampled.AudioFormat;
 import javax.sound.sampled.AudioInputStream;
@@ -135,20 +134,6 @@ public final class SpeechFile implements Closeable {
     /** Octets of sound promised by the header but missing in the file; 0 for a pipe. */
     public long missingOctets() throws IOException {
         return Files.isRegularFile(path) ? Math.max(0, end - Files.size(path)) : 0;
-    }
-
-    /** The whole file. */
-    public static short[] readAll(Path path) throws IOException {
-        try (SpeechFile file = open(path)) {
-            short[] all = new short[1 << 14];
-            int length = 0;
-            for (int n; (n = file.read(all, length, all.length)) >= 0; length += n) {
-                if (length + n == all.length) {
-                    all = Arrays.copyOf(all, 2 * all.length);
-                }
-            }
-            return Arrays.copyOf(all, length);
-        }
     }
 
     /** Look-ahead of the resampling filter; 0 without resampling. */

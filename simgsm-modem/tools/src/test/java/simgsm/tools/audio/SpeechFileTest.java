@@ -40,7 +40,7 @@ class SpeechFileTest {
         }
         Path file = folder.resolve("a.wav");
         WavWriter.write(file, samples);
-        assertArrayEquals(samples, SpeechFile.readAll(file));
+        assertArrayEquals(samples, WholeSpeechFile.read(file));
         assertEquals(44 + 2 * samples.length, Files.size(file));
     }
 
@@ -51,14 +51,14 @@ class SpeechFileTest {
             writer.write(new short[] {100, 300, -4, 4});
             writer.write(new short[] {32767, 32767});
         }
-        assertArrayEquals(new short[] {200, 0, 32767}, SpeechFile.readAll(file));
+        assertArrayEquals(new short[] {200, 0, 32767}, WholeSpeechFile.read(file));
     }
 
     @Test
     void anEmptyRecordingIsAudioOfNoLength() throws IOException {
         Path file = folder.resolve("empty.wav");
         WavWriter.write(file, new short[0]);
-        assertEquals(0, SpeechFile.readAll(file).length);
+        assertEquals(0, WholeSpeechFile.read(file).length);
     }
 
     @ParameterizedTest
@@ -69,7 +69,7 @@ class SpeechFileTest {
             sound[i] = (float) (0.25 * Math.sin(2 * Math.PI * 1336 * i / rate));
         }
         Path file = write("r.wav", sound, new AudioFormat(Encoding.PCM_FLOAT, rate, 32, 1, 4, rate, false));
-        short[] speech = SpeechFile.readAll(file);
+        short[] speech = WholeSpeechFile.read(file);
         assertEquals(8000, speech.length);
         for (int i = 200; i < 7800; i++) {
             assertEquals(8192 * Math.sin(2 * Math.PI * 1336 * i / 8000), speech[i], 2.5, "sample " + i);
@@ -105,7 +105,7 @@ class SpeechFileTest {
             sound[i] = (float) (0.5 * Math.sin(2 * Math.PI * (8000 - 1336) * i / rate));
         }
         Path file = write("r.wav", sound, new AudioFormat(Encoding.PCM_FLOAT, rate, 32, 1, 4, rate, false));
-        short[] speech = SpeechFile.readAll(file);
+        short[] speech = WholeSpeechFile.read(file);
         for (int i = 200; i < 7800; i++) {
             assertEquals(0, speech[i], 5);
         }
@@ -118,7 +118,7 @@ class SpeechFileTest {
             sound[i] = (float) (0.25 * Math.sin(2 * Math.PI * 941 * i / 6000));
         }
         Path file = write("r.wav", sound, new AudioFormat(Encoding.PCM_FLOAT, 6000, 32, 1, 4, 6000, false));
-        short[] speech = SpeechFile.readAll(file);
+        short[] speech = WholeSpeechFile.read(file);
         assertEquals(8000, speech.length);
         for (int i = 200; i < 7800; i++) {
             assertEquals(8192 * Math.sin(2 * Math.PI * 941 * i / 8000), speech[i], 2.5, "sample " + i);
@@ -134,7 +134,7 @@ class SpeechFileTest {
         }
         AudioFormat format = new AudioFormat(
                 bits == 8 ? Encoding.PCM_UNSIGNED : Encoding.PCM_SIGNED, 8000, bits, 1, bits / 8, 8000, false);
-        short[] speech = SpeechFile.readAll(write("w.wav", ramp, format));
+        short[] speech = WholeSpeechFile.read(write("w.wav", ramp, format));
         for (int i = 0; i < ramp.length; i++) {
             assertEquals(256 * (i - 100), speech[i], 1);
         }
@@ -148,7 +148,7 @@ class SpeechFileTest {
             ramp[i] = i / 128f;
         }
         Path file = write("o." + extension, ramp, new AudioFormat(Encoding.PCM_SIGNED, 8000, 16, 1, 2, 8000, true));
-        short[] speech = SpeechFile.readAll(file);
+        short[] speech = WholeSpeechFile.read(file);
         assertEquals(256 * 99, speech[99]);
     }
 
@@ -161,7 +161,7 @@ class SpeechFileTest {
                 new AudioInputStream(new ByteArrayInputStream(octets), format, 4),
                 AudioFileFormat.Type.WAVE,
                 file.toFile());
-        assertArrayEquals(new short[] {8, -8, -32256, 32256}, SpeechFile.readAll(file));
+        assertArrayEquals(new short[] {8, -8, -32256, 32256}, WholeSpeechFile.read(file));
     }
 
     @Test
@@ -169,7 +169,7 @@ class SpeechFileTest {
         Path file = folder.resolve("cut.wav");
         WavWriter.write(file, new short[1000]);
         Files.write(file, Arrays.copyOf(Files.readAllBytes(file), 44 + 501));
-        assertEquals(250, SpeechFile.readAll(file).length);
+        assertEquals(250, WholeSpeechFile.read(file).length);
     }
 
     @Test
@@ -274,7 +274,7 @@ class SpeechFileTest {
     }
 
     private short[] read(byte[] file) throws IOException {
-        return SpeechFile.readAll(Files.write(folder.resolve("made.wav"), file));
+        return WholeSpeechFile.read(Files.write(folder.resolve("made.wav"), file));
     }
 
     private static byte[] riff(byte[]... chunks) {
@@ -326,7 +326,7 @@ class SpeechFileTest {
             }
             Files.write(file, bad);
             try {
-                assertTrue(SpeechFile.readAll(file).length <= 400 * 4000);
+                assertTrue(WholeSpeechFile.read(file).length <= 400 * 4000);
                 readable++;
             } catch (IOException e) {
                 assertTrue(e.getMessage() != null);

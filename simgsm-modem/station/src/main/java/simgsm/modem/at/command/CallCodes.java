@@ -123,10 +123,6 @@ final class CallCodes {
         return isPresent && isIncoming && !isConnected;
     }
 
-    boolean isWaiting() {
-        return waiting.isPresent();
-    }
-
     Optional<Cause> lastCause() {
         return lastCause;
     }
