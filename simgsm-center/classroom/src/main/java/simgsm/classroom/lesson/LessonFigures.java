@@ -13,6 +13,7 @@ import simgsm.sms.UserData;
 final class LessonFigures implements LessonFunctions {
     private static final int WORD_LENGTH = 8;
     private static final int TELEPHONE_PLAN = 1;
+    private static final int CENTIMETRES = 100;
 
     @Override
     public String apply(String function, List<String> arguments) {
@@ -26,6 +27,10 @@ final class LessonFigures implements LessonFunctions {
             case "most-twist" -> Double.toString(ToneLimits.mostTwistDecibels());
             case "shortest" -> Integer.toString(ToneLimits.shortestMillis());
             case "submit" -> submit(first, arguments.get(1));
+            case "off" ->
+                Long.toString(Math.round(
+                        CENTIMETRES * Math.hypot(Double.parseDouble(first), Double.parseDouble(arguments.get(1)))));
+            case "side" -> Double.parseDouble(first) > 0 ? "a" : "b";
             case "text" -> String.join(" ", arguments);
             default -> throw new IllegalArgumentException("unknown function " + function);
         };

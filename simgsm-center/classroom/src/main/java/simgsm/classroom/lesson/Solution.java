@@ -1,6 +1,7 @@
 package simgsm.classroom.lesson;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -32,6 +33,12 @@ record Solution(
                 Optional.of(file.toAbsolutePath()),
                 library,
                 lesson);
+    }
+
+    /** A text file of the lesson's own solutions with the student's own numbers. */
+    private static byte[] replaced(byte[] content, LessonSession session) {
+        return session.replaced(new String(content, StandardCharsets.UTF_8), true)
+                .getBytes(StandardCharsets.UTF_8);
     }
 
     /** Reads a file of the solution's folder. */
@@ -72,7 +79,8 @@ record Solution(
             if (!file.equals(file.getFileName()) || wanted.equals("..")) {
                 throw new SessionFailure("use: expected the name of a file beside the solution, found " + wanted);
             }
-            session.handIn(wanted, beside(wanted));
+            byte[] content = beside(wanted);
+            session.handIn(wanted, isOwn ? replaced(content, session) : content);
         } catch (IOException | LessonException | IllegalArgumentException e) {
             throw new SessionFailure("use: " + e.getMessage());
         }
