@@ -99,7 +99,9 @@ public final class CenterWindow implements CenterActions {
             out.ready(center.ready());
             window.withConsole(() -> Program.runConsole(out, arguments, new CenterCommands(center, out)));
         });
-        window.showSheets();
+        if (!arguments.has("lesson")) { // which a pupil has begun
+            window.showSheets();
+        }
         if (watch.mayBeginLesson()) {
             window.onLesson(operator::beginLesson);
         }

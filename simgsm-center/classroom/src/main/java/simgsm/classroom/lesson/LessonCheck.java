@@ -99,7 +99,7 @@ public final class LessonCheck {
             Program.standardOutput().print(score);
             Program.standardOutput().flush();
             if (result.isPresent()) {
-                String text = session.ofRun(each -> LessonResult.text(each, "", Instant.now(), language));
+                String text = session.ofRun(each -> ResultText.text(each, "", Instant.now(), language));
                 Files.writeString(result.get(), text);
             }
         }

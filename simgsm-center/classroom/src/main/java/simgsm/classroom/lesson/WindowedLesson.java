@@ -336,7 +336,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
             PrivateFiles.makeFolder(folder);
             String who = student.replaceAll("[^\\p{L}\\p{N}]+", "-");
             Path file = folder.resolve(lesson.name() + "-" + run.seed() + (who.isEmpty() ? "" : "-" + who) + ".txt");
-            String text = session.ofRun(each -> LessonResult.text(each, student, Instant.now(), language));
+            String text = session.ofRun(each -> ResultText.text(each, student, Instant.now(), language));
             FileReplacement.writePrivately(file, text.getBytes(StandardCharsets.UTF_8));
             notice = ClassroomTexts.in(language).of("lesson.saved", file.toString());
         });

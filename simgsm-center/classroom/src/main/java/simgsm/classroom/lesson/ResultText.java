@@ -12,8 +12,8 @@ import simgsm.lesson.LessonStep;
 import simgsm.lesson.StepResult;
 
 /** The result of a lesson as a text file: event lines, the last one says that anybody can change such a copy. */
-final class LessonResult {
-    private LessonResult() {}
+final class ResultText {
+    private ResultText() {}
 
     static String text(LessonRun run, String student, Instant at, Locale language) {
         StringBuilder text = new StringBuilder();
