@@ -67,11 +67,12 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
                 Button[Default+Focused+Pressed].textForeground Button[Default+Focused].textForeground
                 Button[Default+MouseOver].textForeground Button[Default+Focused+MouseOver].textForeground
                 """);
+        defaults.put("Menu[Enabled+Selected].arrowIconPainter", defaults.get("Menu[Enabled].arrowIconPainter"));
         for (String item : List.of("Menu", "MenuItem", "CheckBoxMenuItem", "RadioButtonMenuItem")) {
             put(Ink.TEXT, item + "[Enabled].textForeground " + item + "[MouseOver].textForeground");
             put(Ink.DISABLED, item + "[Disabled].textForeground");
             String accelerator = ":MenuItemAccelerator.textForeground";
-            put(Ink.QUIET, item + "[MouseOver]" + accelerator + " " + item + accelerator);
+            put(Ink.QUIET, item + ":MenuItemAccelerator[MouseOver].textForeground " + item + accelerator);
         }
     }
 

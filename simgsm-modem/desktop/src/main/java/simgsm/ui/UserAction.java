@@ -4,6 +4,7 @@ import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.Icon;
@@ -14,7 +15,9 @@ import simgsm.console.TextBundle;
 /** A user action with its name, description, mnemonic, icon and keys, for buttons, menus and key bindings. */
 public final class UserAction extends AbstractAction {
     private static final String GROUP = "group";
+    private static final AtomicInteger MADE = new AtomicInteger();
 
+    private final int number = MADE.incrementAndGet();
     private final Runnable task;
 
     /**
@@ -66,6 +69,11 @@ public final class UserAction extends AbstractAction {
 
     public Optional<CommandGroup> group() {
         return Optional.ofNullable((CommandGroup) getValue(GROUP));
+    }
+
+    /** Its place among all actions, in the order in which they were made. */
+    public int number() {
+        return number;
     }
 
     /** Shows in menus whether what it switches is on. */

@@ -17,6 +17,7 @@ import simgsm.console.TextBundle;
 import simgsm.ui.Arrange;
 import simgsm.ui.Card;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
@@ -135,7 +136,7 @@ public final class Inspector extends JPanel {
             button.setSelected(true);
             sheets.show(sheet, name);
         });
-        return ToolButtons.tab(button, action.onKey(page, key, InputEvent.ALT_DOWN_MASK));
+        return ToolButtons.tab(button, action.in(CommandGroup.VIEW).onKey(page, key, InputEvent.ALT_DOWN_MASK));
     }
 
     @Override

@@ -26,13 +26,18 @@ final class ReceiverPanel extends JPanel {
     private final Map<ShownReceiver, CandidateLane> lanes = new EnumMap<>(ShownReceiver.class);
     private final Map<ShownReceiver, JPanel> rows = new EnumMap<>(ShownReceiver.class);
     private final TextBundle texts;
+    private final boolean choosable;
     private ShownReceiver selected = ShownReceiver.MODEM;
     private boolean compact;
     private boolean hiding;
 
-    /** @param chosen receives each selected receiver */
-    ReceiverPanel(Locale language, Consumer<ShownReceiver> chosen) {
+    /**
+     * @param choosable if false, only the candidates of the receiver of phone and modem are shown
+     * @param chosen receives each selected receiver
+     */
+    ReceiverPanel(Locale language, boolean choosable, Consumer<ShownReceiver> chosen) {
         super(new BorderLayout());
+        this.choosable = choosable;
         texts = DesktopTexts.in(language);
         setOpaque(false);
         Theme.styled(this, panel -> panel.setBorder(Theme.padding(4, 0, 0, 0)));
@@ -40,12 +45,14 @@ final class ReceiverPanel extends JPanel {
         for (ShownReceiver receiver : ShownReceiver.values()) {
             JToggleButton button = button(receiver, chosen);
             button.setSelected(receiver == selected);
+            button.setVisible(choosable);
             one.add(button);
             CandidateLane lane = new CandidateLane(language, receiver);
             lanes.put(receiver, lane);
             rows.put(receiver, Arrange.row(Theme.GRID, button, Arrange.growing(lane)));
         }
         add(Arrange.column(4, rows.get(ShownReceiver.MODEM), rows.get(ShownReceiver.CLASSIC)), BorderLayout.CENTER);
+        arrange();
     }
 
     private JToggleButton button(ShownReceiver receiver, Consumer<ShownReceiver> chosen) {
@@ -88,6 +95,6 @@ final class ReceiverPanel extends JPanel {
     }
 
     private void arrange() {
-        rows.forEach((receiver, row) -> row.setVisible(!hiding && (!compact || receiver == selected)));
+        rows.forEach((receiver, row) -> row.setVisible(!hiding && (choosable && !compact || receiver == selected)));
     }
 }

@@ -93,7 +93,7 @@ public final class ToneScopePanel extends JPanel {
         setName(NAME);
         scope = new ToneScope(language, instrument, this::guess);
         experiment = new ToneExperimentBar(language, chosen);
-        receivers = new ReceiverPanel(language, this::select);
+        receivers = new ReceiverPanel(language, !opensLarge, this::select);
         prediction = new PredictionBar(texts, instrument.prediction(), this::guess, this::practise);
         prediction.setVisible(false);
         tools = new ScopeTools(texts);

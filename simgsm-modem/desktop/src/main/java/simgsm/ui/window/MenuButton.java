@@ -18,7 +18,7 @@ import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.UserAction;
 
-/** The button with three lines: its menu has all commands of the window in words, with their keys. */
+/** The button with three lines: its menu has the window's commands that have a group, in words, with their keys. */
 public final class MenuButton extends JButton {
     private final TextBundle texts;
 
@@ -43,7 +43,7 @@ public final class MenuButton extends JButton {
         JMenu submenu = null;
         CommandGroup before = null;
         for (WindowCommands.Command command : WindowCommands.of(root)) {
-            if (command.action() == getAction()) {
+            if (command.action().group().isEmpty()) {
                 continue;
             }
             if (command.group() != before) {

@@ -54,7 +54,8 @@ final class WindowCommands {
         return commands.byName.values().stream()
                 .filter(command ->
                         !command.keys().isEmpty() || command.action().group().isPresent())
-                .sorted(Comparator.comparing(Command::group))
+                .sorted(Comparator.comparing(Command::group)
+                        .thenComparing(command -> command.action().number()))
                 .toList();
     }
 
@@ -95,7 +96,7 @@ final class WindowCommands {
         KeyStroke[] all = inputs.keys();
         return Stream.of(all == null ? new KeyStroke[0] : all)
                 .filter(stroke -> id.equals(inputs.get(stroke)) && !isOnKeypad(stroke))
-                .sorted(Comparator.comparing(Command::text));
+                .sorted(Comparator.comparing((KeyStroke key) -> Command.text(key).length()).thenComparing(Command::text));
     }
 
     /** Keys of the number pad repeat keys of the main block. */

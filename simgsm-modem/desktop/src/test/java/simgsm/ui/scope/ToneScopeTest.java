@@ -260,13 +260,15 @@ class ToneScopeTest {
     }
 
     @Test
-    void aCompactScopeHasTheSelectedReceiversRowOnly() {
-        ToneScopePanel panel = twisted("en");
-        panel.setCompact(true);
-        assertTrue(isRowVisible(panel, "scope.receiver.modem"));
-        assertFalse(isRowVisible(panel, "scope.receiver.classic"));
-        panel.setCompact(false);
-        assertTrue(isRowVisible(panel, "scope.receiver.classic"));
+    void theLargeScopeHasBothReceiversAndTheSmallOneThatOfPhoneAndModem() {
+        ToneScopePanel small = twisted("en");
+        assertTrue(isRowVisible(small, "scope.receiver.modem"));
+        assertFalse(isRowVisible(small, "scope.receiver.classic"));
+        assertFalse(ComponentNames.find(small, "scope.receiver.modem").orElseThrow().isVisible());
+        ToneScopePanel large = small.enlarged();
+        assertTrue(isRowVisible(large, "scope.receiver.classic"));
+        large.setCompact(true);
+        assertFalse(isRowVisible(large, "scope.receiver.classic"));
     }
 
     private static boolean isRowVisible(ToneScopePanel panel, String name) {
