@@ -40,6 +40,7 @@ final class MobileCard extends JPanel {
     private final Lamp state;
     private final JLabel radio = Theme.label(" ", Theme::monoSmall, Ink.QUIET);
     private final LevelBars levels;
+    private final LevelHistory history;
     private final DecisionCount decision;
     private final JLabel gap = Theme.label(" ", Theme::monoStrong, Ink.TEXT);
     private final JComboBox<String> walks = new JComboBox<>();
@@ -65,6 +66,7 @@ final class MobileCard extends JPanel {
         radio.setName("mobile.radio");
         gap.setName("mobile.gap");
         levels = new LevelBars(texts);
+        history = new LevelHistory(texts);
         decision = new DecisionCount(texts);
         ComponentNames.name(numbers, "mobiles", texts.of("mobile.choice"));
         ComponentNames.name(walks, "walks", texts.of("walk.choice"));
@@ -86,6 +88,7 @@ final class MobileCard extends JPanel {
                         Arrange.row(Theme.GRID, numbers, Arrange.growing(state)),
                         radio,
                         Arrange.growing(levels),
+                        history,
                         decision,
                         gap,
                         Arrange.row(
@@ -154,6 +157,7 @@ final class MobileCard extends JPanel {
                 .findFirst());
         show(mobile);
         levels.show(snapshot.town().towers(), mobile);
+        history.show(snapshot, mobile);
     }
 
     private static List<String> items(JComboBox<String> box) {

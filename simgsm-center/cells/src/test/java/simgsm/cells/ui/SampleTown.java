@@ -39,6 +39,7 @@ final class SampleTown implements TownActions {
     private final Map<String, TownPlace> places = new LinkedHashMap<>();
     private final Map<String, List<TownPlace>> paths = new LinkedHashMap<>();
     private boolean isPaused;
+    long nanos;
 
     SampleTown(String name) throws IOException {
         town = TownFile.read(Path.of("../../worlds", name + ".town"));
@@ -51,7 +52,7 @@ final class SampleTown implements TownActions {
     void pass(PassingStep.Kind kind, int figure) {
         String first = town.towers().get(0).name();
         String second = town.towers().get(1).name();
-        passing.add(new PassingStep(0, PHONE, kind, first, second, figure));
+        passing.add(new PassingStep(nanos, PHONE, kind, first, second, figure));
     }
 
     void removeMobiles() {
@@ -72,7 +73,7 @@ final class SampleTown implements TownActions {
                 .toList();
         List<MobileState> mobiles = places.keySet().stream().map(this::mobile).toList();
         return new TownSnapshot(
-                0,
+                nanos,
                 town,
                 3013,
                 "127.0.0.1:3003",

@@ -394,4 +394,20 @@ class TownPanelTest {
             ImageIO.write(image, "png", new File(directory.get(), "town-" + name + ".png"));
         }
     }
+
+    @Test
+    void theHistoryHasTheChangesOfCellOfTheLastMinuteAndNoneOfAnotherMobile() {
+        assertEquals("No change of cell in the last 60 s", spoken("levels.history"));
+        town.pass(PassingStep.Kind.HANDOVER_COMMAND, 0);
+        town.pass(PassingStep.Kind.REPORT, 1);
+        show();
+        assertEquals("One change of cell in the last 60 s", spoken("levels.history"));
+        town.nanos = 61_000_000_000L;
+        town.place(SampleTown.PHONE, new TownPlace(10, 10));
+        show();
+        assertEquals("No change of cell in the last 60 s", spoken("levels.history"));
+        town.pass(PassingStep.Kind.RESELECTION, 0);
+        find("mobiles", JComboBox.class).setSelectedItem(SampleTown.ROBOT);
+        assertEquals("No change of cell in the last 60 s", spoken("levels.history"));
+    }
 }

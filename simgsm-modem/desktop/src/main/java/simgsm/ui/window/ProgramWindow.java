@@ -281,8 +281,20 @@ public final class ProgramWindow {
         frame.setTitle(content.title());
         frame.setContentPane(content.panel());
         WindowKeys.install(frame.getRootPane(), language);
+        KeyStroke f11 = KeyStroke.getKeyStroke(KeyEvent.VK_F11, 0);
+        if (WindowCommands.of(content.panel()).stream()
+                .noneMatch(command -> command.keys().contains(f11))) {
+            new UserAction("window.full", DesktopTexts.in(language).of("window.full"), this::fillScreen)
+                    .in(CommandGroup.WINDOW)
+                    .bindInWindow(frame.getRootPane(), f11);
+        }
         helpCommand("window.help", KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
         Stream.of("lessons.title", "glossary.title", "settings.title", "about.title").forEach(this::helpCommand);
+    }
+
+    /** Fills the screen or gives it back, in windows whose content has no view of its own for that. */
+    private void fillScreen() {
+        Display.maximize(content.panel(), frame.getExtendedState() == JFrame.NORMAL);
     }
 
     /** @param tab key of the text of a tab of the help */
