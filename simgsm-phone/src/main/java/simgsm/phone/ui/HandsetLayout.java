@@ -66,6 +66,12 @@ final class HandsetLayout implements Arrange.FixedLayout {
         return fold;
     }
 
+    /** Returns true if the events below the keys take no scale from the handset. */
+    boolean hasRoomForEvents(Dimension panel) {
+        double needed = (CLOSED_HEIGHT + HandsetFold.EVENTS.heightUnits()) / WIDTH;
+        return panel.width > 0 && panel.height >= panel.width * needed;
+    }
+
     private double height() {
         return CLOSED_HEIGHT + fold.heightUnits();
     }

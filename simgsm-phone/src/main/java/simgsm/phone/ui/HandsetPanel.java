@@ -42,6 +42,7 @@ public final class HandsetPanel extends JPanel {
     private final HandsetFooter foot;
     private final Map<PhoneKey, PhoneKeyButton> keys = new EnumMap<>(PhoneKey.class);
     private HandsetSnapshot shown;
+    private boolean isFoldChosen;
 
     /**
      * Creates a handset that shows the given snapshot until the first call of {@link #show}.
@@ -169,6 +170,7 @@ public final class HandsetPanel extends JPanel {
     }
 
     private void toggle(HandsetFold wanted) {
+        isFoldChosen = true;
         setFold(fold() == wanted ? HandsetFold.NONE : wanted);
     }
 
@@ -182,6 +184,15 @@ public final class HandsetPanel extends JPanel {
             validate();
             events.focus();
         }
+    }
+
+    /** A panel that is high enough for it opens the events, until the user opens or closes a fold. */
+    @Override
+    public void doLayout() {
+        if (!isFoldChosen && fold() == HandsetFold.NONE && layout.hasRoomForEvents(getSize())) {
+            open(HandsetFold.EVENTS);
+        }
+        super.doLayout();
     }
 
     @Override

@@ -94,6 +94,11 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
         return new WindowPlace(phone.x(), phone.y(), robot.x() - phone.x(), phoneHeight());
     }
 
+    /** The phone's column over the whole height of the screen. */
+    WindowPlace phoneColumn(WindowPlace screen) {
+        return new WindowPlace(phone.x(), phone.y(), robot.x() - phone.x(), screen.height());
+    }
+
     private int phoneHeight() {
         return (SuiteWindow.PHONE.heightUnits() + FRAME_UNITS) * zoomPercent / 100;
     }

@@ -60,7 +60,7 @@ public final class WindowedDemo {
                     opened.thenAccept(ProgramWindow::close);
                 }
             });
-            start(session, layout, arguments);
+            start(session, layout, left.isPresent() || WebLink.isWanted(arguments) ? layout.phone() : layout.phoneColumn(screen), arguments);
             Optional<LinkFrame> link = WebLink.start(arguments, session, "robot", Optional.empty())
                     .map(url -> new LinkFrame(
                             settings.language(),
@@ -84,8 +84,9 @@ public final class WindowedDemo {
     }
 
     /** Starts phone and robot; on one machine only the phone plays each tone. */
-    private static void start(Session session, DemoLayout layout, Arguments arguments) throws IOException {
-        List<String> phone = layout.options(layout.phone(), "--console", "--remember-as", PHONE);
+    private static void start(Session session, DemoLayout layout, WindowPlace phonePlace, Arguments arguments)
+            throws IOException {
+        List<String> phone = layout.options(phonePlace, "--console", "--remember-as", PHONE);
         session.start("phone", "simgsm-phone", Session.PHONE_NUMBER, phone);
         List<String> robot = new ArrayList<>(layout.options(
                 layout.robot(),
