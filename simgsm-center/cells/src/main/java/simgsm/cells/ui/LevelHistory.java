@@ -35,6 +35,7 @@ import simgsm.ui.Theme;
 final class LevelHistory extends PaintedComponent {
     private static final long SPAN_NANOS = TimeUnit.SECONDS.toNanos(60);
     private static final Set<Kind> DECISIONS = EnumSet.of(Kind.HANDOVER_COMMAND, Kind.RESELECTION);
+    private static final String BEGIN = "-60 s";
     private static final int HEIGHT_UNITS = 110;
     private static final int SCALE_UNITS = 30;
     private static final List<Integer> SCALE_DBM = List.of(-50, -70, -90, -110);
@@ -100,8 +101,7 @@ final class LevelHistory extends PaintedComponent {
             g.setColor(Theme.color(Ink.QUIET));
             g.drawString(String.valueOf(dbm), 0, (float) Math.max(y, Drawing.capHeight(g, Theme.monoSmall())));
         }
-        g.drawString("-60 s", (float) left, (float) height);
-        Drawing.rightAligned(g, "dBm", width, height);
+        g.drawString(BEGIN, (float) left, (float) height);
         if (samples.isEmpty()) {
             return;
         }
@@ -114,7 +114,29 @@ final class LevelHistory extends PaintedComponent {
         }
         g.setColor(Theme.color(Ink.DANGER));
         draw(g, width, bottom, Theme.dashed(1.2, 4), LevelHistory::limit);
-        decisions.forEach(step -> mark(g, step, x(step.nanos(), width), bottom, height));
+        marks(g, width, bottom, height);
+    }
+
+    /** The newest first; a cell's name that has no room beside a newer one is left out. */
+    private void marks(Graphics2D g, double width, double bottom, double height) {
+        double gap = Theme.exact(4);
+        double least = Theme.exact(SCALE_UNITS) + Drawing.width(Theme.monoSmall(), BEGIN) + gap;
+        double free = width;
+        g.setStroke(Theme.line());
+        for (int i = decisions.size() - 1; i >= 0; i--) {
+            PassingStep step = decisions.get(i);
+            double x = x(step.nanos(), width);
+            g.setColor(Theme.color(Ink.TEXT));
+            Drawing.line(g, x, 0, x, bottom);
+            String cell = step.kind() == Kind.RESELECTION ? step.from() : step.to();
+            String words = "\u2192 " + cell;
+            double begin = x - Drawing.width(Theme.monoSmall(), words);
+            if (x <= free && begin >= least) {
+                g.setColor(Theme.color(CellInk.of(towers.indexOf(cell))));
+                Drawing.rightAligned(g, words, x, height);
+                free = begin - gap;
+            }
+        }
     }
 
     private double x(long nanos, double width) {
@@ -156,14 +178,5 @@ final class LevelHistory extends PaintedComponent {
         }
         g.setStroke(stroke);
         g.draw(line);
-    }
-
-    private void mark(Graphics2D g, PassingStep step, double x, double bottom, double height) {
-        String cell = step.kind() == Kind.RESELECTION ? step.from() : step.to();
-        g.setColor(Theme.color(Ink.TEXT));
-        g.setStroke(Theme.line());
-        Drawing.line(g, x, 0, x, bottom);
-        g.setColor(Theme.color(CellInk.of(towers.indexOf(cell))));
-        Drawing.rightAligned(g, "\u2192 " + cell, x - Theme.exact(2), height);
     }
 }
