@@ -1,16 +1,21 @@
 package simrobot.process;
 
+import java.util.List;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
+import simrobot.world.Position;
 
-/** Drives to a place at the request of another process and replaces its steering. For the robot's owner thread. */
+/**
+ * The drive to a place that another process requests: the route steers in its stead. It goes on where it was after a pause of
+ * up to 1 s, as a late decision requests nothing. For the robot's owner thread.
+ */
 public final class Errand {
-    /** Nothing is asked for. */
-    public static final Errand NONE = new Errand("", null);
+    private static final long LONGEST_PAUSE_NANOS = 1_000_000_000;
 
     private final String place;
     private final RobotProcess route;
-    private long sinceNanos = RobotProcess.TICK_NANOS;
+    private long sinceRouteNanos = RobotProcess.TICK_NANOS;
+    private long pauseNanos;
     private Decision last = new Decision.Go(Steering.STOP);
 
     /** @param route the process that drives to the place */
@@ -19,23 +24,31 @@ public final class Errand {
         this.route = route;
     }
 
-    public String place() {
-        return place;
-    }
-
-    public RobotProcess route() {
-        return route;
+    /** True if it leads to this place, and was not abandoned. */
+    public boolean isFor(String name) {
+        return place.equals(name) && pauseNanos <= LONGEST_PAUSE_NANOS;
     }
 
     public boolean hasArrived() {
         return last instanceof Decision.Arrived;
     }
 
-    /** The decision of the other process, with the speeds of the route. @param passedNanos since its decision before */
-    public Decision step(Decision.Go asking, Senses senses, long passedNanos) {
-        sinceNanos += passedNanos;
-        if (!hasArrived() && sinceNanos >= route.periodNanos()) {
-            sinceNanos = 0;
+    /** The planned path; empty if it was abandoned. */
+    public List<Position> path() {
+        return isFor(place) ? route.path() : List.of();
+    }
+
+    /** Time has passed since the other process decided. */
+    public void elapse(long nanos) {
+        sinceRouteNanos += nanos;
+        pauseNanos += nanos;
+    }
+
+    /** Replaces the speeds of the other process's decision by those of the route. */
+    public Decision step(Decision.Go asking, Senses senses) {
+        pauseNanos = 0;
+        if (!hasArrived() && sinceRouteNanos >= route.periodNanos()) {
+            sinceRouteNanos = 0;
             last = route.decide(senses);
         }
         if (last instanceof Decision.GivenUp givenUp) {

@@ -44,7 +44,9 @@ public final class Autonomy {
     private ProcessSenses senses;
     private final CallKeys call = new CallKeys();
     private boolean takesKeys;
-    private Errand errand = Errand.NONE;
+    /** The newest of the process; null before it requests a place. */
+    private Errand errand;
+
     private List<BehaviourRequest.Mark> marks = List.of();
     /** The decision that ended the process, until the robot has stopped; else null. */
     private Decision.End ending;
@@ -105,8 +107,8 @@ public final class Autonomy {
 
     /** The planned path of the process; may be empty. */
     public List<Position> path() {
-        RobotProcess driver = errand == Errand.NONE ? process : errand.route();
-        return isUnfinished() ? driver.path() : List.of();
+        List<Position> toPlace = errand == null ? List.of() : errand.path();
+        return !isUnfinished() ? List.of() : toPlace.isEmpty() ? process.path() : toPlace;
     }
 
     /** The process's drawing on the floor; a new list at every change. */
@@ -175,9 +177,9 @@ public final class Autonomy {
     private void prepare() {
         call.take();
         takesKeys = false;
-        errand = Errand.NONE;
+        errand = null;
         marks = List.of();
-        senses = new ProcessSenses(robot, call::take, () -> errand.hasArrived());
+        senses = new ProcessSenses(robot, call::take, () -> errand != null && errand.hasArrived());
         inCollisionNanos = 0;
         if (isActive()) {
             sinceDecisionNanos = process.periodNanos();
@@ -271,14 +273,18 @@ public final class Autonomy {
 
     /** Replaces the speeds of a decision by those of the route to a requested place. */
     private Decision driven(Decision decision) {
-        List<BehaviourRequest.DriveTo> drives =
-                decision instanceof Decision.Go go ? requests(go.asked(), BehaviourRequest.DriveTo.class) : List.of();
+        if (errand != null) {
+            errand.elapse(process.periodNanos());
+        }
+        if (!(decision instanceof Decision.Go go) || go.asked().isEmpty()) {
+            return decision;
+        }
+        List<BehaviourRequest.DriveTo> drives = requests(go.asked(), BehaviourRequest.DriveTo.class);
         if (drives.isEmpty()) {
-            errand = Errand.NONE;
             return decision;
         }
         String place = drives.get(0).place();
-        if (!errand.place().equals(place)) {
+        if (errand == null || !errand.isFor(place)) {
             try {
                 RobotProcess route = choice.toPlace(place).begin(robot.surroundings()).orElseThrow();
                 errand = new Errand(place, route);
@@ -286,7 +292,7 @@ public final class Autonomy {
                 return new Decision.Failed(0, "goTo: " + unknown.getMessage());
             }
         }
-        return errand.step((Decision.Go) decision, senses, process.periodNanos());
+        return errand.step(go, senses);
     }
 
     private static <R extends BehaviourRequest> List<R> requests(List<BehaviourRequest> asked, Class<R> type) {
@@ -294,6 +300,9 @@ public final class Autonomy {
     }
 
     private void note(List<BehaviourRequest> asked) {
+        if (asked.isEmpty()) {
+            return;
+        }
         takesKeys |= asked.contains(new BehaviourRequest.Keys());
         List<BehaviourRequest.Mark> drawn = requests(asked, BehaviourRequest.Mark.class);
         if (!drawn.isEmpty()) {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.SvgCanvas;
@@ -77,6 +78,27 @@ class RequestsOfProcessTest {
         assertEquals(3, reached.get(0).xMeters(), 0.05);
         assertEquals(1, reached.get(0).yMeters(), 0.05);
         assertEquals(2, robot[0].yMeters(), 0.1);
+    }
+
+    @Test
+    void aDriveGoesOnAfterLateDecisionsAndBeginsAnewAfterASecondWithoutRequest() {
+        List<Boolean> arrived = new ArrayList<>();
+        Simulation simulation = withGoals();
+        SimulatedRobot robot = start(simulation, new Behaviour() {
+            @Override
+            public Steering decide(Senses senses) {
+                arrived.add(senses.hasArrived());
+                boolean rests = senses.seconds() > 60 && senses.seconds() < 62;
+                return arrived.size() % 3 == 0 || rests ? Steering.STOP : goTo("Door");
+            }
+        });
+        simulation.run(6000);
+        assertEquals(3, robot.xMeters(), 0.05);
+        assertEquals(Set.of(true), Set.copyOf(arrived.subList(arrived.size() - 20, arrived.size())));
+        simulation.run(150);
+        assertEquals(List.of(), robot.autonomy().path());
+        simulation.run(100);
+        assertEquals(1, robot.autonomy().path().size());
     }
 
     @Test
