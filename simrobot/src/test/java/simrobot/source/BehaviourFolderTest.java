@@ -20,6 +20,7 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
@@ -105,7 +106,12 @@ class BehaviourFolderTest {
     }
 
     private void runUntilItEnds() {
-        while (ends.isEmpty()) {
+        runUntil(() -> !ends.isEmpty());
+    }
+
+    private void runUntil(BooleanSupplier done) {
+        while (!done.getAsBoolean()) {
+            assertTrue(simulation.timeNanos() < 3_600_000_000_000L, "not within an hour: " + ends);
             simulation.run(10);
         }
     }
@@ -400,6 +406,44 @@ class BehaviourFolderTest {
         assertTrue(robot.xMeters() > 1, "x " + robot.xMeters());
         assertTrue(
                 ends.get(0).startsWith("Snake Failed[line=6, text=ZeroDivisionError: division by zero ("), ends.get(0));
+    }
+
+    @Test
+    void aPythonProgramHearsTheKeysAndRequestsWhatAJavaOneMay() throws IOException {
+        Assumptions.assumeTrue(hasPython(), "no python3");
+        Files.writeString(
+                folder.resolve("Stick.py"),
+                """
+                import sys
+                for line in sys.stdin:
+                    word, *pairs = line.split()
+                    senses = dict(pair.split("=") for pair in pairs)
+                    if word == "decide":
+                        robot = "robot=" + senses["robot"]
+                        if "7" in senses["pressed"]:
+                            print("sms", robot, "to=" + senses["caller"], "text=key+7+%C3%B1")
+                            print("mark", robot, "x=0 y=0", "toX=" + senses["odometryX"], "toY=1 text=")
+                            print("a print")
+                        print("keys", robot)
+                        print("go", robot, "speed=0 turn=0 done=" + ("1" if "9" in senses["pressed"] else "0"))
+                """);
+        open();
+        List<String> asked = new ArrayList<>();
+        robot.autonomy().addRequestListener((kind, request) -> asked.add(request.toString()));
+        begin("Stick");
+        robot.autonomy().call().begin("5550100");
+        runUntil(() -> robot.autonomy().takesKeys());
+        asked.clear();
+        robot.autonomy().call().press('7');
+        runUntil(() -> robot.autonomy().marks().size() == 1);
+        robot.autonomy().call().press('9');
+        runUntilItEnds();
+        assertEquals(
+                List.of(
+                        "Sms[to=5550100, text=key 7 ñ]",
+                        "Mark[x=0.0, y=0.0, toX=0.0, toY=1.0, text=]",
+                        "Printed[text=a print\n]"),
+                asked.stream().filter(each -> !each.equals("Keys[]")).toList());
     }
 
     private static boolean hasPython() {
