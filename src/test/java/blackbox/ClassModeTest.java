@@ -26,6 +26,47 @@ class ClassModeTest {
         }
     }
 
+    /** Twenty messages within a second: 20 robots drive at the same time. */
+    @Test
+    void twentyRobotsOfAClassDriveSixtyCentimetersAtOnceWithoutCollision() throws Exception {
+        try (Scenario scenario = new Scenario("a class of twenty")) {
+            RunningProgram teacher = scenario.start(
+                    "class", "simgsm-center", "--demo", "--class", "20", "--headless", "--console", "--port", "0");
+            String port = teacher.expect("ready").field("port");
+            RunningProgram phone = scenario.start(
+                    "phone", "simgsm-phone", "--headless", "--no-sound", "--number", "5550107", "--center", "127.0.0.1:" + port);
+            phone.say("name Ana, \"7\"").expect("ussd", "text", "Hello, Ana, \"7\".");
+            teacher.expect("attached", "number", "5550219");
+            for (int i = 0; i < 20; i++) {
+                phone.say("sms " + (5550200 + i) + " **#**60**");
+            }
+            for (int i = 0; i < 20; i++) {
+                ConsoleEvent reply = phone.expect("sms");
+                assertTrue(reply.field("text").startsWith("3 Done: #**60. Stopped at "), reply.toString());
+            }
+            teacher.say("class");
+            for (int i = 0; i < 20; i++) {
+                teacher.expect(
+                        "class",
+                        "number",
+                        "" + (5550100 + i),
+                        "name",
+                        i == 7 ? "Ana, \"7\"" : "",
+                        "robot",
+                        "" + (5550200 + i),
+                        "orders",
+                        "1",
+                        "collisions",
+                        "0",
+                        "lesson",
+                        "",
+                        "score",
+                        "");
+            }
+            teacher.expect("end", "of", "class", "count", "20");
+        }
+    }
+
     @Test
     void aClosedClassNeedsACardForEachStudentAndRobot(@TempDir Path folder) throws Exception {
         String list = folder.resolve("class.hlr").toString();

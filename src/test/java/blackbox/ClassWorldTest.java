@@ -68,7 +68,7 @@ class ClassWorldTest {
             assertEquals(homes.get(i).position().yMeters(), robot.yMeters());
             assertEquals(lanes.goalXMeters(i), goals.get(i).position().xMeters());
             assertEquals(lanes.goalYMeters(i), goals.get(i).position().yMeters());
-            assertEquals(3.8, lanes.goalXMeters(i) - robot.xMeters(), 1e-9);
+            assertEquals(4.0, lanes.goalXMeters(i) - robot.xMeters(), 1e-9);
             assertEquals(0.4, lanes.goalYMeters(i) - robot.yMeters(), 1e-9);
             assertTrue(places.add(robot.xMeters() + " " + robot.yMeters()));
         }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.TestInstance;
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 public class UssdTest {
     private Scenario scenario;
+    private RunningProgram center;
     private RunningProgram robot;
     private RunningProgram alice;
     private RunningProgram bob;
@@ -19,7 +20,7 @@ public class UssdTest {
     @BeforeAll
     void twoPhonesAndARobot() {
         scenario = new Scenario("service codes");
-        scenario.center();
+        center = scenario.center();
         robot = scenario.robot("empty.map");
         alice = scenario.phone(Scenario.PHONE);
         bob = scenario.phone("5550101");
@@ -50,6 +51,41 @@ public class UssdTest {
         phone.say("ussd *21#").expect("ussd-failed", "cause", "17");
         phone.say("ussd *#33#").expect("ussd-failed", "cause", "21");
         phone.say("ussd *999#").expect("ussd-failed", "cause", "36");
+    }
+
+    @Test
+    void thePhoneTellsItsUsersNameAtEachRegistrationAndResultsOfLessons() {
+        RunningProgram phone = scenario.phone("5550105");
+        phone.say("name \"\"").expect("error", "text", "name: expected name TEXT, found nothing after it");
+        phone.say("name " + "\u00f1\u0151".repeat(40)).expect("error");
+        phone.say("power off").expect("unregistered");
+        phone.say("name  Mar\u00eda Jos\u00e9 *#\"3\"  ");
+        for (int i = 0; i < 2; i++) {
+            phone.say("power on").expect("ussd", "text", "Hello, Mar\u00eda Jos\u00e9 *#\"3\".");
+            center.expect("named", "number", "5550105", "name", "Mar\u00eda Jos\u00e9 *#\"3\"");
+            phone.say("power off").expect("unregistered");
+        }
+        phone.say("power on").expect("ussd");
+        phone.say("ussd *300#").expect("ussd", "reply", "expected");
+        phone.say("ussd =1+" + "x".repeat(40)).expect("ussd");
+        center.expect("named", "number", "5550105", "name", "=1+" + "x".repeat(27));
+        phone.say("ussd *301*twelve-keys*key1*pass*2*1#").expect("ussd", "text", "twelve-keys, key1: done.");
+        center.expect(
+                "lesson-result",
+                "number",
+                "5550105",
+                "lesson",
+                "twelve-keys",
+                "step",
+                "key1",
+                "result",
+                "pass",
+                "tries",
+                "2",
+                "hints",
+                "1");
+        phone.say("ussd *301*twelve-keys*key1*perhaps*2*1#").expect("ussd-failed", "cause", "36");
+        phone.say("ussd *300* #").expect("ussd-failed", "cause", "36");
     }
 
     @Test

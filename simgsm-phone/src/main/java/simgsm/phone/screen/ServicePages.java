@@ -36,7 +36,8 @@ final class ServicePages {
                         ListItem.of("service.own", () -> send("*100#")),
                         ListItem.of("service.code", this::askForCode),
                         ListItem.of("service.forwarding", this::forwarding),
-                        ListItem.of("service.waiting", this::callWaiting))));
+                        ListItem.of("service.waiting", this::callWaiting),
+                        ListItem.of("service.name", () -> send("*300#")))));
     }
 
     private static KeyIntent send(String code) {

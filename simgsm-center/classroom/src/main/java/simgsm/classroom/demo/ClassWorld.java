@@ -10,14 +10,14 @@ import java.util.stream.IntStream;
  * closes the right half of a lane 2.45 m ahead of the robot's front, before the goal. Millimetres.
  */
 public record ClassWorld(int students) {
-    private static final int LENGTH = 5_600;
+    private static final int LENGTH = 6_200;
     private static final int WIDTH = 2_000;
     private static final int START_X = 1_200;
     private static final int START_Y = 600;
     private static final int BOX_X = 3_900;
     private static final int BOX_LENGTH = 300;
     private static final int BOX_WIDTH = 1_000;
-    private static final int GOAL_X = 5_000;
+    private static final int GOAL_X = 5_200;
     private static final int GOAL_Y = 1_000;
     /** Width to height of a window's floor. */
     private static final double ASPECT = 2.1;

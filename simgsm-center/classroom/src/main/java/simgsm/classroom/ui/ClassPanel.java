@@ -18,6 +18,7 @@ import javax.swing.JTextArea;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.DefaultTableModel;
+import javax.swing.table.TableColumn;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
@@ -249,14 +250,17 @@ public final class ClassPanel extends JPanel {
         setBorder(Theme.padding(12));
         setBackground(Theme.color(Ink.SURFACE));
         table.setRowHeight(Theme.px(ROW_UNITS));
-        for (int column = 0; column < COLUMNS.size(); column++) {
-            int heading = Drawing.width(
-                    table.getTableHeader().getFont(), table.getColumnName(column));
-            int sample = Drawing.width(Theme.base(), SAMPLES.get(column));
-            int least = Math.max(heading, sample) + Theme.px(CELL_MARGIN_UNITS);
-            table.getColumnModel().getColumn(column).setMinWidth(least);
-            boolean growsLess = !COLUMNS.get(column).equals("name") && !COLUMNS.get(column).equals("lesson");
-            table.getColumnModel().getColumn(column).setPreferredWidth(growsLess ? least : 2 * least);
+        for (int i = 0; i < COLUMNS.size(); i++) {
+            TableColumn column = table.getColumnModel().getColumn(i);
+            int heading = table.getTableHeader()
+                    .getDefaultRenderer()
+                    .getTableCellRendererComponent(table, column.getHeaderValue(), false, false, -1, i)
+                    .getPreferredSize()
+                    .width;
+            int sample = Drawing.width(Theme.base(), SAMPLES.get(i)) + Theme.px(CELL_MARGIN_UNITS);
+            column.setMinWidth(Math.max(heading, sample));
+            boolean grows = COLUMNS.get(i).equals("name") || COLUMNS.get(i).equals("lesson");
+            column.setPreferredWidth(grows ? 2 * column.getMinWidth() : column.getMinWidth());
         }
         clock.setFont(Theme.monoStrong().deriveFont(Theme.exact(CLOCK_UNITS)));
         best.setFont(Theme.strong());

@@ -122,9 +122,10 @@ class ClassPanelTest {
             JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
             int least = 0;
             for (int i = 0; i < table.getColumnCount(); i++) {
-                int heading = table.getFontMetrics(table.getTableHeader().getFont())
-                        .stringWidth(table.getColumnName(i));
-                assertTrue(table.getColumnModel().getColumn(i).getMinWidth() > heading);
+                Component heading = table.getTableHeader()
+                        .getDefaultRenderer()
+                        .getTableCellRendererComponent(table, table.getColumnName(i), false, false, -1, i);
+                assertTrue(table.getColumnModel().getColumn(i).getMinWidth() >= heading.getPreferredSize().width);
                 least += table.getColumnModel().getColumn(i).getMinWidth();
             }
             int room = (int) (screen * 0.34) - Theme.px(24) - Theme.px(18);

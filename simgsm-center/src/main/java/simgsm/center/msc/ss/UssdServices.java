@@ -21,6 +21,8 @@ final class UssdServices {
     /** What a phone tells of its user: a name, or the result of a lesson's step. */
     private static final Pattern NAME = Pattern.compile("\\*300\\*(.*\\S.*)#", Pattern.DOTALL);
 
+    /** The network asks for the name. */
+    private static final String NAME_QUESTION = "*300#";
     /** Characters of a name that are kept. */
     private static final int MOST_NAME = 30;
 
@@ -61,13 +63,9 @@ final class UssdServices {
         } else if (robot.matches()) {
             reportRobot(session, robot.group(1));
         } else if (name.matches()) {
-            String plain = name.group(1).replaceAll("\\p{Cntrl}+", " ").strip();
-            String shown = plain.codePoints()
-                    .limit(MOST_NAME)
-                    .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
-                    .toString();
-            reports.named(session.subscriber(), shown);
-            session.end(text("named", shown));
+            noteName(session, name.group(1));
+        } else if (code.equals(NAME_QUESTION)) {
+            session.ask(text("name"), reply -> noteName(session, reply));
         } else if (result.matches()) {
             reports.lessonResult(
                     session.subscriber(),
@@ -80,6 +78,16 @@ final class UssdServices {
         } else {
             session.fail(SsError.UNEXPECTED_DATA_VALUE);
         }
+    }
+
+    private void noteName(UssdSession session, String told) {
+        String plain = told.replaceAll("\\p{Cntrl}+", " ").strip();
+        String name = plain.codePoints()
+                .limit(MOST_NAME)
+                .collect(StringBuilder::new, StringBuilder::appendCodePoint, StringBuilder::append)
+                .toString();
+        reports.named(session.subscriber(), name);
+        session.end(text("named", name));
     }
 
     private void showMenu(UssdSession session, String before) {
