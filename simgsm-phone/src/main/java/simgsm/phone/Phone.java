@@ -44,34 +44,34 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private Optional<AtPort> at = Optional.empty();
 
     /** @throws IOException if the recording's file cannot be written, or the stored data cannot be read */
-    Phone(PhoneSettings settings, Consumer<StationEvent> listener, AudioOutput output) throws IOException {
+    Phone(PhoneOptions options, Consumer<StationEvent> listener, AudioOutput output) throws IOException {
         this.output = output;
-        recorder = settings.recording().isPresent()
-                ? CallRecorder.open(settings.recording().get())
+        recorder = options.recording().isPresent()
+                ? CallRecorder.open(options.recording().get())
                 : CallAudioListener.NONE;
         handset = new Handset(
-                settings.identity().number(),
-                settings.user(),
-                settings.tones(),
+                options.identity().number(),
+                options.user(),
+                options.tones(),
                 phoneBook,
                 listener,
                 output,
                 InstantSource.system());
         station = new MobileStation(
-                settings.identity(),
-                settings.sim(),
-                new StationOptions(settings.user().codec(), recorder, true, settings.ignoresSetup()),
+                options.identity(),
+                options.sim(),
+                new StationOptions(options.user().codec(), recorder, true, options.ignoresSetup()),
                 handset::fillFrame,
                 this::accept);
         handset.attach(station);
-        station.setChannels(settings.channels());
-        data = settings.data().isPresent()
+        station.setChannels(options.channels());
+        data = options.data().isPresent()
                 ? Optional.of(PhoneData.take(
-                        settings.data().get(), settings.identity().number()))
+                        options.data().get(), options.identity().number()))
                 : Optional.empty();
         if (data.isPresent()) {
             Map<String, String> kept = new TreeMap<>(data.get().read());
-            kept.keySet().removeAll(settings.given());
+            kept.keySet().removeAll(options.given());
             handset.restore(kept)
                     .forEach(key -> LOG.log(Level.WARNING, "--data: {0} is not understood and left out", key));
             handset.keepBy(data.get()::write);

@@ -45,12 +45,12 @@ public final class PhoneMain {
 
     static int run(Arguments given) throws Exception {
         Arguments arguments = WindowMemory.recall(given, "phone");
-        PhoneSettings settings = PhoneSettings.of(arguments);
+        PhoneOptions options = PhoneOptions.of(arguments);
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         TextBundle texts = PhoneTexts.in(arguments.language());
         return arguments.has("headless")
-                ? headless(arguments, settings, center, texts)
-                : windowed(arguments, settings, center);
+                ? headless(arguments, options, center, texts)
+                : windowed(arguments, options, center);
     }
 
     static InetSocketAddress address(HostPort center) {
@@ -76,7 +76,7 @@ public final class PhoneMain {
         return ready.with("at", phone.openAtPort(address, profile));
     }
 
-    private static int windowed(Arguments arguments, PhoneSettings settings, HostPort center)
+    private static int windowed(Arguments arguments, PhoneOptions options, HostPort center)
             throws UsageException, UnavailableException, IOException, InterruptedException {
         ProgramWindow window = ProgramWindow.of(arguments, Optional.empty());
         Optional<Console> console =
@@ -84,7 +84,7 @@ public final class PhoneMain {
         TextBundle texts = PhoneTexts.in(arguments.language());
         Consumer<StationEvent> printer =
                 console.isPresent() ? new PhoneEventPrinter(console.get(), texts) : event -> {};
-        Phone phone = new Phone(settings, printer, sound(arguments));
+        Phone phone = new Phone(options, printer, sound(arguments));
         Event ready = withAtPort(arguments, phone, Event.of("ready"));
         Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
         phone.start(address(center));
@@ -108,10 +108,10 @@ public final class PhoneMain {
         return ExitStatus.OK;
     }
 
-    private static int headless(Arguments arguments, PhoneSettings settings, HostPort center, TextBundle texts)
+    private static int headless(Arguments arguments, PhoneOptions options, HostPort center, TextBundle texts)
             throws IOException, InterruptedException, UsageException {
         try (Console console = Console.onStandardOutput();
-                Phone phone = new Phone(settings, new PhoneEventPrinter(console, texts), sound(arguments))) {
+                Phone phone = new Phone(options, new PhoneEventPrinter(console, texts), sound(arguments))) {
             PhoneCommands commands = new PhoneCommands(console, phone);
             Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
             Event ready = withAtPort(arguments, phone, Event.of("ready"));

@@ -51,7 +51,7 @@ final class KeyMeasures {
     /** Number of valid kinds. */
     int known;
 
-    private final Residue residue = new Residue();
+    private final ResidualSpectrum spectrum = new ResidualSpectrum();
 
     /** Measures the kinds that need no spectrum. */
     void measureTones(ToneFit fit) {
@@ -74,15 +74,15 @@ final class KeyMeasures {
         double column = square(fit.amplitude[1]);
         double weaker = Math.min(row, column);
         int began = (int) (end - ToneBank.HOP * (fit.sinceOnset + 1));
-        residue.measure(samples, end, began - ONSET_MARGIN_SAMPLES, fit.hertz[0], fit.hertz[1]);
-        double before = Math.max(residue.rowBefore / row, residue.columnBefore / column);
+        spectrum.measure(samples, end, began - ONSET_MARGIN_SAMPLES, fit.hertz[0], fit.hertz[1]);
+        double before = Math.max(spectrum.rowBefore / row, spectrum.columnBefore / column);
         double background =
-                Math.max(LEAST * (row + column), residue.restBefore) / Math.max(LEAST * (row + column), residue.rest);
+                Math.max(LEAST * (row + column), spectrum.restBefore) / Math.max(LEAST * (row + column), spectrum.rest);
         put(Kind.BEFORE, fit.open ? Double.NaN : log(before));
-        put(Kind.LINE, decibels(residue.line / weaker));
-        put(Kind.EVENNESS, residue.evenness());
+        put(Kind.LINE, decibels(spectrum.line / weaker));
+        put(Kind.EVENNESS, spectrum.evenness());
         put(Kind.BACKGROUND, fit.open ? Double.NaN : Math.log10(background));
-        put(Kind.LINE_SHARE, log(residue.line / residue.rest));
+        put(Kind.LINE_SHARE, log(spectrum.line / spectrum.rest));
         put(Kind.REST, log(1 - Math.min(1, (row + column) / (2 * power(samples, began, end)))));
     }
 

@@ -10,7 +10,7 @@ import simgsm.console.HostPort;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.tools.load.LoadGenerator;
-import simgsm.tools.load.LoadPlan;
+import simgsm.tools.load.LoadOptions;
 import simgsm.tools.load.LoadResult;
 
 /** {@code load}: many stations on a running centre, and their measurements. */
@@ -21,9 +21,9 @@ final class LoadTool {
     private LoadTool() {}
 
     static int run(Arguments arguments, PrintStream out, PrintStream err) throws Exception {
-        LoadPlan plan = plan(arguments);
-        requireCenter(plan.center());
-        LoadResult result = new LoadGenerator(plan).run();
+        LoadOptions options = options(arguments);
+        requireCenter(options.center());
+        LoadResult result = new LoadGenerator(options).run();
         out.print(result.line() + "\n");
         out.flush();
         if (!result.isComplete()) {
@@ -33,9 +33,9 @@ final class LoadTool {
         return ExitStatus.OK;
     }
 
-    private static LoadPlan plan(Arguments arguments) throws UsageException {
+    private static LoadOptions options(Arguments arguments) throws UsageException {
         try {
-            return new LoadPlan(
+            return new LoadOptions(
                     arguments.hostPort("center").orElse(DEFAULT_CENTER),
                     arguments.integer("first-number", 7_000_000, 1, Long.MAX_VALUE),
                     integer(arguments, "phones", 100),

@@ -13,7 +13,7 @@ import simgsm.air.RpCause;
 import simgsm.station.StationThread;
 
 /**
- * Performs a load plan; each kind of load is measured alone: the stations attach; each sends short messages to the
+ * Performs a load; each kind of load is measured alone: the stations attach; each sends short messages to the
  * next; pairs of them hold calls. All stations run on one thread.
  */
 public final class LoadGenerator implements LoadStation.Observer {
@@ -32,7 +32,7 @@ public final class LoadGenerator implements LoadStation.Observer {
     /** From the last call's connection to the counting of speech, which the set-up of the calls would delay. */
     private static final int SETTLING_MILLIS = 2_000;
 
-    private final LoadPlan plan;
+    private final LoadOptions options;
     private final InetSocketAddress center;
     private final List<LoadStation> phones = new ArrayList<>();
     private final AtomicReference<Throwable> failure = new AtomicReference<>();
@@ -53,17 +53,17 @@ public final class LoadGenerator implements LoadStation.Observer {
     private volatile long framesSent;
     private volatile long framesHeard;
 
-    public LoadGenerator(LoadPlan plan) {
-        this.plan = plan;
-        this.center = new InetSocketAddress(plan.center().host(), plan.center().port());
-        long answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(plan.answerAfterMillis());
-        for (int i = 0; i < plan.phones(); i++) {
-            phones.add(new LoadStation(i, plan.number(i), answerAfterNanos, this));
+    public LoadGenerator(LoadOptions options) {
+        this.options = options;
+        this.center = new InetSocketAddress(options.center().host(), options.center().port());
+        long answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(options.answerAfterMillis());
+        for (int i = 0; i < options.phones(); i++) {
+            phones.add(new LoadStation(i, options.number(i), answerAfterNanos, this));
         }
-        attaching = new TaskWindow(plan.phones(), ATTACHING, i -> stations.add(phones.get(i).station, center));
-        messages = new MessageLoad(phones, plan.messages(), SENDING);
-        calling = new TaskWindow(plan.calls(), CALLING, this::call);
-        clearing = new TaskWindow(plan.calls(), CALLING, this::clear);
+        attaching = new TaskWindow(options.phones(), ATTACHING, i -> stations.add(phones.get(i).station, center));
+        messages = new MessageLoad(phones, options.messages(), SENDING);
+        calling = new TaskWindow(options.calls(), CALLING, this::call);
+        clearing = new TaskWindow(options.calls(), CALLING, this::clear);
     }
 
     private void failed(Throwable cause) {
@@ -71,12 +71,12 @@ public final class LoadGenerator implements LoadStation.Observer {
         ended.countDown();
     }
 
-    /** Performs the plan and detaches all stations. */
+    /** Performs the load and detaches all stations. */
     public LoadResult run() throws InterruptedException {
         stations.start();
         try {
             perform(attaching);
-            if (plan.messages() > 0 && attaching.done() == plan.phones()) {
+            if (options.messages() > 0 && attaching.done() == options.phones()) {
                 perform(messages.window());
             }
             holdCalls();
@@ -95,12 +95,12 @@ public final class LoadGenerator implements LoadStation.Observer {
     }
 
     private void holdCalls() throws InterruptedException {
-        if (plan.calls() > 0 && attaching.done() == plan.phones()) {
+        if (options.calls() > 0 && attaching.done() == options.phones()) {
             perform(calling);
             ended.await(SETTLING_MILLIS, TimeUnit.MILLISECONDS);
         }
         isCounting = true;
-        ended.await(plan.seconds(), TimeUnit.SECONDS);
+        ended.await(options.seconds(), TimeUnit.SECONDS);
         isCounting = false;
         awaitLastSpeech();
         if (calling.done() > 0) {

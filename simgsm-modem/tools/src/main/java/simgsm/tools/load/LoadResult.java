@@ -29,7 +29,7 @@ public record LoadResult(
                 && sent.done() == sent.count();
     }
 
-    /** All figures in one line; {@code -} for a figure not requested by the plan. */
+    /** All figures in one line; {@code -} for a figure not requested. */
     public Event line() {
         return Event.of("load")
                 .with("phones", attached.done())

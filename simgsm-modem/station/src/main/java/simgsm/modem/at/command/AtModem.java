@@ -27,7 +27,7 @@ public final class AtModem {
     private final Submissions submissions;
     private final PhoneBooks books;
     private final UssdCodes ussd;
-    private final ServiceAnswers services;
+    private final PendingServiceCommand services;
 
     /** @param wallClock for AT+CCLK */
     public AtModem(AtTerminal terminal, AtProfile profile, InstantSource wallClock) {
@@ -37,7 +37,7 @@ public final class AtModem {
         books = new PhoneBooks(terminal.station().identity().number(), terminal.phoneBook());
         keys = new KeyCodes(this);
         ussd = new UssdCodes(this);
-        services = new ServiceAnswers(terminal);
+        services = new PendingServiceCommand(terminal);
         calls = new CallCodes(this);
         network = new NetworkCodes(this);
         messages = new MessageCodes(this);
@@ -114,7 +114,7 @@ public final class AtModem {
         return calls;
     }
 
-    ServiceAnswers services() {
+    PendingServiceCommand services() {
         return services;
     }
 

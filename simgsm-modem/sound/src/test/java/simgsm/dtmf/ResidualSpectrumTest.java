@@ -6,14 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import simgsm.tone.ToneLevel;
 
-class ResidueTest {
+class ResidualSpectrumTest {
     private static final int ONSET = 400;
     private static final int END = 700;
 
-    private static Residue of(Tape tape) {
-        Residue residue = new Residue();
-        residue.measure(tape.samples(), END, ONSET, 770, 1336);
-        return residue;
+    private static ResidualSpectrum of(Tape tape) {
+        ResidualSpectrum spectrum = new ResidualSpectrum();
+        spectrum.measure(tape.samples(), END, ONSET, 770, 1336);
+        return spectrum;
     }
 
     /** A tape on which 770 and 1336 Hz begin at ONSET. */
@@ -25,18 +25,18 @@ class ResidueTest {
 
     @Test
     void aKeyAloneLeavesNothing() {
-        Residue residue = of(key());
+        ResidualSpectrum spectrum = of(key());
         double tone = Math.pow(ToneLevel.amplitude(-10), 2);
-        assertTrue(residue.rest < 2e-3 * tone, residue.rest / tone + " of a tone");
-        assertEquals(0, residue.restBefore, 1);
-        assertEquals(0, residue.rowBefore + residue.columnBefore, 1);
+        assertTrue(spectrum.rest < 2e-3 * tone, spectrum.rest / tone + " of a tone");
+        assertEquals(0, spectrum.restBefore, 1);
+        assertEquals(0, spectrum.rowBefore + spectrum.columnBefore, 1);
     }
 
     @Test
     void aThirdToneIsFoundAtItsPlaceWithItsPower() {
-        Residue residue = of(key().hum(2000, -20));
-        assertEquals(2000, residue.lineHertz, 16);
-        double decibels = 10 * Math.log10(residue.line / Math.pow(ToneLevel.amplitude(-20), 2));
+        ResidualSpectrum spectrum = of(key().hum(2000, -20));
+        assertEquals(2000, spectrum.lineHertz, 16);
+        double decibels = 10 * Math.log10(spectrum.line / Math.pow(ToneLevel.amplitude(-20), 2));
         assertEquals(0, decibels, 1.5);
     }
 
@@ -47,10 +47,10 @@ class ResidueTest {
         for (int seed = 0; seed < 30; seed++) {
             Tape tape = new Tape(seed);
             tape.silence(ONSET / 8.0);
-            Residue residue = of(tape.digits("5").noise(-20));
-            assertTrue(residue.evenness() > 0.4, "seed " + seed);
-            evenness += residue.evenness() / 30;
-            ratio += residue.rest / residue.restBefore / 30;
+            ResidualSpectrum spectrum = of(tape.digits("5").noise(-20));
+            assertTrue(spectrum.evenness() > 0.4, "seed " + seed);
+            evenness += spectrum.evenness() / 30;
+            ratio += spectrum.rest / spectrum.restBefore / 30;
         }
         assertEquals(0.63, evenness, 0.08);
         assertEquals(1, ratio, 0.2);
@@ -62,7 +62,7 @@ class ResidueTest {
         for (int h = 2; h < 12; h++) {
             tape.hum(300 * h, -22);
         }
-        Residue residue = of(tape);
-        assertTrue(residue.evenness() < 0.3, "evenness " + residue.evenness());
+        ResidualSpectrum spectrum = of(tape);
+        assertTrue(spectrum.evenness() < 0.3, "evenness " + spectrum.evenness());
     }
 }

@@ -13,12 +13,12 @@ import simgsm.station.context.StationEvent;
 /**
  * The command that waits for the network's answer about a supplementary service; one at a time, as in the network.
  */
-final class ServiceAnswers {
+final class PendingServiceCommand {
     private final AtTerminal terminal;
     private Optional<AtRequest> asking = Optional.empty();
     private Consumer<ServiceStatus> answered = status -> {};
 
-    ServiceAnswers(AtTerminal terminal) {
+    PendingServiceCommand(AtTerminal terminal) {
         this.terminal = terminal;
     }
 

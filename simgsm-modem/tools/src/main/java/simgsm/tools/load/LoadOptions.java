@@ -4,7 +4,7 @@ import simgsm.air.Msisdn;
 import simgsm.console.HostPort;
 
 /**
- * The plan of a load run.
+ * The options of a load run.
  *
  * @param center address of the centre
  * @param firstNumber the first station's number; the others count up from it
@@ -14,7 +14,7 @@ import simgsm.console.HostPort;
  * @param seconds duration of the calls, and least time that the stations stay attached
  * @param answerAfterMillis ringing time of a called station
  */
-public record LoadPlan(
+public record LoadOptions(
         HostPort center, long firstNumber, int phones, int calls, int messages, int seconds, int answerAfterMillis) {
     /** A centre accepts 20 000 terminals unless its options say otherwise. */
     public static final int MOST_PHONES = 100_000;
@@ -30,7 +30,7 @@ public record LoadPlan(
     private static final long LAST_NUMBER = 9_999_999_999L;
 
     /** IllegalArgumentException names the option that is out of range. */
-    public LoadPlan {
+    public LoadOptions {
         require("--phones", phones, 1, MOST_PHONES);
         require("--sms", messages, 0, MOST_MESSAGES);
         require("--seconds", seconds, 1, MOST_SECONDS);

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * ms before the tones began. One Fourier transform gives both, the later as its real, the earlier as its imaginary
  * part. Powers are on the scale of squared amplitudes.
  */
-final class Residue {
+final class ResidualSpectrum {
     /** Samples in either window. */
     static final int LENGTH = 224;
 
@@ -46,7 +46,7 @@ final class Residue {
     private double row;
     private double column;
 
-    Residue() {
+    ResidualSpectrum() {
         double squares = 0;
         for (int i = 0; i < LENGTH; i++) {
             window[i] = 0.5 - 0.5 * Math.cos(2 * Math.PI * (i + 0.5) / LENGTH);

@@ -33,7 +33,7 @@ import simgsm.tone.ToneSet;
  * @param ignoresSetup a fault: offered calls are left unanswered
  * @param channels displayed cell broadcast channels
  */
-record PhoneSettings(
+record PhoneOptions(
         StationIdentity identity,
         Sim sim,
         UserSettings user,
@@ -47,13 +47,13 @@ record PhoneSettings(
     private static final String UNIT_NAME = "SimGSM phone";
 
     /** @throws IOException naming the SIM file if it cannot be read */
-    static PhoneSettings of(Arguments arguments) throws UsageException, IOException {
+    static PhoneOptions of(Arguments arguments) throws UsageException, IOException {
         SimSlot slot = SimSlot.of(arguments.path("sim"));
-        Optional<Msisdn> given = arguments.value("number", slot.isEmpty() ? PhoneSettings::ownNumber : Msisdn::parse);
+        Optional<Msisdn> given = arguments.value("number", slot.isEmpty() ? PhoneOptions::ownNumber : Msisdn::parse);
         Optional<SimCard> card = Arguments.checked(() -> slot.card(given));
         Msisdn number = card.map(SimCard::number).or(() -> given).orElse(new Msisdn(DEFAULT_NUMBER));
         Imei imei = imei(arguments, number);
-        return new PhoneSettings(
+        return new PhoneOptions(
                 card.map(inserted -> StationIdentity.ofCard(inserted, imei, UNIT_NAME))
                         .orElseGet(() -> StationIdentity.ofOpenNumber(number, imei, UNIT_NAME)),
                 card.map(Sim::of).orElse(Sim.WITHOUT_KEY),
