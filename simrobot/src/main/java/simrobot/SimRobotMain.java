@@ -97,7 +97,7 @@ public final class SimRobotMain {
             WorldPrinter.print(world, Program.standardOutput());
             return ExitStatus.OK;
         }
-        for (String option : List.of("runs", "track")) {
+        for (String option : List.of("runs", "track", "goal", "limit")) {
             if (arguments.has(option) && !arguments.has("run")) {
                 throw new UsageException("--" + option + ": expected with --run SECONDS");
             }

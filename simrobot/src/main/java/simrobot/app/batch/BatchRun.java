@@ -6,7 +6,6 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
@@ -19,7 +18,6 @@ import simrobot.app.RequestedRobots;
 import simrobot.app.SimRobotOptions;
 import simrobot.control.RobotEvent;
 import simrobot.control.RobotName;
-import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.replay.SessionRecorder;
 import simrobot.robot.Noise;
@@ -35,6 +33,9 @@ public final class BatchRun {
     private static final double MAX_SECONDS = 1e9;
     private static final long MAX_RUNS = 1_000_000;
 
+    /** The bound of {@code --run done}, in simulated seconds. */
+    private static final double DEFAULT_LIMIT_SECONDS = 600;
+
     /** Options that need real time or a peer. */
     private static final List<String> LIVE_OPTIONS = List.of("pioneer", "http", "p2os", "at", "modem");
 
@@ -42,7 +43,9 @@ public final class BatchRun {
     private final RequestedBehaviours behaviours;
     private final World world;
     private final List<String> names;
+    private final Optional<RunGoal> goal;
     private final long seed;
+    private final boolean isUntilDone;
     private final double seconds;
 
     private BatchRun(Arguments arguments, RequestedBehaviours behaviours, World world)
@@ -54,7 +57,15 @@ public final class BatchRun {
                 .map(RobotName::name)
                 .toList();
         seed = SimRobotOptions.seed(arguments);
-        seconds = arguments.number("run", 0, 0.001, MAX_SECONDS);
+        goal = arguments.value("goal", name -> RunGoal.named(world, name));
+        isUntilDone = arguments.text("run").orElseThrow().equals("done");
+        if (isUntilDone ? !arguments.has("behaviour") : arguments.has("limit")) {
+            throw new UsageException(
+                    isUntilDone ? "--run done: expected --behaviour NAME" : "--limit: expected with --run done");
+        }
+        seconds = isUntilDone
+                ? arguments.number("limit", DEFAULT_LIMIT_SECONDS, 0.001, MAX_SECONDS)
+                : arguments.number("run", 0, 0.001, MAX_SECONDS);
     }
 
     public static int run(Arguments arguments, World world) throws UsageException, IOException {
@@ -77,24 +88,26 @@ public final class BatchRun {
     private int runOne() throws UsageException, IOException {
         long began = System.nanoTime();
         Simulation simulation = simulation(seed);
+        RunJudge judge = judge(simulation);
         try {
-            record(simulation);
+            record(simulation, judge);
         } catch (UncheckedIOException e) {
             throw e.getCause();
         } finally {
             endAll(simulation);
         }
         double wall = (System.nanoTime() - began) * 1e-9;
-        Program.standardOutput()
-                .println(Event.of("ran")
-                        .with("robots", names.size())
-                        .with("simulated", threeDecimals(seconds))
-                        .with("cpu", threeDecimals(cpuSeconds()))
-                        .with("wall", threeDecimals(wall)));
-        return ExitStatus.OK;
+        PrintStream out = Program.standardOutput();
+        judge.outcomes().forEach(outcome -> out.println(outcome.event()));
+        out.println(Event.of("ran")
+                .with("robots", names.size())
+                .with("simulated", RunOutcome.threeDecimals(simulation.timeNanos() * 1e-9))
+                .with("cpu", RunOutcome.threeDecimals(cpuSeconds()))
+                .with("wall", RunOutcome.threeDecimals(wall)));
+        return judge.isAllDone() ? ExitStatus.OK : ExitStatus.FAILED;
     }
 
-    private void record(Simulation simulation) throws UsageException, IOException {
+    private void record(Simulation simulation, RunJudge judge) throws UsageException, IOException {
         Optional<Path> record = arguments.path("record");
         // without a thread for it, the recorder writes whenever its buffer is full
         try (SessionRecorder recorder =
@@ -102,19 +115,19 @@ public final class BatchRun {
             if (recorder != null) {
                 simulation.robots().forEach(robot -> record(robot, recorder));
             }
-            begin(simulation);
-            track(simulation);
+            begin(simulation, judge);
+            track(simulation, judge);
             if (recorder != null) {
                 recorder.finish();
             }
         }
     }
 
-    private void track(Simulation simulation) throws IOException, UsageException {
+    private void track(Simulation simulation, RunJudge judge) throws IOException, UsageException {
         Optional<Path> track = arguments.path("track");
         RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null;
         try {
-            simulate(simulation);
+            simulate(simulation, judge);
         } finally {
             if (written != null) {
                 written.close();
@@ -127,19 +140,25 @@ public final class BatchRun {
         refuse(arguments, List.of("record", "track"), ": a file holds one run, expected no --runs beside it");
         long runs = arguments.integer("runs", 1, 1, MAX_RUNS);
         PrintStream out = Program.standardOutput();
-        out.println(RunTally.HEADER);
+        out.println(RunJudge.HEADER);
+        boolean isAllDone = true;
         for (long run = seed; run < seed + runs; run++) {
             Simulation simulation = simulation(run);
-            RunTally tally = new RunTally(simulation);
+            RunJudge judge = judge(simulation);
             try {
-                begin(simulation);
-                simulate(simulation);
+                begin(simulation, judge);
+                simulate(simulation, judge);
             } finally {
                 endAll(simulation);
             }
-            out.println(tally.line(run, seconds));
+            out.println(judge.row(run));
+            isAllDone &= judge.isAllDone();
         }
-        return ExitStatus.OK;
+        return isAllDone ? ExitStatus.OK : ExitStatus.FAILED;
+    }
+
+    private RunJudge judge(Simulation simulation) throws UsageException {
+        return new RunJudge(simulation, behaviours.chosenForRun(arguments, simulation.behaviours()), goal);
     }
 
     private Simulation simulation(long ofRun) throws UsageException {
@@ -156,21 +175,22 @@ public final class BatchRun {
         simulation.robots().forEach(robot -> robot.autonomy().end());
     }
 
-    private void begin(Simulation simulation) throws UsageException {
+    private void begin(Simulation simulation, RunJudge judge) throws UsageException {
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         boolean power = arguments.choice("power", "on", "off").equals("on");
-        BehaviourKind behaviour = behaviours.chosenForRun(arguments, simulation.behaviours());
         for (SimulatedRobot robot : simulation.robots()) {
             robot.setMotors(motors);
             robot.setPower(power);
-            robot.autonomy().begin(behaviour);
         }
+        judge.begin();
     }
 
-    private void simulate(Simulation simulation) {
-        for (long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS); left > 0; left--) {
+    private void simulate(Simulation simulation, RunJudge judge) {
+        long left = Math.round(seconds * 1e9 / Simulation.STEP_NANOS);
+        while (left-- > 0 && !(isUntilDone && judge.isDecided())) {
             simulation.step();
         }
+        judge.end(RunOutcome.State.TIMEOUT, "");
     }
 
     private static void record(SimulatedRobot robot, SessionRecorder recorder) {
@@ -186,9 +206,5 @@ public final class BatchRun {
                         .orElse(Duration.ZERO)
                         .toNanos()
                 * 1e-9;
-    }
-
-    private static String threeDecimals(double value) {
-        return String.format(Locale.ROOT, "%.3f", value);
     }
 }
