@@ -130,7 +130,7 @@ class BehaviourPageTest {
                 "60",
                 "--track",
                 track.toString());
-        assertEquals(0, run.status(), run.error());
+        assertEquals(1, run.status(), run.error());
         assertTrue(run.output().startsWith("ran robots=8 simulated=60.000"), run.output());
         List<String> lines = Files.readAllLines(track);
         Map<String, Set<String>> placesOfRobots = new TreeMap<>();

@@ -90,7 +90,7 @@ class BehaviourTest {
                 "--seed=3",
                 "--run=2",
                 "--track=" + file);
-        assertEquals(0, run.status(), run.error());
+        assertEquals(1, run.status(), "a wanderer is never done");
         List<String> lines = Files.readAllLines(file);
         assertEquals("robot,time,x,y,heading,status", lines.get(0));
         assertEquals(1 + 2 * 21, lines.size(), "from 0.0 to 2.0 s");
@@ -112,12 +112,12 @@ class BehaviourTest {
             "--runs=3"
         };
         FinishedProgram runs = FinishedProgram.run("simrobot", options);
-        assertEquals(0, runs.status(), runs.error());
+        assertEquals(1, runs.status(), runs.error());
         List<String> lines = runs.output().lines().toList();
-        assertEquals("seed,robots,simulated,travelled,collisions,moving", lines.get(0));
+        assertEquals("seed,state,robots,done,seconds,meters,collisions,text", lines.get(0));
         assertEquals(4, lines.size(), runs.output());
         for (int run = 0; run < 3; run++) {
-            assertTrue(lines.get(run + 1).startsWith((7 + run) + ",1,30.000,"), lines.get(run + 1));
+            assertTrue(lines.get(run + 1).startsWith((7 + run) + ",timeout,1,0,30.000,"), lines.get(run + 1));
         }
         assertNotEquals(lines.get(1).substring(2), lines.get(2).substring(2));
         assertEquals(runs.output(), FinishedProgram.run("simrobot", options).output());
@@ -151,8 +151,10 @@ class BehaviourTest {
                     behaviour,
                     "--run",
                     "60");
-            assertEquals(0, run.status(), run.error());
-            Pattern ran = Pattern.compile("ran robots=[1-9][0-9]* simulated=60.000 cpu=[0-9.]+ wall=[0-9.]+\n");
+            assertEquals(1, run.status(), run.error());
+            Pattern ran = Pattern.compile("ran robots=8 simulated=60.000 cpu=[0-9.]+ wall=[0-9.]+\n"
+                    + "(outcome robot=[^ ]+ name=" + behaviour
+                    + " state=timeout seconds=60.000 meters=[0-9.]+ text=\"not done\"\n){8}");
             assertTrue(ran.matcher(run.output()).matches(), run.output());
         }
     }

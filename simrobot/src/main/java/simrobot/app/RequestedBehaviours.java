@@ -1,10 +1,13 @@
 package simrobot.app;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.UsageException;
@@ -13,6 +16,7 @@ import simrobot.control.RobotEvent;
 import simrobot.control.SimRobot;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
+import simrobot.process.Decision;
 import simrobot.source.BehaviourFolder;
 
 /** The processes of a command line: {@code --behaviours DIR} and {@code --behaviour NAME}. */
@@ -36,10 +40,14 @@ public final class RequestedBehaviours implements AutoCloseable {
             return new RequestedBehaviours(list, Optional.empty());
         }
         // output of a process must not appear between the console's events
-        BehaviourFolder.takePrints();
+        if (arguments.has("run")) {
+            System.setOut(System.err);
+        } else {
+            BehaviourFolder.takePrints();
+        }
         try {
             BehaviourFolder folder = new BehaviourFolder(
-                    place.get(), list, new BehaviourFolder.Listener() {}, SimRobotOptions.children(arguments));
+                    place.get(), list, SimRobotOptions.children(arguments), chosenFiles(arguments, place.get()));
             if (!arguments.has("run")) {
                 folder.keepNumbers();
             }
@@ -49,17 +57,36 @@ public final class RequestedBehaviours implements AutoCloseable {
         }
     }
 
+    /** A run compiles only the file of its process. */
+    private static Predicate<Path> chosenFiles(Arguments arguments, Path folder) {
+        String name = arguments.text("behaviour").orElse("");
+        return Stream.of(".java", ".py")
+                .map(extension -> folder.resolve(name + extension))
+                .filter(file -> arguments.has("run") && Files.isRegularFile(file))
+                .findFirst()
+                .<Predicate<Path>>map(only -> only::equals)
+                .orElse(file -> true);
+    }
+
     /** The process that every robot starts with. */
     public BehaviourKind chosen(Arguments arguments) throws UsageException {
         return chosen(arguments, list);
     }
 
     /**
-     * Chooses for one of several runs without a clock: adds the loaded processes, which are waited for, to the list of
-     * its simulation and chooses from that, because it has goals of its own.
+     * Has the folder's processes decide on this thread, which simulates a run without a clock.
+     *
+     * @param ended told why a process ends the program, on another thread
+     */
+    public void callDirectly(Consumer<Decision.Failed> ended) {
+        folder.ifPresent(opened -> opened.callDirectly(ended));
+    }
+
+    /**
+     * Chooses for one of several runs without a clock: adds the loaded processes to the list of its simulation and chooses
+     * from that, because it has goals of its own.
      */
     public BehaviourKind chosenForRun(Arguments arguments, BehaviourList ofRun) throws UsageException {
-        folder.ifPresent(BehaviourFolder::waitForDecisions);
         list.kinds().stream()
                 .filter(kind -> !BehaviourKind.BUILT_IN.contains(kind))
                 .forEach(ofRun::put);

@@ -23,11 +23,11 @@ import simrobot.source.child.RequestLine;
  *
  * <p>A robot hands over its senses every 50 ms of simulated time and takes the decision with the next: so the delay is the same
  * in every run. A decision that is late makes the robot brake. A simulation at its usual pace never waits here; one that is
- * faster waits for the decisions of all robots at most 50 ms a step. A run without a clock waits for each: there no decision is
+ * faster waits for the decisions of all robots at most 50 ms a step. One that waits for each is patient: there no decision is
  * late, and a loaded machine changes no pose.
  */
 final class BehaviourChild implements ChildProcess.Listener {
-    private static final long PERIOD_NANOS = 50_000_000;
+    static final long PERIOD_NANOS = 50_000_000;
 
     /** A child ends a decision itself after 1 s; one that does not is ended after this time. */
     private static final long LATEST_NANOS = 3_000_000_000L;
@@ -65,6 +65,10 @@ final class BehaviourChild implements ChildProcess.Listener {
     BehaviourChild(ChildFile file, Consumer<Decision.Failed> startFault) {
         this.file = file;
         this.startFault = startFault;
+    }
+
+    ChildFile file() {
+        return file;
     }
 
     /** Starts the process, so that the first decision does not wait for it. */

@@ -24,6 +24,8 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
@@ -33,6 +35,7 @@ import simrobot.behaviour.Behaviour;
 import simrobot.behaviour.BehaviourRequest;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
+import simrobot.process.Decision;
 import simrobot.source.child.FaultPlace;
 import simrobot.source.child.LoadedClasses;
 import simrobot.source.child.ProcessOutput;
@@ -74,6 +77,7 @@ public final class BehaviourFolder implements AutoCloseable {
     private final BehaviourList list;
     private final BehaviourCompiler compiler;
     private final ChildSettings settings;
+    private final Predicate<Path> chosen;
     private final Thread thread = new Thread(this::look, "behaviour folder");
     private Map<Path, Stamp> seen = Map.of();
     /** The classes of the last valid version, by file. */
@@ -83,6 +87,9 @@ public final class BehaviourFolder implements AutoCloseable {
     private final Map<Path, BehaviourChild> children = new ConcurrentHashMap<>();
     private volatile Listener listener;
     private volatile boolean patient;
+    /** Null while children decide. */
+    private DirectCalls direct;
+
     /** Null while numbers are not kept. */
     private NumbersFile numbers;
     private boolean isLive;
@@ -90,17 +97,24 @@ public final class BehaviourFolder implements AutoCloseable {
     /**
      * Scans the folder once.
      *
+     * @param chosen the files that may be processes; others are read only where these use them
      * @throws NotDirectoryException if the path is no folder
      */
-    public BehaviourFolder(Path folder, BehaviourList list, Listener listener, ChildSettings settings)
+    public BehaviourFolder(Path folder, BehaviourList list, ChildSettings settings, Predicate<Path> chosen)
             throws IOException {
-        this(folder, list, listener, settings, ToolProvider.getSystemJavaCompiler());
+        this(folder, list, new Listener() {}, settings, ToolProvider.getSystemJavaCompiler(), chosen);
     }
 
     BehaviourFolder(
-            Path folder, BehaviourList list, Listener listener, ChildSettings settings, JavaCompiler compiler)
+            Path folder,
+            BehaviourList list,
+            Listener listener,
+            ChildSettings settings,
+            JavaCompiler compiler,
+            Predicate<Path> chosen)
             throws IOException {
         this.settings = settings;
+        this.chosen = chosen;
         this.folder = folder;
         this.list = list;
         this.listener = listener;
@@ -169,8 +183,18 @@ public final class BehaviourFolder implements AutoCloseable {
         list.setNumbers(numbers.numbers());
     }
 
-    /** Makes processes that begin from now on wait up to 1 s for each decision, instead of 50 ms. */
-    public void waitForDecisions() {
+    /** Makes processes that begin from now on wait for each decision, so that a loaded machine changes no pose. */
+    void waitForDecisions() {
+        patient = true;
+    }
+
+    /**
+     * Has Java processes decide on this thread, which simulates, from now on; others are waited for.
+     *
+     * @param ended told why a process ends the program, on another thread
+     */
+    public void callDirectly(Consumer<Decision.Failed> ended) {
+        direct = new DirectCalls(ended);
         patient = true;
     }
 
@@ -221,7 +245,7 @@ public final class BehaviourFolder implements AutoCloseable {
         Map<Path, Stamp> stamps = new TreeMap<>();
         try (Stream<Path> files = Files.list(folder)) {
             // an editor's lock may be a link to nothing
-            for (Path file : files.filter(Files::isRegularFile).toList()) {
+            for (Path file : files.filter(Files::isRegularFile).filter(chosen).toList()) {
                 if (Stream.of(SOURCE, JAR, PYTHON).anyMatch(file.toString()::endsWith)) {
                     BasicFileAttributes attributes = Files.readAttributes(file, BasicFileAttributes.class);
                     stamps.put(file, new Stamp(attributes.lastModifiedTime().toMillis(), attributes.size()));
@@ -340,7 +364,7 @@ public final class BehaviourFolder implements AutoCloseable {
                                                 + " parameters",
                                         "process")));
         BehaviourChild child = new BehaviourChild(ChildFile.ofSource(base(file), classes, lines, settings), fault -> {});
-        BehaviourKind kind = kind(type, child);
+        BehaviourKind kind = kind(type, child, new FaultPlace(file.getFileName().toString()));
         compiled.put(file, classes);
         children.put(file, child);
         return List.of(kind);
@@ -374,7 +398,7 @@ public final class BehaviourFolder implements AutoCloseable {
                     .toList();
             BehaviourChild child = new BehaviourChild(ChildFile.ofJar(base(jar), copy, settings), fault -> {});
             for (Class<? extends Behaviour> type : types) {
-                kinds.add(kind(type, child));
+                kinds.add(kind(type, child, new FaultPlace(null)));
             }
             if (!kinds.isEmpty()) {
                 children.put(jar, child);
@@ -391,10 +415,13 @@ public final class BehaviourFolder implements AutoCloseable {
         return kinds;
     }
 
-    private BehaviourKind kind(Class<? extends Behaviour> type, BehaviourChild child) throws SourceException {
+    private BehaviourKind kind(Class<? extends Behaviour> type, BehaviourChild child, FaultPlace place)
+            throws SourceException {
         String name = type.getSimpleName();
         requireFree(name);
-        return new BehaviourKind(name, around -> child.ofRobot(type.getName(), around.waitBudget(), patient));
+        return new BehaviourKind(name, around -> direct == null
+                ? child.ofRobot(type.getName(), around.waitBudget(), patient)
+                : direct.ofRobot(type, child.file(), place));
     }
 
     private static void requireFree(String name) throws SourceException {
@@ -408,5 +435,8 @@ public final class BehaviourFolder implements AutoCloseable {
     public void close() {
         thread.interrupt();
         children.values().forEach(BehaviourChild::close);
+        if (direct != null) {
+            direct.close();
+        }
     }
 }

@@ -87,8 +87,13 @@ class BehaviourFolderTest {
         Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000 + 1000L * told.size() + decide.length()));
     }
 
+    static BehaviourFolder open(Path folder, BehaviourList list, BehaviourFolder.Listener listener) throws IOException {
+        return new BehaviourFolder(
+                folder, list, listener, SETTINGS, ToolProvider.getSystemJavaCompiler(), file -> true);
+    }
+
     private BehaviourFolder open() throws IOException {
-        opened = new BehaviourFolder(folder, list, listener, SETTINGS);
+        opened = open(folder, list, listener);
         opened.waitForDecisions();
         return opened;
     }
@@ -138,6 +143,7 @@ class BehaviourFolderTest {
         open();
         begin("Arc");
         simulation.run(500);
+        opened.callDirectly(fault -> {});
         Simulation again = new Simulation(World.bare(), 1);
         SimulatedRobot other = again.addRobot("robot", new Position(0, 0), 0);
         other.autonomy().begin(list.of("Arc"));
@@ -320,7 +326,7 @@ class BehaviourFolderTest {
     @Test
     void aJavaWithoutACompilerSaysSo() throws IOException {
         write("Ahead", "        return new Steering(0.5, 0);");
-        new BehaviourFolder(folder, list, listener, SETTINGS, null);
+        new BehaviourFolder(folder, list, listener, SETTINGS, null, file -> true);
         assertTrue(told.get(0).startsWith("failed Ahead 0 this Java has no compiler, expected a JDK"), told.get(0));
     }
 
@@ -350,13 +356,13 @@ class BehaviourFolderTest {
                 });
         write("Ahead", "        return new Steering(0.5, 0);");
         write("Back", "        return new Steering(-0.5, 0);");
-        new BehaviourFolder(folder, list, listener, SETTINGS, failing);
+        new BehaviourFolder(folder, list, listener, SETTINGS, failing, file -> true);
         assertEquals(List.of("failed Ahead 0 cannot be loaded: IllegalStateException: no file", "loaded Back"), told);
     }
 
     @Test
     void aFolderThatIsNoneIsRefused() {
-        assertThrows(NotDirectoryException.class, () -> new BehaviourFolder(folder.resolve("nowhere"), list, listener, SETTINGS));
+        assertThrows(NotDirectoryException.class, () -> open(folder.resolve("nowhere"), list, listener));
     }
 
     @Test

@@ -13,6 +13,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.ResourceBundle;
 import java.util.stream.Stream;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -211,7 +212,9 @@ class MistakesOfStudentsTest {
                         faults.put(name, new BehaviourList.Fault(name, line, text));
                     }
                 },
-                BehaviourFolderTest.SETTINGS);
+                BehaviourFolderTest.SETTINGS,
+                ToolProvider.getSystemJavaCompiler(),
+                file -> true);
         opened.waitForDecisions();
         robot.autonomy().addEndListener((kind, how) -> ends.add(how));
         assertTrue(other.autonomy().begin(simulation.behaviours().of("Good")));

@@ -45,7 +45,7 @@ class NumbersFileTest {
     }
 
     private BehaviourFolder open(BehaviourList list) throws IOException {
-        BehaviourFolder opened = new BehaviourFolder(folder, list, listener, BehaviourFolderTest.SETTINGS);
+        BehaviourFolder opened = BehaviourFolderTest.open(folder, list, listener);
         opened.keepNumbers();
         return opened;
     }

@@ -19,6 +19,7 @@ import simrobot.app.SimRobotOptions;
 import simrobot.control.RobotEvent;
 import simrobot.control.RobotName;
 import simrobot.process.BehaviourList;
+import simrobot.process.Decision;
 import simrobot.replay.SessionRecorder;
 import simrobot.robot.Noise;
 import simrobot.robot.SimulatedRobot;
@@ -47,6 +48,8 @@ public final class BatchRun {
     private final long seed;
     private final boolean isUntilDone;
     private final double seconds;
+    private volatile long seedOfRun;
+    private volatile RunJudge judge;
 
     private BatchRun(Arguments arguments, RequestedBehaviours behaviours, World world)
             throws UsageException, IOException {
@@ -72,7 +75,16 @@ public final class BatchRun {
         refuse(arguments, LIVE_OPTIONS, ": a run (--run) has no clients, expected one of the two");
         try (RequestedBehaviours behaviours = RequestedBehaviours.of(arguments, new BehaviourList())) {
             BatchRun batch = new BatchRun(arguments, behaviours, world);
+            behaviours.callDirectly(batch::broken);
             return arguments.has("runs") ? batch.runAll() : batch.runOne();
+        }
+    }
+
+    /** @throws UsageException if a run cannot have these options in this world */
+    static void check(Arguments arguments, World world) throws UsageException, IOException {
+        refuse(arguments, LIVE_OPTIONS, ": a run (--run, --grade) has no clients, expected one of the two");
+        try (RequestedBehaviours none = RequestedBehaviours.of(arguments.without("behaviours"), new BehaviourList())) {
+            new BatchRun(arguments, none, world);
         }
     }
 
@@ -98,12 +110,12 @@ public final class BatchRun {
         }
         double wall = (System.nanoTime() - began) * 1e-9;
         PrintStream out = Program.standardOutput();
-        judge.outcomes().forEach(outcome -> out.println(outcome.event()));
         out.println(Event.of("ran")
                 .with("robots", names.size())
                 .with("simulated", RunOutcome.threeDecimals(simulation.timeNanos() * 1e-9))
                 .with("cpu", RunOutcome.threeDecimals(cpuSeconds()))
                 .with("wall", RunOutcome.threeDecimals(wall)));
+        judge.outcomes().forEach(outcome -> out.println(outcome.event()));
         return judge.isAllDone() ? ExitStatus.OK : ExitStatus.FAILED;
     }
 
@@ -143,6 +155,7 @@ public final class BatchRun {
         out.println(RunJudge.HEADER);
         boolean isAllDone = true;
         for (long run = seed; run < seed + runs; run++) {
+            seedOfRun = run;
             Simulation simulation = simulation(run);
             RunJudge judge = judge(simulation);
             try {
@@ -158,7 +171,20 @@ public final class BatchRun {
     }
 
     private RunJudge judge(Simulation simulation) throws UsageException {
-        return new RunJudge(simulation, behaviours.chosenForRun(arguments, simulation.behaviours()), goal);
+        judge = new RunJudge(simulation, behaviours.chosenForRun(arguments, simulation.behaviours()), goal);
+        return judge;
+    }
+
+    /** A process ends the program: says so for the run that is under way. Called on another thread. */
+    private void broken(Decision.Failed fault) {
+        judge.end(RunOutcome.State.FAILED, fault.where() + fault.text());
+        PrintStream out = Program.standardOutput();
+        if (arguments.has("runs")) {
+            out.println(judge.row(seedOfRun));
+        } else {
+            judge.outcomes().forEach(outcome -> out.println(outcome.event()));
+        }
+        out.flush();
     }
 
     private Simulation simulation(long ofRun) throws UsageException {

@@ -138,8 +138,7 @@ final class RunJudge {
                 .filter(each -> each.state() != RunOutcome.State.DONE)
                 .toList();
         RunOutcome first = others.isEmpty() ? outcomes.get(0) : others.get(0);
-        return CsvLine.of(List.of(
-                "" + seed,
+        return seed + "," + CsvLine.of(List.of(
                 first.state().word(),
                 "" + outcomes.size(),
                 "" + (outcomes.size() - others.size()),

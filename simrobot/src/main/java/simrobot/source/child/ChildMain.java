@@ -25,7 +25,7 @@ import simrobot.behaviour.BehaviourRequest;
  * The main class of a child: reads questions from its standard input and writes a decision for each to its standard output.
  * It ends with that input, so no child outlives SimRobot.
  */
-public final class ChildMain {
+public final class ChildMain implements Watchdog.Watched {
     /** Characters that one decision may print; further ones are dropped. */
     private static final int MOST_PRINTED = 2000;
 
@@ -105,8 +105,7 @@ public final class ChildMain {
             answer(made);
         } catch (Throwable thrown) {
             decision++;
-            boolean isWrapped = thrown instanceof ExceptionInInitializerError && thrown.getCause() != null;
-            Throwable cause = isWrapped ? thrown.getCause() : thrown;
+            Throwable cause = FaultPlace.cause(thrown);
             behaviours.remove(robot);
             fail(place.line(cause.getStackTrace()), cause.getClass().getSimpleName(), FaultPlace.text(cause));
             if (cause instanceof OutOfMemoryError) {
@@ -153,17 +152,19 @@ public final class ChildMain {
 
     // ---- for the watchdog's thread -------------------------------------------------------------------------------
 
-    long decision() {
+    @Override
+    public long decision() {
         return decision;
     }
 
-    /** The line of the student's file that a thread executes; 0 if it executes none. */
-    int line(StackTraceElement[] trace) {
+    @Override
+    public int line(StackTraceElement[] trace) {
         return place.line(trace);
     }
 
     /** Reports a fault of the robot that decides, or has decided last, and ends the child at once. */
-    void end(StackTraceElement[] trace, String cause, String text) {
+    @Override
+    public void end(StackTraceElement[] trace, String cause, String text) {
         try {
             fail(place.line(trace), cause, text);
             answers.flush();

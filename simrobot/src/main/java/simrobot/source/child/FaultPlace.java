@@ -15,6 +15,11 @@ public record FaultPlace(String file) {
                 .orElse(0);
     }
 
+    /** What a static initialiser has thrown; else the same. */
+    public static Throwable cause(Throwable thrown) {
+        return thrown instanceof ExceptionInInitializerError && thrown.getCause() != null ? thrown.getCause() : thrown;
+    }
+
     /** The exception in words: {@code ArithmeticException: / by zero}. */
     public static String text(Throwable thrown) {
         String name = thrown.getClass().getSimpleName();

@@ -6,30 +6,42 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Ends the child when a decision takes more than 1 s, when a thread that the file started still executes its code at two looks, one each 0.5 s,
+ * Ends the virtual machine of a file when a decision takes more than 1 s, when a thread that the file started still executes its code at two looks, one each 0.5 s,
  * and when the file ends the Java virtual machine. Time counts in periods of this thread, so that a busy machine, which delays
  * both, makes no decision late.
  */
-final class Watchdog {
+public final class Watchdog {
+    /** Makes the decisions. */
+    public interface Watched {
+        /** Counts the beginnings and ends of decisions: odd while one is being made. */
+        long decision();
+
+        /** The line of the student's file that a thread executes; 0 if it executes none. */
+        int line(StackTraceElement[] trace);
+
+        /** Reports a fault and ends the virtual machine. @param cause names a hint */
+        void end(StackTraceElement[] trace, String cause, String text);
+    }
+
     private static final long PERIOD_MILLIS = 50;
     private static final int PERIODS_PER_SECOND = 20;
     private static final int MOST_THREADS = 50;
 
-    private final ChildMain child;
+    private final Watched watched;
     private final Thread main;
     private final Thread thread = new Thread(this::run, "watchdog");
     private long seen;
     private int late;
     private Set<Thread> foreign = Set.of();
 
-    Watchdog(ChildMain child, Thread main) {
-        this.child = child;
+    public Watchdog(Watched watched, Thread main) {
+        this.watched = watched;
         this.main = main;
         thread.setDaemon(true);
         thread.setPriority(Thread.MAX_PRIORITY);
     }
 
-    void start() {
+    public void start() {
         thread.start();
         Runtime.getRuntime().addShutdownHook(new Thread(this::explainExit, "exit"));
     }
@@ -41,7 +53,7 @@ final class Watchdog {
                 look(period);
             }
         } catch (InterruptedException e) {
-            child.end(main.getStackTrace(), "thread", "it has interrupted the watchdog");
+            watched.end(main.getStackTrace(), "thread", "it has interrupted the watchdog");
         }
     }
 
@@ -58,13 +70,13 @@ final class Watchdog {
     }
 
     private void lookAtDecision() {
-        long now = child.decision();
+        long now = watched.decision();
         late = now % 2 == 1 && now == seen ? late + 1 : 0;
         seen = now;
         if (late >= PERIODS_PER_SECOND) {
             boolean waits = main.getState() != Thread.State.RUNNABLE;
             String text = waits ? "it waits for something" : "it computes without end";
-            child.end(main.getStackTrace(), waits ? "waits" : "loops", "no decision within 1 s: " + text);
+            watched.end(main.getStackTrace(), waits ? "waits" : "loops", "no decision within 1 s: " + text);
         }
     }
 
@@ -73,10 +85,10 @@ final class Watchdog {
         Set<Thread> now = new HashSet<>();
         for (Map.Entry<Thread, StackTraceElement[]> each : Thread.getAllStackTraces().entrySet()) {
             Thread found = each.getKey();
-            if (found != main && child.line(each.getValue()) > 0) {
+            if (found != main && watched.line(each.getValue()) > 0) {
                 now.add(found);
                 if (isCrowd || foreign.contains(found)) {
-                    child.end(each.getValue(), "thread", "a thread of its own still runs after the decision");
+                    watched.end(each.getValue(), "thread", "a thread of its own still runs after the decision");
                 }
             }
         }
@@ -89,6 +101,6 @@ final class Watchdog {
                 .filter(trace -> Arrays.stream(trace)
                         .anyMatch(frame -> frame.getClassName().equals("java.lang.Runtime")))
                 .findFirst()
-                .ifPresent(trace -> child.end(trace, "exit", "System.exit is called"));
+                .ifPresent(trace -> watched.end(trace, "exit", "System.exit is called"));
     }
 }

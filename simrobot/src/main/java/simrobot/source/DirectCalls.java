@@ -1,0 +1,130 @@
+package simrobot.source;
+
+import java.util.List;
+import java.util.function.Consumer;
+import simrobot.behaviour.BehaviourAnswer;
+import simrobot.behaviour.Behaviour;
+import simrobot.behaviour.Senses;
+import simrobot.behaviour.Steering;
+import simrobot.process.Decision;
+import simrobot.process.RobotProcess;
+import simrobot.source.child.FaultPlace;
+import simrobot.source.child.LoadedClasses;
+import simrobot.source.child.Watchdog;
+
+/**
+ * Calls students' Java processes on the simulation's own thread, for runs without a clock: a child costs many times the time of a
+ * decision. A decision takes effect 50 ms later, as with a child. What a fault does to SimRobot ends the run, and the program.
+ */
+final class DirectCalls implements Watchdog.Watched {
+    private final Consumer<Decision.Failed> ended;
+    /** Counts the beginnings and ends of decisions: odd while one is being made. */
+    private volatile long decision;
+
+    /** The file that decides, or has decided last; null before the first. */
+    private volatile ChildFile file;
+
+    private volatile FaultPlace place = new FaultPlace("");
+    private volatile boolean isClosed;
+
+    /**
+     * Begins to watch this thread.
+     *
+     * @param ended told of an endless decision, an exit or a thread that runs on; then the program ends
+     */
+    DirectCalls(Consumer<Decision.Failed> ended) {
+        this.ended = ended;
+        new Watchdog(this, Thread.currentThread()).start();
+    }
+
+    RobotProcess ofRobot(Class<? extends Behaviour> type, ChildFile source, FaultPlace lines) {
+        return new OfRobot(type, source, lines);
+    }
+
+    void close() {
+        isClosed = true;
+    }
+
+    @Override
+    public long decision() {
+        return decision;
+    }
+
+    @Override
+    public int line(StackTraceElement[] trace) {
+        return place.line(trace);
+    }
+
+    @Override
+    public void end(StackTraceElement[] trace, String cause, String text) {
+        int line = line(trace);
+        boolean isOwnExit = cause.equals("exit") && line == 0 && decision % 2 == 0;
+        if (isClosed || isOwnExit) {
+            return;
+        }
+        try {
+            ended.accept(file.failed(line, cause, text, List.of()));
+        } finally {
+            Runtime.getRuntime().halt(1);
+        }
+    }
+
+    /** The process of one robot. */
+    private final class OfRobot implements RobotProcess {
+        private final Class<? extends Behaviour> type;
+        private final ChildFile source;
+        private final FaultPlace lines;
+        /** Null before the first decision. */
+        private Behaviour behaviour;
+
+        private Decision next = new Decision.Go(Steering.STOP);
+
+        OfRobot(Class<? extends Behaviour> type, ChildFile source, FaultPlace lines) {
+            this.type = type;
+            this.source = source;
+            this.lines = lines;
+        }
+
+        @Override
+        public long periodNanos() {
+            return BehaviourChild.PERIOD_NANOS;
+        }
+
+        @Override
+        public Decision decide(Senses senses) {
+            Decision now = next;
+            if (!(now instanceof Decision.End)) {
+                file = source;
+                place = lines;
+                DirectSenses open = new DirectSenses(senses);
+                decision++;
+                next = decision(open);
+                decision++;
+                open.close();
+            }
+            return now;
+        }
+
+        private Decision decision(Senses senses) {
+            try {
+                if (behaviour == null) {
+                    behaviour = LoadedClasses.create(type);
+                }
+                BehaviourAnswer made = BehaviourAnswer.of(behaviour, senses);
+                if (made.steering() == null) {
+                    return source.failed(0, "null", "decide returned null, expected a Steering", List.of());
+                }
+                return made.isDone()
+                        ? new Decision.Done(made.asked())
+                        : new Decision.Go(made.steering(), made.asked());
+            } catch (Throwable thrown) {
+                Throwable cause = FaultPlace.cause(thrown);
+                return source.failed(
+                        lines.line(cause.getStackTrace()),
+                        cause.getClass().getSimpleName(),
+                        FaultPlace.text(cause),
+                        List.of());
+            }
+        }
+    }
+}
