@@ -26,7 +26,7 @@ public interface Behaviour {
 
     // ---- requests, valid in decide -------------------------------------------------------------------------------
 
-    /** Sends an SMS through the robot's modem: at most one in 10 s, further ones are dropped. @param number 1 to 15 digits */
+    /** Sends an SMS through the robot's modem: at most one in 10 s, further ones are dropped. @param text at most 160 characters */
     default void sms(String number, String text) {
         BehaviourAnswer.ask(new BehaviourRequest.Sms(number, text));
     }

@@ -10,6 +10,7 @@ public sealed interface BehaviourRequest {
         public Sms {
             require(to.matches("\\+?[0-9]{1,15}"), "sms to \"" + to + "\", expected a number of 1 to 15 digits");
             require(!text.isBlank(), "an empty sms, expected a text");
+            require(text.length() <= 160, "an sms of " + text.length() + " characters, expected at most 160");
         }
     }
 

@@ -121,6 +121,11 @@ public final class Autonomy {
         return call;
     }
 
+    /** True once the robot has reached the place that the process requested last. */
+    boolean hasArrived() {
+        return errand != null && errand.hasArrived();
+    }
+
     /** True if the running process reads the keys of the call. */
     public boolean takesKeys() {
         return isUnfinished() && takesKeys;
@@ -179,7 +184,7 @@ public final class Autonomy {
         takesKeys = false;
         errand = null;
         marks = List.of();
-        senses = new ProcessSenses(robot, call::take, () -> errand != null && errand.hasArrived());
+        senses = new ProcessSenses(robot);
         inCollisionNanos = 0;
         if (isActive()) {
             sinceDecisionNanos = process.periodNanos();

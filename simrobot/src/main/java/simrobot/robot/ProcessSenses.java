@@ -1,7 +1,5 @@
 package simrobot.robot;
 
-import java.util.function.BooleanSupplier;
-import java.util.function.Supplier;
 import simrobot.behaviour.Call;
 import simrobot.behaviour.OdometryPose;
 import simrobot.behaviour.Senses;
@@ -11,18 +9,13 @@ import vericommand.RobotStatus;
 /** The senses of a process, measured when read, and the time since its beginning. */
 final class ProcessSenses implements Senses {
     private final Pioneer robot;
-    private final Supplier<Call> call;
-    private final BooleanSupplier arrived;
     private final Pose start;
     private final Pose odometryStart;
     private long nanos;
     private Call heard;
 
-    /** @param arrived true once the robot has reached the requested place */
-    ProcessSenses(Pioneer robot, Supplier<Call> call, BooleanSupplier arrived) {
+    ProcessSenses(Pioneer robot) {
         this.robot = robot;
-        this.call = call;
-        this.arrived = arrived;
         start = robot.pose();
         odometryStart = robot.odometryPose();
     }
@@ -80,13 +73,13 @@ final class ProcessSenses implements Senses {
 
     @Override
     public boolean hasArrived() {
-        return arrived.getAsBoolean();
+        return robot.autonomy().hasArrived();
     }
 
     /** The call; its keys are consumed by the first read in a decision. */
     @Override
     public Call call() {
-        heard = heard == null ? call.get() : heard;
+        heard = heard == null ? robot.autonomy().call().take() : heard;
         return heard;
     }
 

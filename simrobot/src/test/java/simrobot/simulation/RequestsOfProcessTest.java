@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.SvgCanvas;
 import simrobot.behaviour.BehaviourAnswer;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.behaviour.Behaviour;
 import simrobot.behaviour.OdometryPose;
 import simrobot.behaviour.Senses;
@@ -173,6 +174,7 @@ class RequestsOfProcessTest {
         assertEquals(
                 "expected within decide",
                 assertThrows(IllegalStateException.class, () -> floods.play("1")).getMessage());
+        assertThrows(IllegalArgumentException.class, () -> new BehaviourRequest.Sms("5550100", "a".repeat(161)));
         assertThrows(IllegalArgumentException.class, () -> floods.play("Ring"));
         assertThrows(IllegalArgumentException.class, () -> floods.drawLine(0, 0, Double.NaN, 0));
         assertThrows(IllegalArgumentException.class, () -> floods.drawText(0, 0, "a".repeat(61)));
