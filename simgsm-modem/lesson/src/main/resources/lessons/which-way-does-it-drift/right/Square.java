@@ -1,5 +1,4 @@
 import simrobot.behaviour.Behaviour;
-import simrobot.behaviour.Place;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 
@@ -11,7 +10,7 @@ public class Square implements Behaviour {
 
     @Override
     public Steering decide(Senses senses) {
-        Place believed = senses.odometry();
+        var believed = senses.odometry();
         double[] next = CORNERS[passed % CORNERS.length];
         double dx = next[0] - believed.xMeters();
         double dy = next[1] - believed.yMeters();
