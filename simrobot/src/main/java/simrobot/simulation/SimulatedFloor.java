@@ -149,6 +149,7 @@ final class SimulatedFloor implements Floor {
     /** The step has ended. @param moved the robots */
     void endStep(List<SimulatedRobot> moved) {
         sonarClock.end(moved);
+        waitBudget.end();
     }
 
     @Override

@@ -80,6 +80,7 @@ final class BehaviourChild implements ChildProcess.Listener {
             heardNanos = System.nanoTime() + STARTING_NANOS;
             process = new ChildProcess(file.name(), file.command(), this);
             file.lines().forEach(process::send);
+            process.flush();
         }
     }
 
@@ -277,7 +278,8 @@ final class BehaviourChild implements ChildProcess.Listener {
             requests.clear();
             askedNanos = System.nanoTime();
             asked.add(this);
-            process.send(PipeSenses.line(number, senses));
+            process.send(PipeSenses.line(number, senses, file.readsLaser()));
+            budget.atEnd(process::flush);
             return last;
         }
 
@@ -307,6 +309,7 @@ final class BehaviourChild implements ChildProcess.Listener {
                     robots--;
                     if (begun != null && begun == process) {
                         process.send(PipeLine.of("end", "robot", number));
+                        process.flush();
                     }
                     endIfLeft();
                 }

@@ -1,5 +1,6 @@
 package simrobot.source;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
@@ -18,8 +19,10 @@ import simrobot.source.child.PipeLine;
  * @param command the program and its arguments
  * @param lines what it reads first
  * @param source of the file; empty for a jar
+ * @param readsLaser whether it mentions the laser, which costs more than all other senses
  */
-record ChildFile(String name, List<String> command, List<String> lines, SourceLines source, Hints hints) {
+record ChildFile(
+        String name, List<String> command, List<String> lines, SourceLines source, boolean readsLaser, Hints hints) {
     /** Python ends with SimRobot also in an endless loop: its parent is another one then. */
     private static final String PYTHON_START =
             """
@@ -42,12 +45,14 @@ record ChildFile(String name, List<String> command, List<String> lines, SourceLi
         List<String> lines = new ArrayList<>();
         classes.forEach((className, octets) -> lines.add(PipeLine.of(
                 "class", "name", className, "octets", Base64.getUrlEncoder().encodeToString(octets))));
-        return new ChildFile(name, java(settings, name + ".java"), lines, source, settings.hints());
+        boolean readsLaser = classes.values().stream()
+                .anyMatch(octets -> new String(octets, StandardCharsets.ISO_8859_1).contains("laserMeters"));
+        return new ChildFile(name, java(settings, name + ".java"), lines, source, readsLaser, settings.hints());
     }
 
     static ChildFile ofJar(String name, Path jar, ChildSettings settings) {
         List<String> lines = List.of(PipeLine.of("jar", "path", jar.toString()));
-        return new ChildFile(name, java(settings), lines, SourceLines.of(""), settings.hints());
+        return new ChildFile(name, java(settings), lines, SourceLines.of(""), true, settings.hints());
     }
 
     /** A Python program of a student, executed by the Python of the machine. */
@@ -55,7 +60,8 @@ record ChildFile(String name, List<String> command, List<String> lines, SourceLi
         boolean isWindows = System.getProperty("os.name").startsWith("Windows");
         List<String> command =
                 List.of(isWindows ? "python" : "python3", "-u", "-c", PYTHON_START, file.toString());
-        return new ChildFile(name, command, List.of(), SourceLines.of(source), settings.hints());
+        boolean readsLaser = source.contains("laser");
+        return new ChildFile(name, command, List.of(), SourceLines.of(source), readsLaser, settings.hints());
     }
 
     /** A small Java: it compiles fast rather than well, and collects its garbage on one thread. */

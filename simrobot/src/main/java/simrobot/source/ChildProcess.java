@@ -50,9 +50,12 @@ final class ChildProcess {
         thread.start();
     }
 
-    /** Queues a line; never waits. */
+    /** Queues a line until {@link #flush}; never waits. */
     synchronized void send(String line) {
         outgoing.append(line).append('\n');
+    }
+
+    synchronized void flush() {
         notifyAll();
     }
 
@@ -101,6 +104,7 @@ final class ChildProcess {
             listener.ended(this, 0);
         } finally {
             send("");
+            flush();
         }
     }
 }

@@ -24,7 +24,7 @@ public final class PipeSenses implements Senses {
     }
 
     /** Returns the line that asks a child for a decision. @param live read on the thread that owns the robot */
-    public static String line(int robot, Senses live) {
+    public static String line(int robot, Senses live, boolean withLaser) {
         StringBuilder line = new StringBuilder(1500).append(PipeLine.of(
                 "decide",
                 "robot",
@@ -60,13 +60,19 @@ public final class PipeSenses implements Senses {
                 "pressed",
                 live.call().pressed()));
         append(line, "sonar", SONARS, live::sonarMeters);
-        try {
-            live.laserMeters(0);
+        if (withLaser && hasLaser(live)) {
             append(line, "laser", LASER_READINGS, live::laserMeters);
-        } catch (UnsupportedOperationException none) {
-            // a real robot may have no laser
         }
         return line.toString();
+    }
+
+    private static boolean hasLaser(Senses live) {
+        try {
+            live.laserMeters(0);
+            return true;
+        } catch (UnsupportedOperationException none) {
+            return false;
+        }
     }
 
     private static String bits(IntPredicate isPressed) {

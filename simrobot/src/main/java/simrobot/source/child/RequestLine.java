@@ -3,12 +3,18 @@ package simrobot.source.child;
 import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import simrobot.behaviour.BehaviourRequest;
 
 /** A request of a process as a line: its word is the name of the record, its values are the components. */
 public final class RequestLine {
+    private static final Map<String, Class<?>> TYPES =
+            Arrays.stream(BehaviourRequest.class.getPermittedSubclasses())
+                    .collect(Collectors.toMap(RequestLine::word, type -> type));
+
     private RequestLine() {}
 
     static String of(String robot, BehaviourRequest request) {
@@ -33,10 +39,7 @@ public final class RequestLine {
 
     /** Returns the request; empty if the line is none, or a value is refused. */
     public static Optional<BehaviourRequest> parse(PipeLine line) {
-        return Arrays.stream(BehaviourRequest.class.getPermittedSubclasses())
-                .filter(type -> word(type).equals(line.word()))
-                .findFirst()
-                .flatMap(type -> create(type, line));
+        return Optional.ofNullable(TYPES.get(line.word())).flatMap(type -> create(type, line));
     }
 
     private static Optional<BehaviourRequest> create(Class<?> type, PipeLine line) {
