@@ -53,22 +53,15 @@ public enum Cause implements Coded.Titled {
     PROTOCOL_ERROR(111, "protocol error, unspecified"),
     INTERWORKING(127, "interworking, unspecified");
 
-    private final int code;
-    private final String title;
+    private final Row row;
 
     Cause(int code, String title) {
-        this.code = code;
-        this.title = title;
+        row = new Row(code, title);
     }
 
     @Override
-    public int code() {
-        return code;
-    }
-
-    @Override
-    public String title() {
-        return title;
+    public Row row() {
+        return row;
     }
 
     /**

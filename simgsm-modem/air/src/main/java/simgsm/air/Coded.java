@@ -21,9 +21,21 @@ public interface Coded extends EventValue {
         return Arrays.stream(values).filter(value -> value.code() == code).findFirst();
     }
 
-    /** A cause: its title is the name in the standard, in lower case. */
+    /** A value whose title is its name in the standard. */
     interface Titled extends Coded {
-        String title();
+        /** A row of the standard's table. */
+        record Row(int code, String title) {}
+
+        Row row();
+
+        @Override
+        default int code() {
+            return row().code();
+        }
+
+        default String title() {
+            return row().title();
+        }
 
         /** The constant. */
         String name();

@@ -31,22 +31,15 @@ public enum RejectCause implements Coded.Titled {
     MESSAGE_NOT_COMPATIBLE(101, "message not compatible with protocol state"),
     PROTOCOL_ERROR(111, "protocol error, unspecified");
 
-    private final int code;
-    private final String title;
+    private final Row row;
 
     RejectCause(int code, String title) {
-        this.code = code;
-        this.title = title;
+        row = new Row(code, title);
     }
 
     @Override
-    public int code() {
-        return code;
-    }
-
-    @Override
-    public String title() {
-        return title;
+    public Row row() {
+        return row;
     }
 
     /** The cause with this code; an unlisted one is 34 for the mobile and 111 for the network (10.5.3.6). */

@@ -23,22 +23,15 @@ public enum RpCause implements Coded.Titled {
     PROTOCOL_ERROR(111, "protocol error, unspecified"),
     INTERWORKING(127, "interworking, unspecified");
 
-    private final int code;
-    private final String title;
+    private final Row row;
 
     RpCause(int code, String title) {
-        this.code = code;
-        this.title = title;
+        row = new Row(code, title);
     }
 
     @Override
-    public int code() {
-        return code;
-    }
-
-    @Override
-    public String title() {
-        return title;
+    public Row row() {
+        return row;
     }
 
     /** The cause with this code; PROTOCOL_ERROR for an unlisted code. */

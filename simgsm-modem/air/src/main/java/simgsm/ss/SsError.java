@@ -27,22 +27,15 @@ public enum SsError implements Coded.Titled {
     UNKNOWN_ALPHABET(71, "unknown alphabet"),
     USSD_BUSY(72, "USSD busy");
 
-    private final int code;
-    private final String title;
+    private final Row row;
 
     SsError(int code, String title) {
-        this.code = code;
-        this.title = title;
+        row = new Row(code, title);
     }
 
     @Override
-    public int code() {
-        return code;
-    }
-
-    @Override
-    public String title() {
-        return title;
+    public Row row() {
+        return row;
     }
 
     /** The error with this code; empty if unknown. */

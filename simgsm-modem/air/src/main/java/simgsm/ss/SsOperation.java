@@ -25,23 +25,15 @@ public enum SsOperation implements Coded.Titled {
     ERASE_CC_ENTRY(76, "eraseCC-Entry"),
     REGISTER_CC_ENTRY(77, "registerCC-Entry");
 
-    private final int code;
-    private final String title;
+    private final Row row;
 
     SsOperation(int code, String title) {
-        this.code = code;
-        this.title = title;
+        row = new Row(code, title);
     }
 
     @Override
-    public int code() {
-        return code;
-    }
-
-    /** The operation's name in the standard. */
-    @Override
-    public String title() {
-        return title;
+    public Row row() {
+        return row;
     }
 
     /** The operation with this code; empty if unknown. */

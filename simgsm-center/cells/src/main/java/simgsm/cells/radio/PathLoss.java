@@ -51,9 +51,4 @@ public final class PathLoss {
         return Math.max(
                 atOneKilometerDecibels + perDecadeDecibels * logKilometres, freeSpaceDecibels + 20 * logKilometres);
     }
-
-    /** The additional loss for ten times the distance. */
-    public double decibelsPerDecade() {
-        return perDecadeDecibels;
-    }
 }
