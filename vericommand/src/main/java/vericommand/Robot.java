@@ -60,7 +60,7 @@ public interface Robot {
         throw new IllegalArgumentException("process " + number + ": this robot has none");
     }
 
-    /** Whether the process that runs has asked for the keys of the call that started it. */
+    /** True if the running process has requested the keys of the call that started it. */
     default boolean takesKeys() {
         return false;
     }

@@ -35,7 +35,7 @@ public final class VeriCommand {
     /** The order that started the robot's process; null if none. */
     private OrderExecution process;
 
-    /** Whether the opening of an order has ended the process that took the keys. */
+    /** True if the opening of an order has ended the process that received the keys. */
     private boolean hasEndedProcess;
 
     private boolean reportedUnderWay;

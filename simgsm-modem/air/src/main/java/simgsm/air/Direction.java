@@ -1,6 +1,6 @@
 package simgsm.air;
 
-/** The direction of a message on the air interface, on which the meaning of some octets depends. */
+/** The direction of a message on the air interface; it determines the meaning of some octets. */
 public enum Direction {
     /** From the mobile to the network. */
     UPLINK,

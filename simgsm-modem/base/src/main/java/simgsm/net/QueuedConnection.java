@@ -3,7 +3,7 @@ package simgsm.net;
 import java.io.IOException;
 import java.nio.channels.WritableByteChannel;
 
-/** A connection whose messages wait in an {@link OutputQueue} until the peer takes them. */
+/** A connection with an {@link OutputQueue} of messages not yet taken by the peer. */
 public abstract class QueuedConnection extends Connection {
     private final OutputQueue output;
 

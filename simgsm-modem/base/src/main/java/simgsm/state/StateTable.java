@@ -89,7 +89,7 @@ public final class StateTable<S extends Enum<S>, E extends Enum<E>, A extends En
         return this;
     }
 
-    /** Sets the texts of the diagram in place of the enums' own names. */
+    /** Replaces the enums' own names by these texts in the diagram. */
     public StateTable<S, E, A> texts(Function<S, String> ofState, Function<E, String> ofEvent) {
         stateText = ofState;
         eventText = ofEvent;

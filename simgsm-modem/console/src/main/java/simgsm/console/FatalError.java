@@ -18,7 +18,7 @@ public final class FatalError {
 
     private static final FileOutputStream STANDARD_ERROR = new FileOutputStream(FileDescriptor.err);
 
-    /** Errors after the end has begun come from closed parts. */
+    /** Errors after the end has begun are from closed parts. */
     private static volatile boolean isEnding;
 
     private FatalError() {}

@@ -45,8 +45,8 @@ public final class FolderLock implements AutoCloseable {
     }
 
     /**
-     * Locks a data file, created if missing, in place of the previous one: the lock then holds even if its own file
-     * is deleted. Call it after reading or replacing the file, because closing a file ends its locks.
+     * Locks a data file, created if missing, instead of the previous one: the lock then holds even if its own file is
+     * deleted. Call it after reading or replacing the file, because closing a file ends its locks.
      *
      * @throws IOException naming the directory if another process holds the file
      */

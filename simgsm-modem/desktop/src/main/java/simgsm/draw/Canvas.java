@@ -37,7 +37,7 @@ public interface Canvas {
 
     void fill(Outline outline);
 
-    /** Fills a rectangle whose edges are moved to whole device pixels. */
+    /** Fills a rectangle with its edges moved to whole device pixels. */
     void bar(double x, double y, double width, double height);
 
     /** Writes a text centred on a point, horizontally by its width and vertically by the height of its capitals. */

@@ -46,7 +46,7 @@ public record KeyCandidate(
         EVIDENCE("log odds %3$.1f of %4$.1f, most against: %1$s %2$.2f"),
         /** Accepted by the classic receiver's tests; the value is the number of blocks. */
         PASSED("all tests passed in %2$.0f blocks"),
-        /** The classic receiver: a tone does not stand out in its group; the value is its lead in decibels. */
+        /** The classic receiver: a tone is not prominent in its group; the value is its lead in decibels. */
         PEAK("%2$.1f dB over the others of its group"),
         /** The classic receiver: a tone has an overtone; the value is the tone's lead over it in decibels. */
         OVERTONE("%2$.1f dB over its second harmonic"),

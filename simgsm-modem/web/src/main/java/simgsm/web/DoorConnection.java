@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 import simgsm.net.Connection;
 import simgsm.net.OutputQueue;
 
-/** A client's connection: the head of its first request decides whether it is a WebSocket or passed on to the pages. */
+/** A client's connection: the head of its first request selects a WebSocket or the pages. */
 final class DoorConnection extends Connection implements WebSocketSession.Carrier {
     private static final int MOST_HEAD_OCTETS = 16 * 1024;
     private static final int HEAD_TOO_LARGE = 431;

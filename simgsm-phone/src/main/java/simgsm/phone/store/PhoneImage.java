@@ -118,7 +118,7 @@ public final class PhoneImage {
         }
     }
 
-    /** Restores a message; one whose sending was interrupted counts as failed. */
+    /** Restores a message; one interrupted while sending counts as failed. */
     private void restoreMessage(List<String> parts) {
         Delivery delivery = Delivery.valueOf(parts.get(4));
         mailbox.restore(

@@ -174,7 +174,7 @@ final class ToneExperimentBar extends JPanel {
         columns.setHgap(Theme.px(16));
     }
 
-    /** Selects the receiver whose score is shown. */
+    /** Selects the receiver of the score shown. */
     void show(ShownReceiver newReceiver) {
         receiver = newReceiver;
         show(newest);

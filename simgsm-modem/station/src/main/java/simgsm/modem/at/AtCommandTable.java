@@ -66,7 +66,7 @@ public final class AtCommandTable<C> {
             return on(AtCommand.Form.TEST, ending((client, request) -> request.answer(values)));
         }
 
-        /** A test form whose answer depends on the state. */
+        /** A test form with an answer that depends on the state. */
         public Row<C> testWith(AtHandler.Simple<C> handler) {
             return on(AtCommand.Form.TEST, ending(handler));
         }

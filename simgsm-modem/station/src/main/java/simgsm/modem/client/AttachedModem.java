@@ -69,7 +69,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private final ReportedState state;
 
     /**
-     * A modem whose line is down.
+     * A modem with its line down.
      *
      * @param number the SIM's, often unknown to modems
      * @param answerAfterMillis as {@link simgsm.modem.ModemOptions}
