@@ -59,7 +59,7 @@ public final class SimRobotOptions {
                 number -> Arguments.checked(() -> slot.card(Optional.of(number))));
     }
 
-    /** How processes of {@code --behaviours} run. */
+    /** Settings of the processes of {@code --behaviours}. */
     public static ChildSettings children(Arguments arguments) throws UsageException {
         return ChildSettings.of(
                 (int) arguments.integer(

@@ -15,7 +15,7 @@ public sealed interface Decision {
 
     /** A decision that ends the process: the robot brakes. */
     sealed interface End extends Decision {
-        /** What the process has asked for in its last decision. */
+        /** The requests of the process in its last decision. */
         default List<BehaviourRequest> asked() {
             return List.of();
         }

@@ -26,7 +26,7 @@ public interface Floor {
     /** True if the robot's circle, with its centre there, overlaps nothing. @param robot null for a robot to be added */
     boolean isFree(SimulatedRobot robot, double xMeters, double yMeters);
 
-    /** True if the place lies within the world. */
+    /** True if the place is inside the world. */
     boolean isInside(double xMeters, double yMeters);
 
     /** The robot's motion there per metre or radian of its wheels, 0 to 1. */

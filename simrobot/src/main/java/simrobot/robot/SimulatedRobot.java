@@ -249,7 +249,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         return touch.persists(this, floor);
     }
 
-    /** Returns true if it stands, without an order or a process that may move it. */
+    /** True if it is at rest, without an order or a process that may move it. */
     public boolean isAtRest() {
         return status() != RobotStatus.MOVING
                 && speed == 0

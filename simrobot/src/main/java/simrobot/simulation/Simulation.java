@@ -112,7 +112,7 @@ public final class Simulation {
 
     // ---- robots --------------------------------------------------------------------------------------------------
 
-    /** In the order in which they were added. */
+    /** The robots in the order of their addition. */
     public List<SimulatedRobot> robots() {
         return robots;
     }
@@ -299,7 +299,7 @@ public final class Simulation {
         robots = Stream.concat(robots.stream(), restored.stream()).toList();
     }
 
-    /** Sets the time to which the robots have been restored. */
+    /** Sets the time of the restored robots. */
     public void restoredAt(long nanos) {
         timeNanos = nanos;
         layTrails();

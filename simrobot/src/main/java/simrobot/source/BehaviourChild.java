@@ -55,7 +55,7 @@ final class BehaviourChild implements ChildProcess.Listener {
     private long heardNanos;
     private int lastNumber;
     private int robots;
-    /** Whether the line heard last tells why the process ends. */
+    /** True if the last line received states why the process ends. */
     private boolean isExplained;
 
     private boolean isReplaced;
@@ -207,7 +207,7 @@ final class BehaviourChild implements ChildProcess.Listener {
         /** Null until the child has decided. */
         private Decision answer;
 
-        /** Of the decision that is being made. */
+        /** Requests of the current decision. */
         private final List<BehaviourRequest> requests = new ArrayList<>();
 
         private Decision last = new Decision.Go(Steering.STOP);

@@ -125,7 +125,7 @@ final class BehaviourCompiler {
         }
     }
 
-    /** A source file whose text is here. */
+    /** A source file held in memory. */
     private static final class Source extends SimpleJavaFileObject {
         private final String text;
 

@@ -3,7 +3,7 @@ package simrobot.source;
 import java.util.Locale;
 
 /**
- * How children run.
+ * Settings of children.
  *
  * @param memoryMebibytes the heap of each
  * @param hints for faults, in the user's language

@@ -3,7 +3,7 @@ package simrobot.source;
 import java.util.Locale;
 import java.util.ResourceBundle;
 
-/** What a beginner may try, by the cause of a fault: the name of an exception, or a code of the compiler. */
+/** Hints for beginners, by the cause of a fault: the name of an exception, or a code of the compiler. */
 public final class Hints {
     private final ResourceBundle texts;
 

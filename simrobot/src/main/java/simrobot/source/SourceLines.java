@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 
 /** The lines of a source file, searched for the place of a fault which compiler and child do not know. */
 record SourceLines(List<String> lines) {
-    /** What the student has probably written, by the cause of the fault. */
+    /** Probable text of the student, by the cause of the fault. */
     private static final Map<String, Pattern> LIKELY = Map.of(
             "halt", Pattern.compile("\\b(halt|exit)\\s*\\("),
             "null", Pattern.compile("\\breturn\\s+null\\b"),

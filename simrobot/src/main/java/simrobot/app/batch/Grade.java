@@ -39,7 +39,7 @@ record Grade(String name, int runs, List<String> rows) {
         return (int) fields(true).count();
     }
 
-    /** Of the runs that are done. */
+    /** Mean time of the completed runs. */
     double meanSeconds() {
         return mean(SECONDS);
     }

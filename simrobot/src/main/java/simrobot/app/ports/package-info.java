@@ -1,2 +1,2 @@
-/** The ports on which SimRobot listens: read {@link simrobot.app.ports.ListeningPorts}. */
+/** SimRobot's listening ports: read {@link simrobot.app.ports.ListeningPorts} first. */
 package simrobot.app.ports;

@@ -15,7 +15,7 @@ public record FaultPlace(String file) {
                 .orElse(0);
     }
 
-    /** What a static initialiser has thrown; else the same. */
+    /** The exception of a static initialiser; else the same. */
     public static Throwable cause(Throwable thrown) {
         return thrown instanceof ExceptionInInitializerError && thrown.getCause() != null ? thrown.getCause() : thrown;
     }

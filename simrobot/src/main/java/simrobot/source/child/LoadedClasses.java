@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import simrobot.behaviour.Behaviour;
 
-/** Loads compiled classes, anew for every version of their source. */
+/** Loads compiled classes; each version of a source gets a loader of its own. */
 public final class LoadedClasses extends ClassLoader {
     /** The name of every class loader of students' classes. */
     static final String NAME = "behaviours";

@@ -195,7 +195,7 @@ final class RobotsCard extends JPanel {
 
     private void show(Optional<RobotSnapshot> robot, List<BehaviourKind> kinds) {
         current = robot.map(RobotSnapshot::behaviour).orElse(BehaviourKind.NONE);
-        // A combo box paints itself anew even if this changes nothing.
+        // a combo box is repainted even if this changes nothing
         if (behaviour.isEnabled() != robot.isPresent()) {
             behaviour.setEnabled(robot.isPresent());
         }

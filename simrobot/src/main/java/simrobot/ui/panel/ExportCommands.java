@@ -23,7 +23,7 @@ final class ExportCommands {
     private String robot = "";
     private Path world = Path.of("world.map");
 
-    /** @param page to which the commands are bound */
+    /** @param page has the commands' key bindings */
     ExportCommands(TextBundle texts, OperatorActions operator, JComponent page) {
         this.texts = texts;
         this.operator = operator;

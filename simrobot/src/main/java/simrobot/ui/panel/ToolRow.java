@@ -63,7 +63,7 @@ final class ToolRow extends JPanel {
     private final Map<UserAction, Predicate<Layers>> layers = new LinkedHashMap<>();
     private final RecordButton record;
     private final ExportCommands exports;
-    /** What changes robots or world; hidden while a recording is played. */
+    /** Tools that change robots or world; hidden in a recording. */
     private final List<JComponent> liveTools;
 
     private final Map<AbstractButton, String> words = new LinkedHashMap<>();

@@ -152,7 +152,7 @@ final class LevelHistory extends PaintedComponent {
                 .orElse(OptionalDouble.empty());
     }
 
-    /** What a neighbour's average has to reach in a connection; in idle mode C2 decides. */
+    /** The level that a neighbour's average has to reach in a connection; in idle mode C2 decides. */
     private static OptionalDouble limit(Sample sample) {
         return sample.levels().isEmpty() || sample.levels().get(0).c2().isPresent()
                 ? OptionalDouble.empty()

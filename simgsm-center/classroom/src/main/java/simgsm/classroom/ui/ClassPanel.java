@@ -41,7 +41,7 @@ import simgsm.ui.glossary.GlossaryText;
 public final class ClassPanel extends JPanel {
     private static final List<String> COLUMNS = List.of(
             "phone", "name", "robot", "orders", "keys", "collisions", "seconds", "lesson", "score");
-    /** What each column has to show whole beside its heading; names and lessons take the rest. */
+    /** Minimum content of each column; names and lessons take the rest. */
     private static final List<String> SAMPLES = List.of("5550100", "Maria", "5550200", "", "", "", "", "twelve", "");
 
     private static final int CELL_MARGIN_UNITS = 10;
