@@ -1,6 +1,7 @@
 package blackbox;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -141,6 +142,32 @@ class BehaviourPageTest {
         }
         assertEquals(8, placesOfRobots.size());
         placesOfRobots.forEach((robot, places) -> assertTrue(places.size() > 1, robot + " has not moved"));
+    }
+
+    @Test
+    void deadReckoningDriftsAndPrintsHowFarAtEachCorner() throws Exception {
+        FinishedProgram run = FinishedProgram.run(
+                "simrobot",
+                "--behaviours",
+                Dist.root().resolve("docs/behaviours").toString(),
+                "--behaviour",
+                "DeadReckoning",
+                "--world",
+                Scenario.world("demo.map").toString(),
+                "--noise",
+                "3",
+                "--seed",
+                "1",
+                "--run",
+                "done");
+        assertEquals(0, run.status(), run.error());
+        List<String> printed = run.output()
+                .lines()
+                .filter(line -> line.startsWith("printed robot=robot name=DeadReckoning text=\"corner "))
+                .toList();
+        assertEquals(21, printed.size(), run.output());
+        assertTrue(printed.get(0).endsWith("corner 0: off by 0.00 m\""), printed.get(0));
+        assertFalse(printed.get(20).contains("off by 0.0"), printed.get(20));
     }
 
     private static RunningProgram example(Scenario scenario, String name) {

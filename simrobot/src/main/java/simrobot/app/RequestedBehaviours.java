@@ -39,8 +39,8 @@ public final class RequestedBehaviours implements AutoCloseable {
         if (place.isEmpty()) {
             return new RequestedBehaviours(list, Optional.empty());
         }
-        // output of a process must not appear between the console's events
-        if (arguments.has("run")) {
+        // output of a process must not appear between the console's events or the rows of a table
+        if (arguments.has("runs")) {
             System.setOut(System.err);
         } else {
             BehaviourFolder.takePrints();

@@ -16,6 +16,7 @@ import simgsm.sim.SimSlot;
 import simrobot.app.RequestedBehaviours;
 import simrobot.app.RequestedRobots;
 import simrobot.app.SimRobotOptions;
+import simrobot.behaviour.BehaviourRequest;
 import simrobot.control.RobotEvent;
 import simrobot.control.RobotName;
 import simrobot.process.BehaviourList;
@@ -101,6 +102,8 @@ public final class BatchRun {
         long began = System.nanoTime();
         Simulation simulation = simulation(seed);
         RunJudge judge = judge(simulation);
+        PrintStream out = Program.standardOutput();
+        simulation.robots().forEach(robot -> print(robot, out));
         try {
             record(simulation, judge);
         } catch (UncheckedIOException e) {
@@ -109,7 +112,6 @@ public final class BatchRun {
             endAll(simulation);
         }
         double wall = (System.nanoTime() - began) * 1e-9;
-        PrintStream out = Program.standardOutput();
         out.println(Event.of("ran")
                 .with("robots", names.size())
                 .with("simulated", RunOutcome.threeDecimals(simulation.timeNanos() * 1e-9))
@@ -117,6 +119,16 @@ public final class BatchRun {
                 .with("wall", RunOutcome.threeDecimals(wall)));
         judge.outcomes().forEach(outcome -> out.println(outcome.event()));
         return judge.isAllDone() ? ExitStatus.OK : ExitStatus.FAILED;
+    }
+
+    /** Prints what the robot's process prints. */
+    private static void print(SimulatedRobot robot, PrintStream out) {
+        robot.autonomy().addRequestListener((kind, asked) -> {
+            if (asked instanceof BehaviourRequest.Printed printed) {
+                printed.text().lines().forEach(line -> out.println(
+                        new RobotEvent.Printed(kind.text(), line).line(robot.name())));
+            }
+        });
     }
 
     private void record(Simulation simulation, RunJudge judge) throws UsageException, IOException {
