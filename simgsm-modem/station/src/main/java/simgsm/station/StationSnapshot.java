@@ -30,32 +30,6 @@ public record StationSnapshot(
         Optional<SpeechCodec.Kind> codec,
         Optional<SpeechCodec.Kind> heardCodec,
         Optional<ServingCell> cell) {
-    /** A station in its own small cell. */
-    public StationSnapshot(
-            boolean powered,
-            boolean linkUp,
-            boolean registered,
-            Optional<RejectCause> rejectCause,
-            boolean cardRefused,
-            String networkName,
-            MobileCallState callState,
-            Optional<Msisdn> peer,
-            Optional<SpeechCodec.Kind> codec,
-            Optional<SpeechCodec.Kind> heardCodec) {
-        this(
-                powered,
-                linkUp,
-                registered,
-                rejectCause,
-                cardRefused,
-                networkName,
-                callState,
-                peer,
-                codec,
-                heardCodec,
-                Optional.empty());
-    }
-
     /** The bars of a display; all of them in the station's own small cell. */
     public int signalBars(int most) {
         return registered ? cell.map(serving -> serving.bars(most)).orElse(most) : 0;

@@ -182,6 +182,7 @@ public final class FakeStation implements StationCommands {
                 MobileCallState.NULL,
                 Optional.empty(),
                 Optional.of(SpeechCodec.Kind.A_LAW),
-                heardCodec);
+                heardCodec,
+                Optional.empty());
     }
 }

@@ -281,6 +281,7 @@ class SimRobotPanelTest {
                 MobileCallState.NULL,
                 Optional.empty(),
                 Optional.of(SpeechCodec.Kind.A_LAW),
+                Optional.empty(),
                 Optional.empty());
         WindowBench bench = bench(new TelephoneSnapshot(
                 line.robot(), line.number(), refused, line.heard(), line.orders(), line.tones(), line.audible()));
@@ -305,6 +306,7 @@ class SimRobotPanelTest {
                 MobileCallState.CALL_RECEIVED,
                 line.modem().peer(),
                 Optional.of(SpeechCodec.Kind.A_LAW),
+                Optional.empty(),
                 Optional.empty());
         WindowBench bench = bench(new TelephoneSnapshot(
                 line.robot(), line.number(), ringing, line.heard(), line.orders(), line.tones(), line.audible()));

@@ -217,7 +217,8 @@ public final class WindowBench implements OperatorActions {
                 inCall ? MobileCallState.ACTIVE : MobileCallState.NULL,
                 inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty(),
                 Optional.of(SpeechCodec.Kind.A_LAW),
-                heardCodec);
+                heardCodec,
+                Optional.empty());
         return new TelephoneSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones, false);
     }
 

@@ -388,6 +388,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
                 call.phase().shown(),
                 call.caller(),
                 Optional.empty(),
+                Optional.empty(),
                 Optional.empty());
     }
 
