@@ -41,6 +41,9 @@ final class LevelBars extends PaintedComponent {
     }
 
     void show(List<Tower> all, Optional<MobileState> shown) {
+        if (all.size() != towers.size()) {
+            revalidate();
+        }
         change(() -> {
             towers = all;
             mobile = shown;
@@ -71,12 +74,16 @@ final class LevelBars extends PaintedComponent {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(Theme.px(280), Theme.px(ROWS * ROW_UNITS));
+        return new Dimension(Theme.px(280), height());
+    }
+
+    private int height() {
+        return Theme.px(Math.min(ROWS, towers.size()) * ROW_UNITS);
     }
 
     @Override
     public Dimension getMinimumSize() {
-        return new Dimension(Theme.px(220), Theme.px(ROWS * ROW_UNITS));
+        return new Dimension(Theme.px(220), height());
     }
 
     /** The bar's end for a level, 0 to 1. */

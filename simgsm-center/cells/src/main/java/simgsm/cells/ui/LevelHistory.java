@@ -34,6 +34,7 @@ import simgsm.ui.Theme;
  */
 final class LevelHistory extends PaintedComponent {
     private static final long SPAN_NANOS = TimeUnit.SECONDS.toNanos(60);
+    private static final long SAMPLE_NANOS = TimeUnit.SECONDS.toNanos(1);
     private static final Set<Kind> DECISIONS = EnumSet.of(Kind.HANDOVER_COMMAND, Kind.RESELECTION);
     private static final String BEGIN = "-60 s";
     private static final int HEIGHT_UNITS = 110;
@@ -62,7 +63,9 @@ final class LevelHistory extends PaintedComponent {
             number = mobile.map(MobileState::number);
         }
         boolean isNew = mobile.isPresent()
-                && (samples.isEmpty() || !samples.getLast().levels().equals(mobile.get().levels()));
+                && (samples.isEmpty()
+                        || newest.nanos() - samples.getLast().nanos() >= SAMPLE_NANOS
+                        || !samples.getLast().levels().equals(mobile.get().levels()));
         towers = newest.town().towers().stream().map(Tower::name).toList();
         if (isNew) {
             MobileState it = mobile.get();

@@ -77,6 +77,7 @@ final class TownPicture {
         if (showsPaths) {
             nameWalks();
         }
+        snapshot.mobiles().forEach(this::take);
         for (int i = 0; i < snapshot.cells().size(); i++) {
             tower(snapshot.town().towers().get(i), snapshot.cells().get(i), i);
         }
@@ -222,18 +223,32 @@ final class TownPicture {
         g.draw(Outline.polyline(x - half * 0.32, foot - g.px(18), x + half * 0.32, foot - g.px(18)));
         StatusMark mark = state.isOn() ? StatusMark.DISC : StatusMark.SLASHED_RING;
         mark.draw(g, x, top, g.px(4.5), state.isOn() ? CellInk.of(index) : Ink.QUIET);
-        chip(tower.name(), Face.STRONG, x, foot + g.px(12), Optional.of(CellInk.of(index)));
-        if (scale.width() / Math.sqrt(snapshot.cells().size()) < g.px(DETAIL_UNITS)) {
-            return;
-        }
-        String below = state.isOn()
+        String detail = state.isOn()
                 ? texts.of(
                         "map.tower",
                         String.valueOf(tower.arfcn()),
                         String.valueOf(state.freeChannels()),
                         String.valueOf(state.channels()))
                 : texts.of("tower.off");
-        chip(below, Face.MONO_SMALL, x, foot + g.px(29), Optional.empty());
+        boolean isDetailed = scale.width() / Math.sqrt(snapshot.cells().size()) >= g.px(DETAIL_UNITS);
+        double row = g.px(17);
+        double wide = g.px(5) + 2 * g.px(CHIP_PADDING_UNITS) + g.width(tower.name(), Face.STRONG);
+        wide = isDetailed ? Math.max(wide, 2 * g.px(CHIP_PADDING_UNITS) + g.width(detail, Face.MONO_SMALL)) : wide;
+        Rectangle2D place = towerNames(x, top, foot, wide, isDetailed ? 2 * row : row);
+        chip(tower.name(), Face.STRONG, place.getCenterX(), place.getY() + row / 2, Optional.of(CellInk.of(index)));
+        if (isDetailed) {
+            chip(detail, Face.MONO_SMALL, place.getCenterX(), place.getY() + row * 1.5, Optional.empty());
+        }
+    }
+
+    /** Below the mast, or where it covers no mobile: above, at the right, at the left. */
+    private Rectangle2D towerNames(double x, double top, double foot, double width, double height) {
+        double aside = g.px(14);
+        return labels.place(List.of(
+                new Rectangle2D.Double(x - width / 2, foot + g.px(3.5), width, height),
+                new Rectangle2D.Double(x - width / 2, top - g.px(8) - height, width, height),
+                new Rectangle2D.Double(x + aside, foot - height, width, height),
+                new Rectangle2D.Double(x - aside - width, foot - height, width, height)));
     }
 
     private void mobile(MobileState mobile, boolean isSelected) {
@@ -248,7 +263,15 @@ final class TownPicture {
             g.draw(Outline.circle(x, y, radius + g.px(5)));
         }
         markOf(mobile.state()).draw(g, x, y, radius, Ink.TEXT);
-        labels.take(new Rectangle2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
+    }
+
+    private void take(MobileState mobile) {
+        double radius = g.px(MOBILE_UNITS);
+        labels.take(new Rectangle2D.Double(
+                scale.x(mobile.place().xMetres()) - radius,
+                scale.y(mobile.place().yMetres()) - radius,
+                2 * radius,
+                2 * radius));
     }
 
     /**
