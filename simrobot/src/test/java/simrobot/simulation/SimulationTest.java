@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -39,6 +40,24 @@ class SimulationTest {
         simulation.run(3);
         assertEquals(30_000_000, simulation.timeNanos());
         assertEquals(List.of(10_000_000L, 20_000_000L, 30_000_000L), told);
+    }
+
+    @Test
+    void itIsAtRestUntilARobotIsToMove() {
+        Simulation simulation = new Simulation(World.bare(), 1);
+        SimulatedRobot robot = simulation.addRobot("robot");
+        assertTrue(simulation.isAtRest());
+        robot.start(new Instruction.Forward(20), ended -> {});
+        assertFalse(simulation.isAtRest());
+        simulation.run(500);
+        assertTrue(simulation.isAtRest());
+        robot.autonomy().begin(BehaviourKind.WANDER);
+        assertFalse(simulation.isAtRest());
+        robot.brake();
+        simulation.run(500);
+        assertTrue(simulation.isAtRest());
+        simulation.addGuest(() -> null);
+        assertFalse(simulation.isAtRest());
     }
 
     @Test

@@ -44,19 +44,23 @@ public final class SnapshotPoller<T> {
         timer.stop();
     }
 
-    private void look() {
+    void look() {
         looksInVain = show()
                 ? Math.max(0, looksInVain - LOOKS_FOR_SNAPSHOT)
                 : Math.min(LOOKS_UNTIL_REST, looksInVain + 1);
         timer.setDelay(looksInVain < LOOKS_UNTIL_REST ? PERIOD_MILLIS : REST_MILLIS);
     }
 
-    private void wake() {
+    void wake() {
         looksInVain = 0;
         if (timer.getDelay() == REST_MILLIS) {
             timer.setDelay(PERIOD_MILLIS);
             timer.restart();
         }
+    }
+
+    int periodMillis() {
+        return timer.getDelay();
     }
 
     /** Shows the newest snapshot now if it has not been shown. @return false if it has */

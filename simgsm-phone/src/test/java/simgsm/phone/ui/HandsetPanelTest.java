@@ -249,6 +249,20 @@ class HandsetPanelTest {
     }
 
     @Test
+    void aHighPanelOpensTheEventsUntilTheUserClosesThem() {
+        PanelBench bench = new PanelBench(Bench.connected(), Locale.ENGLISH);
+        bench.panel.setSize(320, 763);
+        bench.panel.doLayout();
+        assertEquals(HandsetFold.NONE, bench.panel.fold());
+        bench.panel.setSize(320, 764);
+        bench.panel.doLayout();
+        assertEquals(HandsetFold.EVENTS, bench.panel.fold());
+        ((AbstractButton) bench.find("events.switch")).doClick(0);
+        bench.panel.doLayout();
+        assertEquals(HandsetFold.NONE, bench.panel.fold());
+    }
+
+    @Test
     void theEventsFoldOpenInPlaceOfTheScopeAndFollow() {
         PanelBench bench = new PanelBench(Bench.connected(), Locale.ENGLISH);
         ((AbstractButton) bench.find("scope.switch")).doClick(0);

@@ -13,6 +13,7 @@ import java.awt.event.MouseWheelEvent;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.KeyStroke;
+import javax.swing.JLabel;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Appearance;
@@ -178,6 +179,19 @@ class WorldViewTest {
     void theClockShowsSimulatedTime() {
         assertEquals("0:00:00.00", NumberTexts.clock(0));
         assertEquals("1:01:01.23", NumberTexts.clock(3_661_230_000_000L));
+    }
+
+    @Test
+    void atRestTheClockHasWholeSecondsAndWhilePausedEachStep() {
+        JLabel clock = (JLabel) bench.component("world.clock");
+        bench.simulation.run(1);
+        bench.show();
+        bench.simulation.run(100);
+        bench.show();
+        assertEquals("0:00:01", clock.getText());
+        bench.simulation.run(1);
+        bench.show();
+        assertEquals("0:00:01.02", clock.getText());
     }
 
     @Test

@@ -2,6 +2,7 @@ package simgsm.cells.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
@@ -10,9 +11,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.cells.snapshot.MobileState;
+import simgsm.cells.town.TownPlace;
 import simgsm.draw.Ink;
 import simgsm.draw.SvgCanvas;
 
@@ -59,5 +62,30 @@ class TownPictureTest {
                         mobile.number() + " covers " + other.text());
             }
         }
+    }
+
+    @Test
+    void aTowersNameGivesWayToTheMobileBelowItsMast() throws Exception {
+        SampleTown sample = new SampleTown("avenue");
+        MapScale scale = MapScale.fitting(sample.town, 720, 520);
+        TownPlace mast = sample.town.towers().get(0).place();
+        TownPlace far = new TownPlace(mast.xMetres() + 700, mast.yMetres() + 700);
+        sample.place(SampleTown.PHONE, far);
+        sample.place(SampleTown.ROBOT, far);
+        double before = nameOf(sample, scale, "west").getMinY();
+        assertTrue(before > scale.y(mast.yMetres()));
+        sample.place(SampleTown.ROBOT, new TownPlace(mast.xMetres(), mast.yMetres() - 12 / scale.pixelsPerMetre()));
+        assertTrue(nameOf(sample, scale, "west").getMinY() < scale.y(mast.yMetres()));
+    }
+
+    private static Rectangle2D nameOf(SampleTown sample, MapScale scale, String tower) {
+        SvgCanvas canvas = new SvgCanvas(Ink::name);
+        new TownPicture(sample.snapshot(), scale, TownWindow.texts(Locale.ENGLISH), canvas)
+                .draw(Optional.empty(), true, List.of());
+        return written(canvas.elements()).stream()
+                .filter(each -> each.text().equals(tower))
+                .findFirst()
+                .orElseThrow()
+                .box();
     }
 }
