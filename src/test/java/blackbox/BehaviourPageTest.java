@@ -16,6 +16,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -168,6 +169,18 @@ class BehaviourPageTest {
         assertEquals(21, printed.size(), run.output());
         assertTrue(printed.get(0).endsWith("corner 0: off by 0.00 m\""), printed.get(0));
         assertFalse(printed.get(20).contains("off by 0.0"), printed.get(20));
+    }
+
+    @Test
+    void eachExampleHasItsNumberSoThatNoStartChangesTheSourceTree() throws IOException {
+        Path examples = Dist.root().resolve("docs/behaviours");
+        String numbers = Files.readString(examples.resolve("numbers.txt"));
+        try (Stream<Path> files = Files.list(examples)) {
+            for (Path file : files.filter(each -> each.toString().matches(".*\\.(java|py)")).toList()) {
+                String name = file.getFileName().toString().replaceFirst("\\..*", "");
+                assertTrue(Pattern.compile("(?m)^[0-9]+ " + name + "$").matcher(numbers).find(), name);
+            }
+        }
     }
 
     private static RunningProgram example(Scenario scenario, String name) {

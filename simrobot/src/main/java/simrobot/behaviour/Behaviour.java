@@ -11,7 +11,7 @@ public interface Behaviour {
     /**
      * Makes one decision. It takes effect 50 ms of simulated time after the measurements.
      *
-     * @param senses the robot's measurements; immutable
+     * @param senses the robot's measurements; immutable. A run without a clock ({@code --run}) lets them be read during this call only
      * @return the speeds until the next decision
      */
     Steering decide(Senses senses);
