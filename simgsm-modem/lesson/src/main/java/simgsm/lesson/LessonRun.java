@@ -66,7 +66,7 @@ public final class LessonRun {
 
     /** An answer in the student's words; its numbers, or else its words, are the fields n1, n2 ... */
     public void answer(String name, String text) {
-        if (steps.stream().anyMatch(each -> each.isDone() && each.step.answer().equals(Optional.of(name)))) {
+        if (steps.stream().anyMatch(each -> each.isDone && each.step.answer().equals(Optional.of(name)))) {
             return; // a right answer stays
         }
         answers.put(name, text.strip());
@@ -122,7 +122,7 @@ public final class LessonRun {
 
     /** True if all conditions of a step hold. */
     public boolean isDone(String name) {
-        return progress(name).isDone();
+        return progress(name).isDone;
     }
 
     /** True if a limit of a step is exceeded, so that only a new try can pass it, or a new run where it has no tries. */
@@ -132,7 +132,8 @@ public final class LessonRun {
 
     /** The student opens the hint of a step. */
     public void hint(String name) {
-        progress(name).hint();
+        Progress progress = progress(name);
+        progress.hints = progress.isDone ? progress.hints : 1;
     }
 
     /** The current result of a step. */
@@ -146,7 +147,7 @@ public final class LessonRun {
     }
 
     public int score() {
-        return (int) steps.stream().filter(Progress::isDone).count();
+        return (int) steps.stream().filter(each -> each.isDone).count();
     }
 
     /** The newest text of each answer, in the order of their first texts. */
@@ -176,7 +177,9 @@ public final class LessonRun {
         /** Counted values, by condition. */
         private final Map<LessonCondition, Set<String>> values = new HashMap<>();
 
+        /** A step remains done. */
         private boolean isDone;
+
         private int tries;
         private int hints;
 
@@ -225,11 +228,6 @@ public final class LessonRun {
                     .orElse(true);
         }
 
-        /** A step remains done. */
-        boolean isDone() {
-            return isDone;
-        }
-
         private boolean areAllMet() {
             for (int i = 0; i < counts.length; i++) {
                 LessonCondition condition = step.conditions().get(i);
@@ -247,10 +245,6 @@ public final class LessonRun {
             return !isDone
                     && IntStream.range(0, counts.length)
                             .anyMatch(i -> counts[i] > step.conditions().get(i).most());
-        }
-
-        void hint() {
-            hints = isDone ? hints : 1;
         }
 
         StepResult result() {

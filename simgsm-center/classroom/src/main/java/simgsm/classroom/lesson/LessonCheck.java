@@ -143,7 +143,7 @@ public final class LessonCheck {
         for (LessonStep step : run.lesson().steps()) {
             lines.append(Event.of("check")
                             .with("step", step.name())
-                            .with("result", run.isDone(step.name()) ? "pass" : "fail")
+                            .with("result", run.result(step.name()).word())
                             .with("text", run.shown(texts.of("step " + step.name()))))
                     .append('\n');
         }

@@ -207,13 +207,6 @@ public final class LessonPanel extends JPanel {
         ComponentNames.find(this, "lesson.predict").ifPresent(Component::requestFocusInWindow);
     }
 
-    private static JComponent small(String text) {
-        return Theme.styled(new javax.swing.JLabel(text), label -> {
-            label.setFont(GlossaryText.font(false));
-            label.setForeground(Theme.color(Ink.QUIET));
-        });
-    }
-
     private JComponent prediction() {
         GlossaryText asked = text("lesson.predict.text");
         asked.show(words.of("lesson.predict") + " " + numbers.apply(texts.of("predict")));
@@ -253,7 +246,7 @@ public final class LessonPanel extends JPanel {
                 "lesson.save",
                 words.of("lesson.save"),
                 () -> actions.save(student.getText().strip()));
-        parts.add(small(words.of("lesson.student")));
+        parts.add(Theme.label(words.of("lesson.student"), () -> GlossaryText.font(false), Ink.QUIET));
         parts.add(Arrange.row(
                 Theme.HALF,
                 Arrange.growing(student),
