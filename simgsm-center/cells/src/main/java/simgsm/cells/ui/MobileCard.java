@@ -86,18 +86,19 @@ final class MobileCard extends JPanel {
                 Arrange.column(
                         6,
                         Arrange.row(Theme.GRID, numbers, Arrange.growing(state)),
-                        radio,
-                        Arrange.growing(levels),
-                        history,
-                        decision,
-                        gap,
+                        // Above the figures, so that it is in view where there is little room.
                         Arrange.row(
                                 Theme.HALF,
                                 Arrange.growing(walks),
                                 speed,
                                 Theme.label("m/s", Theme::small, Ink.QUIET),
                                 walk,
-                                stand)),
+                                stand),
+                        radio,
+                        Arrange.growing(levels),
+                        history,
+                        decision,
+                        gap),
                 BorderLayout.CENTER);
         show(Optional.empty());
     }
