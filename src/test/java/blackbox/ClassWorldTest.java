@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -34,11 +35,15 @@ class ClassWorldTest {
     }
 
     private static List<MotionOutcome> drive(Simulation simulation, int centimeters) {
+        return drive(simulation, new Instruction.Forward(centimeters));
+    }
+
+    private static List<MotionOutcome> drive(Simulation simulation, Instruction.Motion motion) {
         List<MotionOutcome> outcomes = new ArrayList<>();
         for (SimulatedRobot robot : simulation.robots()) {
             robot.setPower(true);
             robot.setMotors(true);
-            robot.start(new Instruction.Forward(centimeters), outcomes::add);
+            robot.start(motion, outcomes::add);
         }
         for (int i = 0; i < MOST_STEPS && outcomes.size() < simulation.robots().size(); i++) {
             simulation.step();
@@ -91,5 +96,28 @@ class ClassWorldTest {
             assertEquals(MotionOutcome.Ending.COLLISION, outcome.ending());
             assertEquals(245, outcome.amountDone(), 0.1);
         });
+    }
+
+    @Test
+    void aWayRoundTheBoxLeadsToTheGoal() throws Exception {
+        Simulation simulation = simulation(3);
+        for (Instruction.Motion motion : List.of(
+                new Instruction.Forward(100),
+                new Instruction.Turn(315),
+                new Instruction.Forward(127),
+                new Instruction.Turn(45),
+                new Instruction.Forward(160),
+                new Instruction.Turn(45),
+                new Instruction.Forward(70))) {
+            drive(simulation, motion)
+                    .forEach(outcome -> assertEquals(MotionOutcome.Ending.DONE, outcome.ending(), motion.toString()));
+        }
+        ClassWorld lanes = new ClassWorld(3);
+        for (int i = 0; i < 3; i++) {
+            SimulatedRobot robot = simulation.robots().get(i);
+            double left =
+                    Math.hypot(robot.xMeters() - lanes.goalXMeters(i), robot.yMeters() - lanes.goalYMeters(i));
+            assertTrue(left < 0.1, "metres to the goal: " + left);
+        }
     }
 }
