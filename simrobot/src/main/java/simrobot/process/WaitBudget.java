@@ -13,19 +13,29 @@ public final class WaitBudget {
 
     private final List<Runnable> atEnd = new ArrayList<>();
     private long leftNanos = STEP_NANOS;
+    private boolean isInStep;
 
     /** A step begins. */
     public void renew() {
         leftNanos = STEP_NANOS;
+        isInStep = true;
     }
 
-    /** Has a task done at the end of this step, so that what all robots ask for goes out together. */
+    /**
+     * Has a task done at the end of this step, so that the questions of all robots go out together; at once between two steps,
+     * in which a real robot decides.
+     */
     public void atEnd(Runnable task) {
-        atEnd.add(task);
+        if (isInStep) {
+            atEnd.add(task);
+        } else {
+            task.run();
+        }
     }
 
     /** A step ends. */
     public void end() {
+        isInStep = false;
         atEnd.forEach(Runnable::run);
         atEnd.clear();
     }

@@ -11,7 +11,7 @@ import simrobot.behaviour.Behaviour;
 /** Loads compiled classes; each version of a source gets a loader of its own. */
 public final class LoadedClasses extends ClassLoader {
     /** The name of every class loader of students' classes. */
-    static final String NAME = "behaviours";
+    public static final String NAME = "behaviours";
 
     private final Map<String, byte[]> classes;
 

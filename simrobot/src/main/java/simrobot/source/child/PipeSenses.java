@@ -25,7 +25,16 @@ public final class PipeSenses implements Senses {
 
     /** Returns the line that asks a child for a decision. @param live read on the thread that owns the robot */
     public static String line(int robot, Senses live, boolean withLaser) {
-        StringBuilder line = new StringBuilder(1500).append(PipeLine.of(
+        StringBuilder line = new StringBuilder(1500).append(withoutRanges(robot, live));
+        append(line, "sonar", SONARS, live::sonarMeters);
+        if (withLaser && hasLaser(live)) {
+            append(line, "laser", LASER_READINGS, live::laserMeters);
+        }
+        return line.toString();
+    }
+
+    private static String withoutRanges(int robot, Senses live) {
+        return PipeLine.of(
                 "decide",
                 "robot",
                 robot,
@@ -58,12 +67,7 @@ public final class PipeSenses implements Senses {
                 "key",
                 Character.toString(live.call().key()),
                 "pressed",
-                live.call().pressed()));
-        append(line, "sonar", SONARS, live::sonarMeters);
-        if (withLaser && hasLaser(live)) {
-            append(line, "laser", LASER_READINGS, live::laserMeters);
-        }
-        return line.toString();
+                live.call().pressed());
     }
 
     private static boolean hasLaser(Senses live) {
