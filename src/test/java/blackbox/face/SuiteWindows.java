@@ -238,7 +238,16 @@ final class SuiteWindows {
         ClassPanel panel = new ClassPanel(locale, actions, nothing(ClassPanel.Frames.class));
         List<ClassView.Row> rows = IntStream.range(0, 30)
                 .mapToObj(i -> new ClassView.Row(
-                        List.of(String.valueOf(5550100 + i), String.valueOf(5550200 + i), "12", "108", "10", "1234.5"),
+                        List.of(
+                                String.valueOf(5550100 + i),
+                                "Ada",
+                                String.valueOf(5550200 + i),
+                                "12",
+                                "108",
+                                "10",
+                                "1234.5",
+                                "order",
+                                "7 of 8"),
                         i == 0,
                         ""))
                 .toList();
