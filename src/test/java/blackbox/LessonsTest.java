@@ -103,7 +103,7 @@ class LessonsTest {
 
     @Test
     void aStudentsFileCannotSendWhatIsToBeFound(@TempDir Path folder) throws Exception {
-        String lesson = "let hex submit 5550200 1\nstep a\nwhen tool pdu type=SMS-SUBMIT\naction act text\n"
+        String lesson = "let hex submit 5550200 1\nstep a\nwhen tool pdu status=0\naction act text\n"
                 + "do tool pdu decode \"{input}\"";
         FinishedProgram run = mine(folder, lesson, "act act {hex}");
         assertEquals(1, run.status(), run.output() + run.error());

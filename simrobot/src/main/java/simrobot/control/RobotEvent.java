@@ -140,12 +140,8 @@ public sealed interface RobotEvent {
     }
 
     /** The window's user has put the robot at another place; as {@link PoseReported}. */
-    @EventLine("placed robot= x=pose.xMeters:4 y=pose.yMeters:4 heading=")
-    record Placed(Pose pose) implements RobotEvent {
-        public String heading() {
-            return pose.headingText(2);
-        }
-    }
+    @EventLine("placed robot= x=pose.xMeters:4 y=pose.yMeters:4")
+    record Placed(Pose pose) implements RobotEvent {}
 
     /** A real robot's type is not known: no motion. @param type as the robot names it */
     @EventLine("error robot= text=")

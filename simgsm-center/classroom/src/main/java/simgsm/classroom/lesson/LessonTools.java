@@ -6,7 +6,6 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -41,8 +40,7 @@ final class LessonTools {
 
     /**
      * A tool of {@code simgsm-modem.jar}: an event with the tool's name, {@code status}, {@code output} and {@code options},
-     * the words after its name; for {@code decode} also {@code keys} and {@code count}, for {@code pdu decode} its first line as
-     * {@code type} and each field that it prints, such as {@code tp-da}.
+     * the words after its name; for {@code decode} also {@code keys} and {@code count}.
      */
     Event tool(List<String> words) throws IOException, InterruptedException {
         Printed printed = jar("simgsm-modem.jar", words);
@@ -51,26 +49,11 @@ final class LessonTools {
                 .with("output", printed.output().strip())
                 .with(OPTIONS, String.join(" ", words.subList(1, words.size())));
         if (words.get(0).equals("decode")) {
-            String[] columns = first(printed).split("\t", -1);
+            String[] columns = printed.output().lines().findFirst().orElse("").split("\t", -1);
             String keys = columns.length > 1 ? columns[1] : "";
             return event.with("keys", keys).with("count", keys.length());
         }
-        return words.get(0).equals("pdu") ? withFields(event.with("type", first(printed)), printed) : event;
-    }
-
-    private static String first(Printed printed) {
-        return printed.output().lines().findFirst().orElse("");
-    }
-
-    private static Event withFields(Event event, Printed printed) {
-        Event all = event;
-        for (String line : printed.output().lines().toList()) {
-            String name = line.replaceFirst(":.*", "").toLowerCase(Locale.ROOT);
-            if (name.matches("[a-z-]+") && line.contains(": ") && !all.fields().containsKey(name)) {
-                all = all.with(name, line.substring(line.indexOf(':') + 2));
-            }
-        }
-        return all;
+        return event;
     }
 
     Printed jar(String jar, List<String> words) throws IOException, InterruptedException {

@@ -1,7 +1,8 @@
 package simgsm.classroom.lesson;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -33,12 +34,6 @@ record Solution(
                 Optional.of(file.toAbsolutePath()),
                 library,
                 lesson);
-    }
-
-    /** A text file of the lesson's own solutions with the student's own numbers. */
-    private static byte[] replaced(byte[] content, LessonSession session) {
-        return session.replaced(new String(content, StandardCharsets.UTF_8), true)
-                .getBytes(StandardCharsets.UTF_8);
     }
 
     /** Reads a file of the solution's folder. */
@@ -80,7 +75,7 @@ record Solution(
                 throw new SessionFailure("use: expected the name of a file beside the solution, found " + wanted);
             }
             byte[] content = beside(wanted);
-            session.handIn(wanted, isOwn ? replaced(content, session) : content);
+            session.handIn(wanted, isOwn ? session.replaced(new String(content, UTF_8), true).getBytes(UTF_8) : content);
         } catch (IOException | LessonException | IllegalArgumentException e) {
             throw new SessionFailure("use: " + e.getMessage());
         }
