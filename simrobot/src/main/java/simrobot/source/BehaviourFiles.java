@@ -96,7 +96,7 @@ final class BehaviourFiles {
             try {
                 children.get(file).start();
             } catch (IOException e) {
-                failed.accept(file, new Decision.Failed(0, e.getMessage()));
+                failed.accept(file, new Decision.Failed(0, settings.hints().with(e.getMessage(), "start")));
             }
         }
     }

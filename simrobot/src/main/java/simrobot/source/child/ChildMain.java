@@ -121,16 +121,8 @@ public final class ChildMain implements Watchdog.Watched {
             return;
         }
         made.asked().forEach(request -> answer(RequestLine.of(robot, request)));
-        answer(PipeLine.of(
-                "go",
-                "robot",
-                robot,
-                "speed",
-                made.steering().metersPerSecond(),
-                "turn",
-                made.steering().radiansPerSecond(),
-                "done",
-                made.isDone() ? 1 : 0));
+        answer("go robot=" + robot + " speed=" + made.steering().metersPerSecond() + " turn="
+                + made.steering().radiansPerSecond() + " done=" + (made.isDone() ? 1 : 0));
     }
 
     private void answer(String line) {

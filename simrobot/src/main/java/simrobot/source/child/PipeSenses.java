@@ -1,5 +1,7 @@
 package simrobot.source.child;
 
+import java.util.Map;
+import java.util.function.Function;
 import java.util.function.IntPredicate;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.Collectors;
@@ -13,6 +15,23 @@ import simrobot.behaviour.Senses;
 public final class PipeSenses implements Senses {
     private static final int BUMPERS = 5;
 
+    private static final Map<String, Function<Senses, Object>> VALUES = Map.ofEntries(
+            Map.entry("seconds", Senses::seconds),
+            Map.entry("x", Senses::xMeters),
+            Map.entry("y", Senses::yMeters),
+            Map.entry("heading", Senses::headingRadians),
+            Map.entry("odometryX", live -> live.odometry().xMeters()),
+            Map.entry("odometryY", live -> live.odometry().yMeters()),
+            Map.entry("odometryHeading", live -> live.odometry().headingRadians()),
+            Map.entry("speed", Senses::metersPerSecond),
+            Map.entry("blocked", live -> live.isBlocked() ? 1 : 0),
+            Map.entry("front", live -> bits(live::isFrontBumperPressed)),
+            Map.entry("rear", live -> bits(live::isRearBumperPressed)),
+            Map.entry("arrived", live -> live.hasArrived() ? 1 : 0),
+            Map.entry("caller", live -> live.call().caller()),
+            Map.entry("key", live -> Character.toString(live.call().key())),
+            Map.entry("pressed", live -> live.call().pressed()));
+
     private final PipeLine line;
     /** Null until they are asked for. */
     private double[] sonars;
@@ -25,49 +44,13 @@ public final class PipeSenses implements Senses {
 
     /** Returns the line that asks a child for a decision. @param live read on the thread that owns the robot */
     public static String line(int robot, Senses live, boolean withLaser) {
-        StringBuilder line = new StringBuilder(1500).append(withoutRanges(robot, live));
+        StringBuilder line = new StringBuilder(1500).append("decide robot=").append(robot);
+        VALUES.forEach((name, value) -> line.append(PipeLine.of("", name, value.apply(live))));
         append(line, "sonar", SONARS, live::sonarMeters);
         if (withLaser && hasLaser(live)) {
             append(line, "laser", LASER_READINGS, live::laserMeters);
         }
         return line.toString();
-    }
-
-    private static String withoutRanges(int robot, Senses live) {
-        return PipeLine.of(
-                "decide",
-                "robot",
-                robot,
-                "seconds",
-                live.seconds(),
-                "x",
-                live.xMeters(),
-                "y",
-                live.yMeters(),
-                "heading",
-                live.headingRadians(),
-                "odometryX",
-                live.odometry().xMeters(),
-                "odometryY",
-                live.odometry().yMeters(),
-                "odometryHeading",
-                live.odometry().headingRadians(),
-                "speed",
-                live.metersPerSecond(),
-                "blocked",
-                live.isBlocked() ? 1 : 0,
-                "front",
-                bits(live::isFrontBumperPressed),
-                "rear",
-                bits(live::isRearBumperPressed),
-                "arrived",
-                live.hasArrived() ? 1 : 0,
-                "caller",
-                live.call().caller(),
-                "key",
-                Character.toString(live.call().key()),
-                "pressed",
-                live.call().pressed());
     }
 
     private static boolean hasLaser(Senses live) {
