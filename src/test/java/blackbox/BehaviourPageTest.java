@@ -176,9 +176,14 @@ class BehaviourPageTest {
         Path examples = Dist.root().resolve("docs/behaviours");
         String numbers = Files.readString(examples.resolve("numbers.txt"));
         try (Stream<Path> files = Files.list(examples)) {
-            for (Path file : files.filter(each -> each.toString().matches(".*\\.(java|py)")).toList()) {
+            for (Path file : files.filter(each -> each.toString().matches(".*\\.(java|py)"))
+                    .toList()) {
                 String name = file.getFileName().toString().replaceFirst("\\..*", "");
-                assertTrue(Pattern.compile("(?m)^[0-9]+ " + name + "$").matcher(numbers).find(), name);
+                assertTrue(
+                        Pattern.compile("(?m)^[0-9]+ " + name + "$")
+                                .matcher(numbers)
+                                .find(),
+                        name);
             }
         }
     }

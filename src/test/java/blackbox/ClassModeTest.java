@@ -34,7 +34,14 @@ class ClassModeTest {
                     "class", "simgsm-center", "--demo", "--class", "20", "--headless", "--console", "--port", "0");
             String port = teacher.expect("ready").field("port");
             RunningProgram phone = scenario.start(
-                    "phone", "simgsm-phone", "--headless", "--no-sound", "--number", "5550107", "--center", "127.0.0.1:" + port);
+                    "phone",
+                    "simgsm-phone",
+                    "--headless",
+                    "--no-sound",
+                    "--number",
+                    "5550107",
+                    "--center",
+                    "127.0.0.1:" + port);
             phone.say("name Ana, \"7\"").expect("ussd", "text", "Hello, Ana, \"7\".");
             teacher.expect("attached", "number", "5550219");
             for (int i = 0; i < 20; i++) {

@@ -28,9 +28,8 @@ class ClassWorldTest {
 
     private static Simulation simulation(int students) throws Exception {
         Simulation simulation = new Simulation(MapReader.read("class.map", new ClassWorld(students).map()), 1);
-        simulation.addRobots(IntStream.range(0, students)
-                .mapToObj(i -> "robot" + (i + 1))
-                .toList());
+        simulation.addRobots(
+                IntStream.range(0, students).mapToObj(i -> "robot" + (i + 1)).toList());
         return simulation;
     }
 
@@ -115,8 +114,7 @@ class ClassWorldTest {
         ClassWorld lanes = new ClassWorld(3);
         for (int i = 0; i < 3; i++) {
             SimulatedRobot robot = simulation.robots().get(i);
-            double left =
-                    Math.hypot(robot.xMeters() - lanes.goalXMeters(i), robot.yMeters() - lanes.goalYMeters(i));
+            double left = Math.hypot(robot.xMeters() - lanes.goalXMeters(i), robot.yMeters() - lanes.goalYMeters(i));
             assertTrue(left < 0.1, "metres to the goal: " + left);
         }
     }

@@ -50,7 +50,15 @@ class EventReferenceTest {
 
     /** Fields of classes that only a running network has; {@link CellsConsoleTest} reads their lines. */
     private static final Set<String> OF_A_NETWORK = Set.of(
-            "camped", "location-update", "report", "handover", "speech-gap", "radio-link-failure", "mobile", "cell", "placed");
+            "camped",
+            "location-update",
+            "report",
+            "handover",
+            "speech-gap",
+            "radio-link-failure",
+            "mobile",
+            "cell",
+            "placed");
 
     private static final Pattern DECLARED = Pattern.compile(
             "/\\*\\*((?:(?!\\*/).)*)\\*/\\s*@EventLine\\(((?:\\s*\\+?\\s*\"[^\"]*\")+)\\s*\\)\\s*"

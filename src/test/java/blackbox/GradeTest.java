@@ -49,13 +49,20 @@ class GradeTest {
         assertEquals("name,seed,state,robots,done,seconds,meters,collisions,text", rows.get(0));
         assertTrue(rows.get(1).startsWith("Good,1,done,1,1,"), rows.get(1));
         assertEquals(7, rows.size());
-        assertTrue(rows.get(2).startsWith("Exits,1,failed,1,0,1.050,0.150,0,\"line 5: System.exit is called ("), rows.toString());
-        assertTrue(rows.contains("Halts,1,failed,1,0,0.000,0.000,0,\"it has ended its program, exit status 3\""), rows.toString());
+        assertTrue(
+                rows.get(2).startsWith("Exits,1,failed,1,0,1.050,0.150,0,\"line 5: System.exit is called ("),
+                rows.toString());
+        assertTrue(
+                rows.contains("Halts,1,failed,1,0,0.000,0.000,0,\"it has ended its program, exit status 3\""),
+                rows.toString());
         String page = Files.readString(folder.resolve("grades.html"));
         assertTrue(page.contains("<td>Good</td><td>1 / 1</td>"), page);
         assertTrue(page.contains("failed: line 5: IllegalStateException: &lt;b&gt;, &quot;&amp;&quot;"), page);
         assertTrue(page.contains("failed: line 5: no decision within 1 s: it computes without end"), page);
-        assertTrue(page.contains("<td>Misspelt</td><td>0 / 1</td><td></td><td></td><td>failed: line 5: cannot find symbol"), page);
+        assertTrue(
+                page.contains(
+                        "<td>Misspelt</td><td>0 / 1</td><td></td><td></td><td>failed: line 5: cannot find symbol"),
+                page);
         assertFalse(Files.exists(folder.resolve("numbers.txt")));
     }
 
@@ -66,20 +73,26 @@ class GradeTest {
         FinishedProgram done = run(options, "--run=done", "--seed=1");
         assertEquals(0, done.status(), done.error());
         assertTrue(
-                done.output().matches("(?s)ran .*outcome robot=robot name=Good state=done seconds=[0-9.]+ meters=[0-9.]+ text=\"\"\n"),
+                done.output()
+                        .matches(
+                                "(?s)ran .*outcome robot=robot name=Good state=done seconds=[0-9.]+ meters=[0-9.]+ text=\"\"\n"),
                 done.output());
         FinishedProgram late = run(options, "--run=done", "--limit=2", "--goal=Exit");
         assertEquals(1, late.status(), late.error());
         assertTrue(late.output().contains(" state=timeout seconds=2.000 "), late.output());
         FinishedProgram nowhere = run(options, "--run=done", "--goal=Nowhere");
         assertEquals(2, nowhere.status());
-        assertTrue(nowhere.error().contains("--goal: expected a home or goal of the world (Corridor,"), nowhere.error());
+        assertTrue(
+                nowhere.error().contains("--goal: expected a home or goal of the world (Corridor,"), nowhere.error());
         assertEquals(2, FinishedProgram.run("simrobot", "--run=done").status());
         assertEquals(2, run(options, "--run=5", "--limit=2").status());
     }
 
     private static FinishedProgram run(String[] options, String... more) throws Exception {
         return FinishedProgram.run(
-                "simrobot", java.util.stream.Stream.of(options, more).flatMap(java.util.stream.Stream::of).toArray(String[]::new));
+                "simrobot",
+                java.util.stream.Stream.of(options, more)
+                        .flatMap(java.util.stream.Stream::of)
+                        .toArray(String[]::new));
     }
 }

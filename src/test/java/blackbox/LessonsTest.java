@@ -73,12 +73,7 @@ class LessonsTest {
                 """.replaceAll(lesson.contains("action") ? "$^" : "action.*\n", ""));
         Path file = Files.writeString(folder.resolve("mine.txt"), solution);
         List<String> words = new ArrayList<>(List.of(
-                "--lessons",
-                folder.resolve("lessons").toString(),
-                "--lesson",
-                "mine",
-                "--check",
-                file.toString()));
+                "--lessons", folder.resolve("lessons").toString(), "--lesson", "mine", "--check", file.toString()));
         words.addAll(List.of(options));
         return FinishedProgram.run("simgsm-center", words.toArray(String[]::new));
     }

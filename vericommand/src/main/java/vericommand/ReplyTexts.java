@@ -129,7 +129,11 @@ final class ReplyTexts {
                 .collect(Collectors.joining(", "));
         String text = text("reply.process.none", number, all.isEmpty() ? "-" : all, position);
         if (text.length() > Reply.MAX_MESSAGE_CHARACTERS - 2) {
-            text = text("reply.process.none", number, ranges(new TreeSet<>(verdict.processes().keySet())), position);
+            text = text(
+                    "reply.process.none",
+                    number,
+                    ranges(new TreeSet<>(verdict.processes().keySet())),
+                    position);
         }
         return new Reply(ReplyTone.NOT_VALID, text);
     }

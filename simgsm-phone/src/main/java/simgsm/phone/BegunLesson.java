@@ -29,9 +29,12 @@ final class BegunLesson {
             List<String> command = ProgramFolder.of(BegunLesson.class).command(JAR, QuickStart.options());
             command.addAll(List.of("--demo", "--lesson", name, "--console", "--port", "0"));
             command.addAll(List.of("--lang", arguments.language().getLanguage()));
-            arguments.text("lessons").filter(folder -> !folder.isEmpty()).ifPresent(folder ->
-                    command.addAll(List.of("--lessons", folder)));
-            Process lesson = new ProcessBuilder(command).redirectError(Redirect.INHERIT).start();
+            arguments
+                    .text("lessons")
+                    .filter(folder -> !folder.isEmpty())
+                    .ifPresent(folder -> command.addAll(List.of("--lessons", folder)));
+            Process lesson =
+                    new ProcessBuilder(command).redirectError(Redirect.INHERIT).start();
             Thread reader = new Thread(() -> read(lesson.inputReader(StandardCharsets.UTF_8), results), "lesson");
             reader.setDaemon(true);
             reader.start();

@@ -66,8 +66,8 @@ final class Phone implements HandsetAccess, AutoCloseable {
         handset.attach(station);
         station.setChannels(options.channels());
         data = options.data().isPresent()
-                ? Optional.of(PhoneData.take(
-                        options.data().get(), options.identity().number()))
+                ? Optional.of(
+                        PhoneData.take(options.data().get(), options.identity().number()))
                 : Optional.empty();
         if (data.isPresent()) {
             Map<String, String> kept = new TreeMap<>(data.get().read());

@@ -26,8 +26,7 @@ final class ProcessTelephone {
     private long printingNanos;
     private int lines;
 
-    ProcessTelephone(
-            ModemPort modem, LongSupplier callNumber, LongSupplier clockNanos, Consumer<RobotEvent> listener) {
+    ProcessTelephone(ModemPort modem, LongSupplier callNumber, LongSupplier clockNanos, Consumer<RobotEvent> listener) {
         this.modem = modem;
         this.callNumber = callNumber;
         this.clockNanos = clockNanos;

@@ -166,8 +166,7 @@ public final class RobotConsole implements Console.Commands {
     private void behaviours() {
         List<BehaviourKind> kinds = simRobot.behaviours().kinds();
         SortedMap<Integer, BehaviourKind> numbered = simRobot.behaviours().numbered();
-        numbered.forEach(
-                (number, kind) -> answer(new ConsoleRow.BehaviourRow(OptionalInt.of(number), kind.text())));
+        numbered.forEach((number, kind) -> answer(new ConsoleRow.BehaviourRow(OptionalInt.of(number), kind.text())));
         kinds.stream()
                 .filter(kind -> !numbered.containsValue(kind))
                 .forEach(kind -> answer(new ConsoleRow.BehaviourRow(OptionalInt.empty(), kind.text())));

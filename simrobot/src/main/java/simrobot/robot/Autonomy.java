@@ -291,7 +291,8 @@ public final class Autonomy {
         String place = drives.get(0).place();
         if (errand == null || !errand.isFor(place)) {
             try {
-                RobotProcess route = choice.toPlace(place).begin(robot.surroundings()).orElseThrow();
+                RobotProcess route =
+                        choice.toPlace(place).begin(robot.surroundings()).orElseThrow();
                 errand = new Errand(place, route);
             } catch (IllegalArgumentException unknown) {
                 return new Decision.Failed(0, "goTo: " + unknown.getMessage());
@@ -311,7 +312,8 @@ public final class Autonomy {
         takesKeys |= asked.contains(new BehaviourRequest.Keys());
         List<BehaviourRequest.Mark> drawn = requests(asked, BehaviourRequest.Mark.class);
         if (!drawn.isEmpty()) {
-            List<BehaviourRequest.Mark> all = Stream.concat(marks.stream(), drawn.stream()).toList();
+            List<BehaviourRequest.Mark> all =
+                    Stream.concat(marks.stream(), drawn.stream()).toList();
             marks = all.subList(Math.max(0, all.size() - BehaviourRequest.Mark.MOST), all.size());
         }
         asked.forEach(request -> requestListeners.forEach(listener -> listener.accept(kind, request)));

@@ -30,10 +30,8 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
     private double y;
     private double heading;
     private final Rotation direction = new Rotation();
-
     /** Speed of the wheels, metres per second ahead. */
     private double speed;
-
     /** Turning speed by the wheels, radians per second clockwise. */
     private double turnSpeed;
 
@@ -268,9 +266,7 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         }
     }
 
-    /**
-     * Moves the robot there by hand. Collision becomes Stopped if the path ahead is free there, by the rule for turns.
-     */
+    /** Moves the robot there by hand. Collision becomes Stopped if the path ahead is free there, by the rule for turns. */
     @Override
     protected Placement put(double xMeters, double yMeters, double headingRadians) {
         if (!floor.isInside(xMeters, yMeters)) {
@@ -334,7 +330,6 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         return 0 - turnSpeed;
     }
 
-    /** The pose by odometry. */
     public Odometry odometry() {
         return odometry;
     }
@@ -389,7 +384,6 @@ public final class SimulatedRobot extends Pioneer implements Surroundings {
         return sonars;
     }
 
-    /** Its laser range finder. */
     public Laser laser() {
         return laser;
     }

@@ -140,7 +140,8 @@ final class BehaviourChild implements ChildProcess.Listener {
             return;
         }
         Optional<BehaviourRequest> request = answer.flatMap(RequestLine::parse);
-        Optional<Decision> decision = answer.filter(found -> isOf(robot, found)).flatMap(found -> decision(found, robot));
+        Optional<Decision> decision =
+                answer.filter(found -> isOf(robot, found)).flatMap(found -> decision(found, robot));
         isExplained = decision.isPresent() && decision.get() instanceof Decision.Failed;
         if (decision.isPresent()) {
             robot.answer(decision.get());
@@ -161,8 +162,7 @@ final class BehaviourChild implements ChildProcess.Listener {
             }
             Steering steering = new Steering(answer.number("speed"), answer.number("turn"));
             List<BehaviourRequest> requests = List.copyOf(robot.requests);
-            return Optional.of(
-                    answer.flag("done") ? new Decision.Done(requests) : new Decision.Go(steering, requests));
+            return Optional.of(answer.flag("done") ? new Decision.Done(requests) : new Decision.Go(steering, requests));
         } catch (IllegalArgumentException malformed) {
             return Optional.empty();
         }
@@ -188,7 +188,10 @@ final class BehaviourChild implements ChildProcess.Listener {
     private void endIfOverdue() {
         OfRobot oldest = asked.peek();
         long now = System.nanoTime();
-        if (process != null && oldest != null && now - heardNanos > LATEST_NANOS && now - oldest.askedNanos > LATEST_NANOS) {
+        if (process != null
+                && oldest != null
+                && now - heardNanos > LATEST_NANOS
+                && now - oldest.askedNanos > LATEST_NANOS) {
             oldest.answer(oldest.failed(0, "loops", "no decision within 3 s"));
             kill();
         }

@@ -91,7 +91,8 @@ final class BehaviourFiles {
 
     /** Starts the child of a file, so that the first decision does not wait for it; not if many run. */
     void startAhead(Path file) {
-        boolean isPlace = children.values().stream().filter(BehaviourChild::isRunning).count() < MOST_STARTED_AHEAD;
+        boolean isPlace =
+                children.values().stream().filter(BehaviourChild::isRunning).count() < MOST_STARTED_AHEAD;
         if (isPlace) {
             try {
                 children.get(file).start();
@@ -139,7 +140,8 @@ final class BehaviourFiles {
                                                 + " implements simrobot.behaviour.Behaviour, with a constructor without"
                                                 + " parameters",
                                         "process")));
-        BehaviourChild child = new BehaviourChild(ChildFile.ofSource(base(file), classes, lines, settings), fault -> {});
+        BehaviourChild child =
+                new BehaviourChild(ChildFile.ofSource(base(file), classes, lines, settings), fault -> {});
         BehaviourKind kind = kind(type, child, new FaultPlace(file.getFileName().toString()));
         compiled.put(file, classes);
         children.put(file, child);
@@ -196,9 +198,11 @@ final class BehaviourFiles {
             throws SourceException {
         String name = type.getSimpleName();
         requireFree(name);
-        return new BehaviourKind(name, around -> direct == null
-                ? child.ofRobot(type.getName(), around.waitBudget(), patient)
-                : direct.ofRobot(type, child.file(), place));
+        return new BehaviourKind(
+                name,
+                around -> direct == null
+                        ? child.ofRobot(type.getName(), around.waitBudget(), patient)
+                        : direct.ofRobot(type, child.file(), place));
     }
 
     private static void requireFree(String name) throws SourceException {

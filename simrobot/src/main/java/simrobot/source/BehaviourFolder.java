@@ -65,6 +65,7 @@ public final class BehaviourFolder implements AutoCloseable {
     private volatile Listener listener;
     /** Null while numbers are not kept. */
     private NumbersFile numbers;
+
     private boolean isLive;
 
     /**
@@ -153,7 +154,10 @@ public final class BehaviourFolder implements AutoCloseable {
         } catch (SourceException damage) {
             fail(NumbersFile.NAME, damage.line(), damage.getMessage());
         } catch (IOException e) {
-            fail(NumbersFile.NAME, 0, "cannot be read or written, new numbers hold until SimRobot ends: " + e.getMessage());
+            fail(
+                    NumbersFile.NAME,
+                    0,
+                    "cannot be read or written, new numbers hold until SimRobot ends: " + e.getMessage());
         }
         list.setNumbers(numbers.numbers());
     }

@@ -24,8 +24,7 @@ import simrobot.source.child.PipeLine;
 record ChildFile(
         String name, List<String> command, List<String> lines, SourceLines source, boolean readsLaser, Hints hints) {
     /** Python ends with SimRobot also in an endless loop: its parent is another one then. */
-    private static final String PYTHON_START =
-            """
+    private static final String PYTHON_START = """
             import os, runpy, sys, threading, time
             parent = os.getppid()
             def watch():
@@ -40,8 +39,7 @@ record ChildFile(
     /** A line of Python's stack traces. */
     private static final Pattern PYTHON_LINE = Pattern.compile("\\s*File \"[^\"]*?([^\"/\\\\]+)\\.py\", line (\\d+).*");
 
-    static ChildFile ofSource(
-            String name, Map<String, byte[]> classes, SourceLines source, ChildSettings settings) {
+    static ChildFile ofSource(String name, Map<String, byte[]> classes, SourceLines source, ChildSettings settings) {
         List<String> lines = new ArrayList<>();
         classes.forEach((className, octets) -> lines.add(PipeLine.of(
                 "class", "name", className, "octets", Base64.getUrlEncoder().encodeToString(octets))));
@@ -58,8 +56,7 @@ record ChildFile(
     /** A Python program of a student, executed by the Python of the machine. */
     static ChildFile ofPython(String name, Path file, String source, ChildSettings settings) {
         boolean isWindows = System.getProperty("os.name").startsWith("Windows");
-        List<String> command =
-                List.of(isWindows ? "python" : "python3", "-u", "-c", PYTHON_START, file.toString());
+        List<String> command = List.of(isWindows ? "python" : "python3", "-u", "-c", PYTHON_START, file.toString());
         boolean readsLaser = source.contains("laser");
         return new ChildFile(name, command, List.of(), SourceLines.of(source), readsLaser, settings.hints());
     }
@@ -96,7 +93,6 @@ record ChildFile(
 
     /** Returns a fault with a hint, and with the likely line if the child knows none. @param cause names the hint */
     Decision.Failed failed(int line, String cause, String text, List<BehaviourRequest> asked) {
-        return new Decision.Failed(
-                line > 0 ? line : source.likely(cause), hints.with(text, cause), List.copyOf(asked));
+        return new Decision.Failed(line > 0 ? line : source.likely(cause), hints.with(text, cause), List.copyOf(asked));
     }
 }

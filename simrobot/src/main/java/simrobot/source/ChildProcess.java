@@ -40,7 +40,10 @@ final class ChildProcess {
         try {
             return builder.start();
         } catch (IOException e) {
-            throw new IOException("cannot be started: expected the program " + builder.command().get(0), e);
+            throw new IOException(
+                    "cannot be started: expected the program "
+                            + builder.command().get(0),
+                    e);
         }
     }
 

@@ -2,8 +2,8 @@ package simrobot.source;
 
 import java.util.List;
 import java.util.function.Consumer;
-import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Behaviour;
+import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 import simrobot.process.Decision;
@@ -114,9 +114,7 @@ final class DirectCalls implements Watchdog.Watched {
                 if (made.steering() == null) {
                     return source.failed(0, "null", "decide returned null, expected a Steering", List.of());
                 }
-                return made.isDone()
-                        ? new Decision.Done(made.asked())
-                        : new Decision.Go(made.steering(), made.asked());
+                return made.isDone() ? new Decision.Done(made.asked()) : new Decision.Go(made.steering(), made.asked());
             } catch (Throwable thrown) {
                 Throwable cause = FaultPlace.cause(thrown);
                 return source.failed(

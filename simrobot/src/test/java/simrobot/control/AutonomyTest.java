@@ -193,8 +193,7 @@ class AutonomyTest {
         bench.robot.autonomy().end();
         bench.seconds(3);
         assertEquals(
-                new TreeMap<>(Map.of(1, "wander", 2, "wall-follow", 3, "Mine", 4, "Another")),
-                bench.robot.processes());
+                new TreeMap<>(Map.of(1, "wander", 2, "wall-follow", 3, "Mine", 4, "Another")), bench.robot.processes());
         list.remove("Another");
         bench.robot.startProcess(4, "");
         assertEquals("Another", bench.robot.autonomy().kind().text(), "as it was announced");

@@ -9,8 +9,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Behaviour;
+import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.BehaviourRequest;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
@@ -176,17 +176,17 @@ class TelephoneOfProcessTest {
         bench.lines("");
         bench.seconds(1);
         assertEquals(
-                List.of("modem: tone 5", "modem: tone 9", "modem: tone 5", "modem: tone 9"), bench.lines("modem: tone"));
+                List.of("modem: tone 5", "modem: tone 9", "modem: tone 5", "modem: tone 9"),
+                bench.lines("modem: tone"));
     }
 
     @Test
     void anSmsToNoNumberNamesWhatWasExpected() {
         offer(new Repeats("text"));
-        IllegalArgumentException refused =
-                assertThrows(IllegalArgumentException.class, () -> {
-                    bench.robot.autonomy().begin(bench.simulation.behaviours().of("Mine"));
-                    bench.seconds(1);
-                });
+        IllegalArgumentException refused = assertThrows(IllegalArgumentException.class, () -> {
+            bench.robot.autonomy().begin(bench.simulation.behaviours().of("Mine"));
+            bench.seconds(1);
+        });
         assertEquals("sms to \"\", expected a number of 1 to 15 digits", refused.getMessage());
     }
 
@@ -200,7 +200,10 @@ class TelephoneOfProcessTest {
         bench.seconds(2.2);
         List<String> printed = bench.lines("printed");
         assertEquals("printed robot=robot name=Mine text=" + "x".repeat(200), printed.get(0));
-        String more = printed.stream().filter(line -> line.contains("more lines")).findFirst().orElseThrow();
+        String more = printed.stream()
+                .filter(line -> line.contains("more lines"))
+                .findFirst()
+                .orElseThrow();
         assertEquals(100, printed.indexOf(more), more);
     }
 }

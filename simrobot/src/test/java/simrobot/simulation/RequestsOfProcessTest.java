@@ -11,9 +11,9 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.SvgCanvas;
+import simrobot.behaviour.Behaviour;
 import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.BehaviourRequest;
-import simrobot.behaviour.Behaviour;
 import simrobot.behaviour.OdometryPose;
 import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
@@ -73,7 +73,9 @@ class RequestsOfProcessTest {
             }
         });
         simulation.run(200);
-        assertEquals(new Position(3, 1), robot[0].autonomy().path().get(robot[0].autonomy().path().size() - 1));
+        assertEquals(
+                new Position(3, 1),
+                robot[0].autonomy().path().get(robot[0].autonomy().path().size() - 1));
         simulation.run(3000);
         assertEquals(List.of("Done[asked=[DriveTo[place=Desk]]]"), ends);
         assertEquals(3, reached.get(0).xMeters(), 0.05);
@@ -113,7 +115,8 @@ class RequestsOfProcessTest {
         });
         simulation.run(10);
         assertEquals(
-                List.of("Failed[line=0, text=goTo: expected a goal or home of the world, found Kitchen, asked=[]]"), ends);
+                List.of("Failed[line=0, text=goTo: expected a goal or home of the world, found Kitchen, asked=[]]"),
+                ends);
     }
 
     @Test
@@ -173,7 +176,8 @@ class RequestsOfProcessTest {
                         .getMessage());
         assertEquals(
                 "expected within decide",
-                assertThrows(IllegalStateException.class, () -> floods.play("1")).getMessage());
+                assertThrows(IllegalStateException.class, () -> floods.play("1"))
+                        .getMessage());
         assertThrows(IllegalArgumentException.class, () -> new BehaviourRequest.Sms("5550100", "a".repeat(161)));
         assertThrows(IllegalArgumentException.class, () -> floods.play("Ring"));
         assertThrows(IllegalArgumentException.class, () -> floods.drawLine(0, 0, Double.NaN, 0));

@@ -18,9 +18,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
-import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
@@ -106,7 +106,8 @@ class BehaviourFolderTest {
     }
 
     private void begin(String name) {
-        robot.autonomy().addEndListener((kind, how) -> ends.add(kind + " " + (how instanceof Decision.Done ? "Done" : how)));
+        robot.autonomy()
+                .addEndListener((kind, how) -> ends.add(kind + " " + (how instanceof Decision.Done ? "Done" : how)));
         assertTrue(robot.autonomy().begin(list.of(name)));
     }
 
@@ -367,7 +368,9 @@ class BehaviourFolderTest {
 
     @Test
     void theOthersOfAFileGoOnInANewChildWhenOneEndsIt() throws IOException {
-        write("Halts", "        if (senses.yMeters() < 1) Runtime.getRuntime().halt(0);\n        return new Steering(0.5, 0);");
+        write(
+                "Halts",
+                "        if (senses.yMeters() < 1) Runtime.getRuntime().halt(0);\n        return new Steering(0.5, 0);");
         open();
         SimulatedRobot other = simulation.addRobot("other", new Position(0, 3), 0);
         assertTrue(other.autonomy().begin(list.of("Halts")));
@@ -376,7 +379,9 @@ class BehaviourFolderTest {
         begin("Halts");
         runUntilItEnds();
         simulation.run(200);
-        assertTrue(ends.get(0).startsWith("Halts Failed[line=4, text=it has ended its process, exit status 0"), ends.get(0));
+        assertTrue(
+                ends.get(0).startsWith("Halts Failed[line=4, text=it has ended its process, exit status 0"),
+                ends.get(0));
         assertTrue(before > 0 && other.xMeters() > before + 0.5, before + " " + other.xMeters());
     }
 
@@ -389,7 +394,9 @@ class BehaviourFolderTest {
         Files.delete(folder.resolve("Ahead.java"));
         opened.scan();
         runUntilItEnds();
-        assertTrue(ends.get(0).startsWith("Ahead Failed[line=0, text=the file is not in the folder any more"), ends.get(0));
+        assertTrue(
+                ends.get(0).startsWith("Ahead Failed[line=0, text=the file is not in the folder any more"),
+                ends.get(0));
     }
 
     @Test
@@ -417,9 +424,7 @@ class BehaviourFolderTest {
     @Test
     void aPythonProgramHearsTheKeysAndRequestsWhatAJavaOneMay() throws IOException {
         Assumptions.assumeTrue(hasPython(), "no python3");
-        Files.writeString(
-                folder.resolve("Stick.py"),
-                """
+        Files.writeString(folder.resolve("Stick.py"), """
                 import sys
                 for line in sys.stdin:
                     word, *pairs = line.split()

@@ -59,7 +59,8 @@ class MistakesOfStudentsTest {
 
     /** @param decide the lines of the method: the first is line 4 of the file */
     private static Mistake inDecide(String name, int line, String text, String cause, String... decide) {
-        String method = "    public Steering decide(Senses senses) {\n        " + String.join("\n        ", decide) + "\n    }";
+        String method =
+                "    public Steering decide(Senses senses) {\n        " + String.join("\n        ", decide) + "\n    }";
         return whole(name, line, text, cause, "public class " + name + " implements Behaviour {", method, "}");
     }
 
@@ -69,7 +70,13 @@ class MistakesOfStudentsTest {
 
     private static Stream<Mistake> ofCompiler() {
         return Stream.of(
-                inDecide("Brace", 4, "reached end of file", "premature.eof", "if (senses.isBlocked()) {", "return null;"),
+                inDecide(
+                        "Brace",
+                        4,
+                        "reached end of file",
+                        "premature.eof",
+                        "if (senses.isBlocked()) {",
+                        "return null;"),
                 inDecide("Misspelt", 4, "cannot find symbol", "cant.resolve.location", "return Sterring.STOP;"),
                 inDecide("Kind", 4, "incompatible types", "prob.found.req", "return 0.3;"),
                 inDecide("Semicolon", 4, "';' expected", "expected", "return Steering.STOP"),
@@ -108,8 +115,19 @@ class MistakesOfStudentsTest {
                         "    public Steering decide(Senses senses) { return Steering.STOP; }",
                         "}"),
                 inDecide("Nothing", 4, "decide returned null", "null", "return null;"),
-                inDecide("Root", 4, "a steering of NaN", "IllegalArgumentException", "return new Steering(Math.sqrt(-1), 0);"),
-                inDecide("Division", 5, "/ by zero", "ArithmeticException", "int zero = 0;", "return new Steering(1 / zero, 0);"),
+                inDecide(
+                        "Root",
+                        4,
+                        "a steering of NaN",
+                        "IllegalArgumentException",
+                        "return new Steering(Math.sqrt(-1), 0);"),
+                inDecide(
+                        "Division",
+                        5,
+                        "/ by zero",
+                        "ArithmeticException",
+                        "int zero = 0;",
+                        "return new Steering(1 / zero, 0);"),
                 inDecide(
                         "Index",
                         4,
@@ -202,7 +220,8 @@ class MistakesOfStudentsTest {
             Files.writeString(folder.resolve(mistake.name() + ".java"), mistake.source());
         }
         Files.writeString(
-                folder.resolve("Good.java"), inDecide("Good", 0, "", "", "return new Steering(0.5, 1);").source());
+                folder.resolve("Good.java"),
+                inDecide("Good", 0, "", "", "return new Steering(0.5, 1);").source());
         opened = new BehaviourFolder(
                 folder,
                 simulation.behaviours(),
@@ -253,7 +272,8 @@ class MistakesOfStudentsTest {
         assertEquals(mistake.line(), fault.line(), fault.text());
         assertTrue(fault.text().contains(mistake.text()), fault.text());
         if (!mistake.cause().isEmpty()) {
-            String hint = ResourceBundle.getBundle("simrobot.source.hints", Locale.ENGLISH).getString(mistake.cause());
+            String hint = ResourceBundle.getBundle("simrobot.source.hints", Locale.ENGLISH)
+                    .getString(mistake.cause());
             assertTrue(fault.text().contains(hint), fault.text());
         }
     }

@@ -155,6 +155,9 @@ class NumbersFileTest {
         opened.scan();
         assertEquals(Map.of("Arc", 3, "Aarc", 4), own(list));
         assertEquals(2, faults.size(), "one for each new name");
-        assertTrue(faults.get(0).startsWith("numbers.txt 0 cannot be read or written, new numbers hold until SimRobot ends: "), faults.get(0));
+        assertTrue(
+                faults.get(0)
+                        .startsWith("numbers.txt 0 cannot be read or written, new numbers hold until SimRobot ends: "),
+                faults.get(0));
     }
 }

@@ -34,7 +34,6 @@ final class RadioConnection {
     private final StateMachine<ConnectionState, ConnectionEvent, ConnectionAction> machine =
             new StateMachine<>(ConnectionTable.ROWS, this, this::perform).onEntry(this::entered);
     private final HeldDownlink held = new HeldDownlink();
-
     private DedicatedChannel channel;
     /** The channel of a running assignment or handover; null otherwise. */
     private DedicatedChannel target;
@@ -74,8 +73,6 @@ final class RadioConnection {
     private boolean isSuspended() {
         return machine.state() == ConnectionState.ASSIGNING || machine.state() == ConnectionState.HANDING_OVER;
     }
-
-    // Sends a message of the exchange.
 
     void send(int sapi, OctetString layer3) {
         if (isSuspended()) {

@@ -92,7 +92,8 @@ public final class Exchange {
         Function<Msisdn, Optional<Link>> locations =
                 number -> register.ofNumber(number).flatMap(mobility::locationOf);
         MobileMessages mobiles = new MobileMessages(locations);
-        UssdDialogues services = new UssdDialogues(locations, settings.language(), settings.callWaiting(), reports(), this::store);
+        UssdDialogues services =
+                new UssdDialogues(locations, settings.language(), settings.callWaiting(), reports(), this::store);
         shortMessages = new ShortMessageCenter(
                 civil, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);
@@ -126,8 +127,7 @@ public final class Exchange {
             }
 
             @Override
-            public void lessonResult(
-                    Msisdn number, String lesson, String step, String result, int tries, int hints) {
+            public void lessonResult(Msisdn number, String lesson, String step, String result, int tries, int hints) {
                 report(new ExchangeEvent.LessonResult(number, lesson, step, result, tries, hints));
             }
         };

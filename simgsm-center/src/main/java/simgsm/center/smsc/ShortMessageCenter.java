@@ -35,7 +35,6 @@ public final class ShortMessageCenter {
     private static final long STORE_AGAIN_NANOS = Duration.ofSeconds(5).toNanos();
 
     private static final System.Logger LOG = System.getLogger(ShortMessageCenter.class.getName());
-
     /** Validity of a message without a validity period, and of every report. */
     private static final Duration DEFAULT_VALIDITY = Duration.ofDays(7);
 
@@ -46,7 +45,6 @@ public final class ShortMessageCenter {
     private BiConsumer<ShortMessage, MessageState> listener;
     private final ReceiverQueues queues;
     private final MessageRegister messages;
-
     /**
      * Receivers of the store's answers, by ticket. A report is sent when its end is durable, because a sent report must
      * not change.

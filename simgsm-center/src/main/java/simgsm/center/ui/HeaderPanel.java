@@ -57,7 +57,8 @@ final class HeaderPanel extends DressedPanel {
         network.setName("network");
         buttons = buttons(operator, folding);
         MenuButton menu = new MenuButton(Locale.forLanguageTag(texts.of("window.language")));
-        row = Arrange.row(ROW_GAP, menu, title, port, network, Arrange.growing(rateLabel), attached, calls, waiting, buttons);
+        row = Arrange.row(
+                ROW_GAP, menu, title, port, network, Arrange.growing(rateLabel), attached, calls, waiting, buttons);
         add(row, BorderLayout.CENTER);
         port.setToolTipText(network.getText() + ": " + network.getToolTipText());
         port.show(StatusMark.DISC, Ink.GOOD, texts.of("window.port", String.valueOf(operator.port())));
@@ -84,8 +85,8 @@ final class HeaderPanel extends DressedPanel {
                 ComponentNames.name(fold, "window.fold", texts.of("window.fold.why")),
                 ComponentNames.name(new JButton(quit), "window.quit", texts.of("window.quit.why")));
         operator.link().ifPresent(show -> {
-            UserAction link = UserAction.of(texts, "window.link", "window.link", show)
-                    .in(CommandGroup.NETWORK);
+            UserAction link =
+                    UserAction.of(texts, "window.link", "window.link", show).in(CommandGroup.NETWORK);
             all.add(ComponentNames.name(new JButton(link), "window.link", texts.of("window.link.why")), 0);
         });
         return all;

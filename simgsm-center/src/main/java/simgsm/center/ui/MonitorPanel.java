@@ -123,7 +123,8 @@ public final class MonitorPanel extends DressedPanel {
     }
 
     private JToggleButton toggle(String id, String key, Symbol symbol, Runnable task) {
-        UserAction action = UserAction.of(texts, id, key, task).in(CommandGroup.VIEW).with(symbol.icon());
+        UserAction action =
+                UserAction.of(texts, id, key, task).in(CommandGroup.VIEW).with(symbol.icon());
         JToggleButton button = ComponentNames.name(new JToggleButton(action), id, texts.of(key));
         button.setHideActionText(true);
         return button;

@@ -22,8 +22,8 @@ public final class QuickStart {
      */
     public static final String RECORD_FOLDER = "simgsm.record";
 
-    private static final List<String> OPTIONS =
-            List.of("-XX:TieredStopAtLevel=1", "-XX:CICompilerCount=1", "-XX:+UseSerialGC", "-XX:-UsePerfData", "-Xmn16m");
+    private static final List<String> OPTIONS = List.of(
+            "-XX:TieredStopAtLevel=1", "-XX:CICompilerCount=1", "-XX:+UseSerialGC", "-XX:-UsePerfData", "-Xmn16m");
     private static final String WRITE = "-XX:ArchiveClassesAtExit=";
     private static final String RECORD = "-XX:AOTMode=record";
     private static final String JAR = ".jar";

@@ -34,8 +34,7 @@ public final class SnapshotPoller<T> {
     }
 
     public void start() {
-        Toolkit.getDefaultToolkit()
-                .addAWTEventListener(pressed, AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK);
+        Toolkit.getDefaultToolkit().addAWTEventListener(pressed, AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK);
         timer.start();
     }
 
@@ -45,9 +44,8 @@ public final class SnapshotPoller<T> {
     }
 
     void look() {
-        looksInVain = show()
-                ? Math.max(0, looksInVain - LOOKS_FOR_SNAPSHOT)
-                : Math.min(LOOKS_UNTIL_REST, looksInVain + 1);
+        looksInVain =
+                show() ? Math.max(0, looksInVain - LOOKS_FOR_SNAPSHOT) : Math.min(LOOKS_UNTIL_REST, looksInVain + 1);
         timer.setDelay(looksInVain < LOOKS_UNTIL_REST ? PERIOD_MILLIS : REST_MILLIS);
     }
 

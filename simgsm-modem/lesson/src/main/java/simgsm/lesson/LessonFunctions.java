@@ -7,8 +7,26 @@ import java.util.Map;
 public interface LessonFunctions {
     /** Number of arguments of each; {@code text} takes any number. */
     Map<String, Integer> ARGUMENTS = Map.of(
-            "low", 1, "high", 1, "xor", 1, "swapped", 1, "submit", 2, "half-heard", 1, "most-twist", 0, "shortest", 0, "off", 2,
-            "side", 1);
+            "low",
+            1,
+            "high",
+            1,
+            "xor",
+            1,
+            "swapped",
+            1,
+            "submit",
+            2,
+            "half-heard",
+            1,
+            "most-twist",
+            0,
+            "shortest",
+            0,
+            "off",
+            2,
+            "side",
+            1);
 
     String TEXT = "text";
 

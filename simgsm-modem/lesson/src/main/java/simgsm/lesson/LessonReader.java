@@ -16,8 +16,9 @@ final class LessonReader {
     private static final int MAX_MINUTES = 240;
 
     /** Words with another meaning than a program's name. */
-    private static final Set<String> TAKEN = Set.of(
-            ("predict answer hint start stop tool java drive capture give use at submit act " + "different").split(" "));
+    private static final Set<String> TAKEN =
+            Set.of(("predict answer hint start stop tool java drive capture give use at submit act " + "different")
+                    .split(" "));
 
     private static final String ACTION = "action NAME [text|number LEAST..MOST|integer LEAST..MOST|file [ENDING]]";
     private static final Pattern RANGE = Pattern.compile("(number|integer) (-?[0-9]{1,6})[.][.](-?[0-9]{1,6})");

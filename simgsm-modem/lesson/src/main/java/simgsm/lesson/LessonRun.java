@@ -192,8 +192,7 @@ public final class LessonRun {
             if (isDone) {
                 return;
             }
-            boolean isAnswer =
-                    source.equals(STUDENT) && step.answer().equals(Optional.of(event.name()));
+            boolean isAnswer = source.equals(STUDENT) && step.answer().equals(Optional.of(event.name()));
             if (step.again().stream().anyMatch(each -> each.matches(source, event, LessonRun.this::solved))) {
                 tries += Arrays.stream(counts).anyMatch(count -> count > 0) ? 1 : 0;
                 Arrays.fill(counts, 0);

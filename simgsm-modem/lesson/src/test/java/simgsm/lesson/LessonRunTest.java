@@ -135,8 +135,8 @@ class LessonRunTest {
 
     @Test
     void aKeptValueIsTestedWhenTheEventComes() throws Exception {
-        LessonRun run = run(
-                "keep cell cell p camped", "keep cell to p handover", "step a", "when robot order {cell}=east");
+        LessonRun run =
+                run("keep cell cell p camped", "keep cell to p handover", "step a", "when robot order {cell}=east");
         event(run, "robot", "order cell=east");
         event(run, "p", "camped cell=west");
         event(run, "robot", "order");

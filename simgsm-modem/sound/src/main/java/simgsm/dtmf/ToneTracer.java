@@ -112,8 +112,7 @@ public final class ToneTracer {
     private void publish() {
         ReceiverTrace ours = modem.newest(isExperiment());
         ToneLevels before = isExperiment() && !silent ? reference.levels() : ours.levels();
-        newest = new ToneTrace(
-                original, afterwards, experiment, before, ours, classic.newest(isExperiment()));
+        newest = new ToneTrace(original, afterwards, experiment, before, ours, classic.newest(isExperiment()));
     }
 
     private boolean isSilent() {

@@ -83,7 +83,8 @@ final class Keyboard {
                     ARROWS.contains(key) ? "" : texts.of("key." + key.name().toLowerCase(Locale.ROOT));
             inputs.put(KeyStroke.getKeyStroke(code, 0, false), name + ".down");
             inputs.put(KeyStroke.getKeyStroke(code, 0, true), name + ".up");
-            UserAction press = new UserAction(name + ".down", meaning, () -> controls.keyDown(key)).in(CommandGroup.CALL);
+            UserAction press =
+                    new UserAction(name + ".down", meaning, () -> controls.keyDown(key)).in(CommandGroup.CALL);
             actions.put(press.id(), press);
             actions.put(name + ".up", new UserAction(name + ".up", "", () -> controls.keyUp(key)));
         });

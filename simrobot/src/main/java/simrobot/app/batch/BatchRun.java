@@ -125,8 +125,9 @@ public final class BatchRun {
     private static void print(SimulatedRobot robot, PrintStream out) {
         robot.autonomy().addRequestListener((kind, asked) -> {
             if (asked instanceof BehaviourRequest.Printed printed) {
-                printed.text().lines().forEach(line -> out.println(
-                        new RobotEvent.Printed(kind.text(), line).line(robot.name())));
+                printed.text()
+                        .lines()
+                        .forEach(line -> out.println(new RobotEvent.Printed(kind.text(), line).line(robot.name())));
             }
         });
     }

@@ -30,9 +30,7 @@ record Grade(String name, int runs, List<String> rows) {
     }
 
     private Stream<String[]> fields(boolean isDone) {
-        return rows.stream()
-                .map(row -> row.split(",", FIELDS))
-                .filter(fields -> fields[STATE].equals(DONE) == isDone);
+        return rows.stream().map(row -> row.split(",", FIELDS)).filter(fields -> fields[STATE].equals(DONE) == isDone);
     }
 
     int done() {
@@ -64,8 +62,6 @@ record Grade(String name, int runs, List<String> rows) {
     }
 
     private static String unquoted(String field) {
-        return field.startsWith("\"")
-                ? field.substring(1, field.length() - 1).replace("\"\"", "\"")
-                : field;
+        return field.startsWith("\"") ? field.substring(1, field.length() - 1).replace("\"\"", "\"") : field;
     }
 }

@@ -33,7 +33,8 @@ final class GradePage {
                 .toList();
         write(folder.resolve("grades.html"), new GradePage(language).html(ranked, facts));
         String rows = ranked.stream()
-                .flatMap(grade -> grade.rows().stream().map(row -> CsvLine.of(List.of(grade.name())) + "," + row + "\n"))
+                .flatMap(grade ->
+                        grade.rows().stream().map(row -> CsvLine.of(List.of(grade.name())) + "," + row + "\n"))
                 .collect(Collectors.joining());
         write(folder.resolve("grades.csv"), "name," + RunJudge.HEADER + "\n" + rows);
     }
@@ -45,18 +46,25 @@ final class GradePage {
     private String html(List<Grade> grades, List<String> facts) {
         StringBuilder html = new StringBuilder("<!DOCTYPE html>\n<html lang=\"" + texts.of("language") + "\"><head>"
                 + "<meta charset=\"utf-8\"><title>" + texts.of("title") + "</title><style>" + STYLE
-                + "</style></head><body>\n<h1>" + texts.of("title") + "</h1>\n<p>" + escaped(texts.of("facts", facts.toArray())) + "</p>\n<table>\n");
-        row(html, "th", List.of("name", "done", "seconds", "meters", "text").stream()
-                .map(texts::of)
-                .toList());
+                + "</style></head><body>\n<h1>" + texts.of("title") + "</h1>\n<p>"
+                + escaped(texts.of("facts", facts.toArray())) + "</p>\n<table>\n");
+        row(
+                html,
+                "th",
+                List.of("name", "done", "seconds", "meters", "text").stream()
+                        .map(texts::of)
+                        .toList());
         for (Grade grade : grades) {
             boolean isDone = grade.done() > 0;
-            row(html, "td", List.of(
-                    grade.name(),
-                    grade.done() + " / " + grade.runs(),
-                    isDone ? RunOutcome.threeDecimals(grade.meanSeconds()) : "",
-                    isDone ? RunOutcome.threeDecimals(grade.meanMeters()) : "",
-                    grade.text()));
+            row(
+                    html,
+                    "td",
+                    List.of(
+                            grade.name(),
+                            grade.done() + " / " + grade.runs(),
+                            isDone ? RunOutcome.threeDecimals(grade.meanSeconds()) : "",
+                            isDone ? RunOutcome.threeDecimals(grade.meanMeters()) : "",
+                            grade.text()));
         }
         return html.append("</table>\n</body></html>\n").toString();
     }
@@ -68,6 +76,9 @@ final class GradePage {
     }
 
     private static String escaped(String text) {
-        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;");
+        return text.replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
     }
 }

@@ -48,11 +48,11 @@ public final class GradeRun {
     }
 
     /** @return 0 when the page is written, whatever the results are */
-    public static int run(Arguments arguments, World world)
-            throws UsageException, IOException, InterruptedException {
+    public static int run(Arguments arguments, World world) throws UsageException, IOException, InterruptedException {
         for (String option : List.of("run", "behaviour", "behaviours", "record", "track")) {
             if (arguments.has(option)) {
-                throw new UsageException("--" + option + ": --grade runs each file of its folder, expected one of the two");
+                throw new UsageException(
+                        "--" + option + ": --grade runs each file of its folder, expected one of the two");
             }
         }
         if (!Files.isDirectory(arguments.path("grade").orElseThrow())) {
@@ -82,8 +82,7 @@ public final class GradeRun {
         List<String> facts = List.of(
                 world.name(), arguments.text("goal").orElse("-"), Long.toString(seed), Long.toString(seed + runs - 1));
         GradePage.write(folder, grades, arguments.language(), facts);
-        Program.standardOutput()
-                .println(Event.of("end").with("of", "grade").with("count", grades.size()));
+        Program.standardOutput().println(Event.of("end").with("of", "grade").with("count", grades.size()));
         return ExitStatus.OK;
     }
 
@@ -106,7 +105,11 @@ public final class GradeRun {
             while (rows.size() < runs) {
                 int before = rows.size();
                 String end = run(name, seed + before, runs - before, output);
-                Files.readString(output).lines().filter(Grade::isRow).limit(runs - before).forEach(rows::add);
+                Files.readString(output)
+                        .lines()
+                        .filter(Grade::isRow)
+                        .limit(runs - before)
+                        .forEach(rows::add);
                 if (rows.size() == before || rows.size() < runs && end.startsWith("stopped")) {
                     rows.add(Grade.failed(seed + rows.size(), end));
                 }

@@ -97,8 +97,7 @@ final class RunJudge {
         private void end(RunOutcome.State state, String text) {
             if (outcome == null) {
                 travel();
-                outcome = new RunOutcome(
-                        robot.name(), kind.text(), state, simulation.timeNanos() * 1e-9, meters, text);
+                outcome = new RunOutcome(robot.name(), kind.text(), state, simulation.timeNanos() * 1e-9, meters, text);
             }
         }
     }
@@ -107,7 +106,9 @@ final class RunJudge {
     void begin() {
         for (Judged judged : robots) {
             if (!judged.robot.autonomy().begin(judged.kind)) {
-                judged.end(RunOutcome.State.FAILED, "not started: " + judged.robot.status().text());
+                judged.end(
+                        RunOutcome.State.FAILED,
+                        "not started: " + judged.robot.status().text());
             }
         }
     }
@@ -138,15 +139,19 @@ final class RunJudge {
                 .filter(each -> each.state() != RunOutcome.State.DONE)
                 .toList();
         RunOutcome first = others.isEmpty() ? outcomes.get(0) : others.get(0);
-        return seed + "," + CsvLine.of(List.of(
-                first.state().word(),
-                "" + outcomes.size(),
-                "" + (outcomes.size() - others.size()),
-                RunOutcome.threeDecimals(
-                        outcomes.stream().mapToDouble(RunOutcome::seconds).max().orElse(0)),
-                RunOutcome.threeDecimals(
-                        outcomes.stream().mapToDouble(RunOutcome::meters).sum()),
-                "" + collisions,
-                first.text()));
+        return seed + ","
+                + CsvLine.of(List.of(
+                        first.state().word(),
+                        "" + outcomes.size(),
+                        "" + (outcomes.size() - others.size()),
+                        RunOutcome.threeDecimals(outcomes.stream()
+                                .mapToDouble(RunOutcome::seconds)
+                                .max()
+                                .orElse(0)),
+                        RunOutcome.threeDecimals(outcomes.stream()
+                                .mapToDouble(RunOutcome::meters)
+                                .sum()),
+                        "" + collisions,
+                        first.text()));
     }
 }

@@ -226,8 +226,8 @@ public final class WindowModel extends SessionModel {
 
     @Override
     public void place(String robot, double xMeters, double yMeters, double headingRadians, Consumer<Placement> answer) {
-        simulation.post(() -> robot(robot)
-                .ifPresent(owned -> answer.accept(owned.place(xMeters, yMeters, headingRadians))));
+        simulation.post(
+                () -> robot(robot).ifPresent(owned -> answer.accept(owned.place(xMeters, yMeters, headingRadians))));
     }
 
     @Override

@@ -17,8 +17,8 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
-import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Behaviour;
+import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.BehaviourRequest;
 
 /**
@@ -74,12 +74,13 @@ public final class ChildMain implements Watchdog.Watched {
         for (String line = questions.readLine(); line != null; line = questions.readLine()) {
             PipeLine question = PipeLine.parse(line).orElseThrow();
             switch (question.word()) {
-                case "class" -> classes.put(
-                        question.text("name"), Base64.getUrlDecoder().decode(question.text("octets")));
-                case "jar" -> loader = new URLClassLoader(
-                        LoadedClasses.NAME,
-                        new URL[] {Path.of(question.text("path")).toUri().toURL()},
-                        Behaviour.class.getClassLoader());
+                case "class" ->
+                    classes.put(question.text("name"), Base64.getUrlDecoder().decode(question.text("octets")));
+                case "jar" ->
+                    loader = new URLClassLoader(
+                            LoadedClasses.NAME,
+                            new URL[] {Path.of(question.text("path")).toUri().toURL()},
+                            Behaviour.class.getClassLoader());
                 case "begin" -> classNames.put(question.text("robot"), question.text("class"));
                 case "end" -> behaviours.remove(question.text("robot"));
                 default -> decide(question);

@@ -11,9 +11,8 @@ import simrobot.behaviour.BehaviourRequest;
 
 /** A request of a process as a line: its word is the name of the record, its values are the components. */
 public final class RequestLine {
-    private static final Map<String, Class<?>> TYPES =
-            Arrays.stream(BehaviourRequest.class.getPermittedSubclasses())
-                    .collect(Collectors.toMap(RequestLine::word, type -> type));
+    private static final Map<String, Class<?>> TYPES = Arrays.stream(BehaviourRequest.class.getPermittedSubclasses())
+            .collect(Collectors.toMap(RequestLine::word, type -> type));
 
     private RequestLine() {}
 

@@ -83,7 +83,8 @@ public final class Watchdog {
     /** @param isCrowd whether there are too many to wait for the second look */
     private void lookAtThreads(boolean isCrowd) {
         Set<Thread> now = new HashSet<>();
-        for (Map.Entry<Thread, StackTraceElement[]> each : Thread.getAllStackTraces().entrySet()) {
+        for (Map.Entry<Thread, StackTraceElement[]> each :
+                Thread.getAllStackTraces().entrySet()) {
             Thread found = each.getKey();
             if (found != main && watched.line(each.getValue()) > 0) {
                 now.add(found);

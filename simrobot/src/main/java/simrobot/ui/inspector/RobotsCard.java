@@ -80,7 +80,9 @@ final class RobotsCard extends JPanel {
         setOpaque(false);
         robots = new RobotList(texts, selection);
         statuses = new StatusLamps(texts);
-        add = new UserAction("robot.add", texts.of("robot.add"), newRobot).in(CommandGroup.ROBOT).with(Symbol.PLUS.icon(12));
+        add = new UserAction("robot.add", texts.of("robot.add"), newRobot)
+                .in(CommandGroup.ROBOT)
+                .with(Symbol.PLUS.icon(12));
         add.onKey(page, KeyEvent.VK_N, InputEvent.CTRL_DOWN_MASK).described(texts.of("robot.add.hint"));
         remove = new UserAction("robot.remove", texts.of("robot.remove"), () -> remove(operator))
                 .in(CommandGroup.ROBOT)

@@ -110,7 +110,8 @@ public final class SimRobotPanel extends JPanel {
     }
 
     private UserAction presentationKey(String id, int key) {
-        UserAction action = new UserAction(id, texts.of("presentation"), this::switchPresentation).in(CommandGroup.VIEW);
+        UserAction action =
+                new UserAction(id, texts.of("presentation"), this::switchPresentation).in(CommandGroup.VIEW);
         action.bindInWindow(running, KeyStroke.getKeyStroke(key, 0));
         return action;
     }

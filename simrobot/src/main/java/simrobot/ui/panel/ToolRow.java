@@ -236,8 +236,8 @@ final class ToolRow extends JPanel {
     }
 
     private JButton button(String id, CommandGroup group, Symbol symbol, int key, Runnable task) {
-        JButton button = ToolButtons.icon(
-                new JButton(), action(id, group, key, task).with(symbol.icon()));
+        JButton button =
+                ToolButtons.icon(new JButton(), action(id, group, key, task).with(symbol.icon()));
         if (!id.startsWith("zoom.")) {
             words.put(button, texts.of("tool." + id + ".word"));
         }

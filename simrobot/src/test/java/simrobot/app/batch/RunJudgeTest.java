@@ -43,7 +43,9 @@ class RunJudgeTest {
     private RunJudge judge(BehaviourKind kind, String goal) {
         simulation.addRobot("anna");
         RunJudge judge = new RunJudge(
-                simulation, kind, Optional.of(goal).filter(name -> !name.isEmpty()).map(name -> RunGoal.named(WORLD, name)));
+                simulation,
+                kind,
+                Optional.of(goal).filter(name -> !name.isEmpty()).map(name -> RunGoal.named(WORLD, name)));
         simulation.robots().get(0).setPower(true);
         simulation.robots().get(0).setMotors(true);
         judge.begin();
@@ -108,8 +110,7 @@ class RunJudgeTest {
     }
 
     private static String judgeOfStanding() {
-        BehaviourKind standing =
-                new BehaviourKind("Stand", around -> RobotProcess.inPlace(senses -> Steering.STOP));
+        BehaviourKind standing = new BehaviourKind("Stand", around -> RobotProcess.inPlace(senses -> Steering.STOP));
         return new RunJudgeTest().outcome(standing, "Finish");
     }
 

@@ -445,17 +445,8 @@ class SimRobotPanelTest {
     @Test
     void everyControlHasANameForTestsAndOneForScreenReaders() throws Exception {
         WindowBench bench = bench(WindowBench.line("robot", true, false, WindowBench.noOrders(), ""));
-        for (String tool : List.of(
-                "power",
-                "motors",
-                "brake",
-                "pause",
-                "step",
-                "speed",
-                "zoom.in",
-                "zoom.out",
-                "fit",
-                "world")) {
+        for (String tool :
+                List.of("power", "motors", "brake", "pause", "step", "speed", "zoom.in", "zoom.out", "fit", "world")) {
             assertFalse(bench.spoken("tool." + tool).isBlank(), tool);
             assertTrue(bench.component("tool." + tool).isFocusable(), tool);
         }

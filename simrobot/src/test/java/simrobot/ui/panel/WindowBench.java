@@ -140,18 +140,20 @@ public final class WindowBench implements OperatorActions {
 
     /** Performs a command that only the menu has; true if it is a switch that is on then. */
     public boolean command(String id) {
-        UserAction action = actions(panel).filter(each -> each.id().equals(id)).findFirst().orElseThrow();
+        UserAction action =
+                actions(panel).filter(each -> each.id().equals(id)).findFirst().orElseThrow();
         action.actionPerformed(null);
         return Boolean.TRUE.equals(action.getValue(UserAction.SELECTED_KEY));
     }
 
     private static Stream<UserAction> actions(Container parent) {
-        Stream<UserAction> own = parent instanceof JComponent bound && bound.getActionMap().keys() != null
-                ? Stream.of(bound.getActionMap().keys())
-                        .map(bound.getActionMap()::get)
-                        .filter(UserAction.class::isInstance)
-                        .map(UserAction.class::cast)
-                : Stream.empty();
+        Stream<UserAction> own =
+                parent instanceof JComponent bound && bound.getActionMap().keys() != null
+                        ? Stream.of(bound.getActionMap().keys())
+                                .map(bound.getActionMap()::get)
+                                .filter(UserAction.class::isInstance)
+                                .map(UserAction.class::cast)
+                        : Stream.empty();
         return Stream.concat(
                 own,
                 Stream.of(parent.getComponents())

@@ -77,8 +77,8 @@ final class LevelHistory extends PaintedComponent {
         }
         change(() -> decisions = newest.passing().stream()
                 .filter(step -> DECISIONS.contains(step.kind()) && number.equals(Optional.of(step.number())))
-                .filter(step -> !samples.isEmpty()
-                        && step.nanos() >= samples.getFirst().nanos())
+                .filter(step ->
+                        !samples.isEmpty() && step.nanos() >= samples.getFirst().nanos())
                 .toList());
     }
 

@@ -97,8 +97,10 @@ final class ClassBoard {
             Map<String, String> fields = event.fields();
             if (event.name().equals("lesson-result")) {
                 lesson = fields.get("lesson");
-                String result = fields.get("result") + " tries=" + fields.get("tries") + " hints=" + fields.get("hints");
-                steps.merge(lesson + " " + fields.get("step"), result, (old, next) -> old.startsWith(PASS) ? old : next);
+                String result =
+                        fields.get("result") + " tries=" + fields.get("tries") + " hints=" + fields.get("hints");
+                steps.merge(
+                        lesson + " " + fields.get("step"), result, (old, next) -> old.startsWith(PASS) ? old : next);
                 return true;
             }
             boolean isNew = !fields.getOrDefault("name", "").equals(name);

@@ -60,7 +60,11 @@ public final class WindowedDemo {
                     opened.thenAccept(ProgramWindow::close);
                 }
             });
-            start(session, layout, left.isPresent() || WebLink.isWanted(arguments) ? layout.phone() : layout.phoneColumn(screen), arguments);
+            start(
+                    session,
+                    layout,
+                    left.isPresent() || WebLink.isWanted(arguments) ? layout.phone() : layout.phoneColumn(screen),
+                    arguments);
             Optional<LinkFrame> link = WebLink.start(arguments, session, "robot", Optional.empty())
                     .map(url -> new LinkFrame(
                             settings.language(),

@@ -90,8 +90,8 @@ public final class LessonCheck {
         }
         LessonRun run = new LessonRun(lesson, seed(arguments), new LessonFigures());
         try (Session network = LessonNetwork.open(lesson, arguments)) {
-            LessonSession session = new LessonSession(
-                    run, network, library.folder(lesson.name()), LessonCheck::options, language);
+            LessonSession session =
+                    new LessonSession(run, network, library.folder(lesson.name()), LessonCheck::options, language);
             network.center().publishSnapshots(session.trace());
             network.center().start(session.centerEvents());
             play(session, solution);

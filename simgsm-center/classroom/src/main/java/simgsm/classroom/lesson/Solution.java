@@ -75,7 +75,9 @@ record Solution(
                 throw new SessionFailure("use: expected the name of a file beside the solution, found " + wanted);
             }
             byte[] content = beside(wanted);
-            session.handIn(wanted, isOwn ? session.replaced(new String(content, UTF_8), true).getBytes(UTF_8) : content);
+            session.handIn(
+                    wanted,
+                    isOwn ? session.replaced(new String(content, UTF_8), true).getBytes(UTF_8) : content);
         } catch (IOException | LessonException | IllegalArgumentException e) {
             throw new SessionFailure("use: " + e.getMessage());
         }

@@ -39,8 +39,8 @@ import simgsm.ui.glossary.GlossaryText;
  * display.
  */
 public final class ClassPanel extends JPanel {
-    private static final List<String> COLUMNS = List.of(
-            "phone", "name", "robot", "orders", "keys", "collisions", "seconds", "lesson", "score");
+    private static final List<String> COLUMNS =
+            List.of("phone", "name", "robot", "orders", "keys", "collisions", "seconds", "lesson", "score");
     /** Minimum content of each column; names and lessons take the rest. */
     private static final List<String> SAMPLES = List.of("5550100", "Maria", "5550200", "", "", "", "", "twelve", "");
 

@@ -39,8 +39,7 @@ public record ClassView(List<Row> rows, Phase phase, long seconds, Optional<Stri
 
         /** The result as a line of a CSV file. */
         String line() {
-            return CsvLine.of(
-                    Stream.concat(cells.stream(), Stream.of(steps)).toList());
+            return CsvLine.of(Stream.concat(cells.stream(), Stream.of(steps)).toList());
         }
     }
 }

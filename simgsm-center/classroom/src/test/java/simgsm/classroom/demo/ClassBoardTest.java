@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import simgsm.classroom.ui.ClassView;
 import simgsm.console.CommandException;
 import simgsm.console.Event;
 

@@ -37,7 +37,9 @@ class LessonStreamsTest {
         Map<String, Way> ways = new LinkedHashMap<>();
         Way way = null;
         try (var in = LessonStreamsTest.class.getResourceAsStream("/lesson-ways/" + lesson + ".txt")) {
-            for (String line : new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList()) {
+            for (String line : new String(in.readAllBytes(), StandardCharsets.UTF_8)
+                    .lines()
+                    .toList()) {
                 if (line.startsWith("== ")) {
                     int colon = line.lastIndexOf(": ");
                     way = new Way(List.of(line.substring(colon + 2).split(" ")), new ArrayList<>());
@@ -112,7 +114,8 @@ class LessonStreamsTest {
         expected.removeAll(LOST.getOrDefault(lesson, List.of()));
         assertEquals(expected, done(run));
         assertTrue(
-                run.lesson().steps().stream().anyMatch(step -> run.result(step.name()).tries() > 1),
+                run.lesson().steps().stream()
+                        .anyMatch(step -> run.result(step.name()).tries() > 1),
                 "tries of the wrong way count");
     }
 

@@ -264,7 +264,8 @@ class LessonPanelTest {
     void anOpenedHintIsTold() throws Exception {
         LessonPanel panel = panel("break-it", "en");
         panel.show(view("break-it", LessonView.StepState.OPEN));
-        JButton hint = (JButton) ComponentNames.find(panel, "lesson.hint.of.half").orElseThrow();
+        JButton hint =
+                (JButton) ComponentNames.find(panel, "lesson.hint.of.half").orElseThrow();
         hint.doClick();
         hint.doClick();
         assertEquals(List.of("hint half"), done);

@@ -71,17 +71,19 @@ final class HelpDialog {
         JDialog dialog = new JDialog(frame, texts.of("window.help"));
         JTabbedPane tabs = ComponentNames.name(new JTabbedPane(), "help.tabs", texts.of("window.help"));
         tabs.addTab(texts.of("window.help"), content(frame.getRootPane(), about, version, texts));
-        tabs.addTab(texts.of("lessons.title"), new LessonList(lessons.library(), language, lessons.hasSheets(), new LessonList.Actions() {
-            @Override
-            public void open(String name) {
-                begin(dialog, name, texts, lessons);
-            }
+        tabs.addTab(
+                texts.of("lessons.title"),
+                new LessonList(lessons.library(), language, lessons.hasSheets(), new LessonList.Actions() {
+                    @Override
+                    public void open(String name) {
+                        begin(dialog, name, texts, lessons);
+                    }
 
-            @Override
-            public void showSheet(String title, String markdown) {
-                sheet(dialog, title, markdown, texts);
-            }
-        }));
+                    @Override
+                    public void showSheet(String title, String markdown) {
+                        sheet(dialog, title, markdown, texts);
+                    }
+                }));
         tabs.addTab(texts.of("glossary.title"), new GlossaryList(language));
         SettingsPanel.Actions closing = settings.beforeLanguage(dialog::dispose);
         tabs.addTab(texts.of("settings.title"), new SettingsPanel(language, texts, closing));
@@ -137,7 +139,10 @@ final class HelpDialog {
     private static void begin(JDialog dialog, String name, TextBundle texts, Lessons lessons) {
         if (lessons.chosen().isPresent()) {
             int answer = JOptionPane.showConfirmDialog(
-                    dialog, message(texts.of(lessons.question())), texts.of("lessons.title"), JOptionPane.OK_CANCEL_OPTION);
+                    dialog,
+                    message(texts.of(lessons.question())),
+                    texts.of("lessons.title"),
+                    JOptionPane.OK_CANCEL_OPTION);
             if (answer == JOptionPane.OK_OPTION) {
                 dialog.dispose();
                 lessons.chosen().get().accept(name);

@@ -289,7 +289,8 @@ public final class ProgramWindow {
                     .bindInWindow(frame.getRootPane(), f11);
         }
         helpCommand("window.help", KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
-        Stream.of("lessons.title", "glossary.title", "settings.title", "about.title").forEach(this::helpCommand);
+        Stream.of("lessons.title", "glossary.title", "settings.title", "about.title")
+                .forEach(this::helpCommand);
     }
 
     /** Fills the screen or gives it back, in windows whose content has no view of its own for that. */

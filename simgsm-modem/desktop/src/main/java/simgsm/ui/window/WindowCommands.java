@@ -79,8 +79,7 @@ final class WindowCommands {
 
     private void add(UserAction action, Collection<KeyStroke> keys) {
         if (!action.name().isBlank()) {
-            Command command =
-                    byName.computeIfAbsent(action.name(), name -> new Command(action, new ArrayList<>()));
+            Command command = byName.computeIfAbsent(action.name(), name -> new Command(action, new ArrayList<>()));
             keys.stream().filter(key -> !command.keys().contains(key)).forEach(command.keys()::add);
         }
     }
@@ -96,7 +95,9 @@ final class WindowCommands {
         KeyStroke[] all = inputs.keys();
         return Stream.of(all == null ? new KeyStroke[0] : all)
                 .filter(stroke -> id.equals(inputs.get(stroke)) && !isOnKeypad(stroke))
-                .sorted(Comparator.comparing((KeyStroke key) -> Command.text(key).length()).thenComparing(Command::text));
+                .sorted(Comparator.comparing(
+                                (KeyStroke key) -> Command.text(key).length())
+                        .thenComparing(Command::text));
     }
 
     /** Keys of the number pad repeat keys of the main block. */

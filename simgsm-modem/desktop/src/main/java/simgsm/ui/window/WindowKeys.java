@@ -35,8 +35,8 @@ public final class WindowKeys {
                 .in(CommandGroup.WINDOW);
         UserAction reset = new UserAction("window.zoom.reset", texts.of("window.zoom.reset"), () -> zoom(anchor, 0))
                 .in(CommandGroup.WINDOW);
-        UserAction appearance =
-                new UserAction("window.appearance", texts.of("window.appearance"), () -> switchAppearance(anchor))
+        UserAction appearance = new UserAction(
+                        "window.appearance", texts.of("window.appearance"), () -> switchAppearance(anchor))
                 .in(CommandGroup.WINDOW);
         in.bindInWindow(anchor, ctrl(KeyEvent.VK_PLUS), ctrl(KeyEvent.VK_ADD), ctrl(KeyEvent.VK_EQUALS), ctrlShift());
         out.bindInWindow(anchor, ctrl(KeyEvent.VK_MINUS), ctrl(KeyEvent.VK_SUBTRACT));

@@ -88,8 +88,7 @@ class LessonListTest {
             SwingUtilities.invokeAndWait(() -> lay(list));
         }
         for (String name : library.names()) {
-            assertTrue(
-                    ComponentNames.find(list, "lessons.sheet." + name).isEmpty(), "a pupil's window has no sheet");
+            assertTrue(ComponentNames.find(list, "lessons.sheet." + name).isEmpty(), "a pupil's window has no sheet");
             GlossaryText row = (GlossaryText)
                     ComponentNames.find(list, "lessons.about." + name).orElseThrow();
             assertTrue(row.getText().endsWith("."), row.getText());

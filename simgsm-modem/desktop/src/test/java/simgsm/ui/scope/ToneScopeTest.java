@@ -264,7 +264,8 @@ class ToneScopeTest {
         ToneScopePanel small = twisted("en");
         assertTrue(isRowVisible(small, "scope.receiver.modem"));
         assertFalse(isRowVisible(small, "scope.receiver.classic"));
-        assertFalse(ComponentNames.find(small, "scope.receiver.modem").orElseThrow().isVisible());
+        assertFalse(
+                ComponentNames.find(small, "scope.receiver.modem").orElseThrow().isVisible());
         ToneScopePanel large = small.enlarged();
         assertTrue(isRowVisible(large, "scope.receiver.classic"));
         large.setCompact(true);

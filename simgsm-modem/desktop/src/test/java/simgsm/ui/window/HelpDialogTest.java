@@ -13,8 +13,8 @@ import java.util.Locale;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
@@ -61,7 +61,9 @@ class HelpDialogTest {
         JPopupMenu menu = button.menu(window);
         assertEquals(
                 List.of("Phone", "View"),
-                Stream.of(menu.getComponents()).map(each -> ((JMenu) each).getText()).toList());
+                Stream.of(menu.getComponents())
+                        .map(each -> ((JMenu) each).getText())
+                        .toList());
         JMenuItem shown = ((JMenu) menu.getComponent(1)).getItem(0);
         assertTrue(shown instanceof JCheckBoxMenuItem && shown.isSelected());
         assertEquals(KeyStroke.getKeyStroke(KeyEvent.VK_T, InputEvent.ALT_DOWN_MASK), shown.getAccelerator());
@@ -69,8 +71,7 @@ class HelpDialogTest {
 
     @Test
     void allNamedKeysAndMnemonicsAreListed() {
-        assertEquals(
-                List.of("Switch the robot on: Ctrl+P", "New phone: Alt+P"), commands(window));
+        assertEquals(List.of("Switch the robot on: Ctrl+P", "New phone: Alt+P"), commands(window));
     }
 
     @Test

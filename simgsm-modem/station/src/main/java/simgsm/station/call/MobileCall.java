@@ -38,10 +38,8 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private Cause sentCause = Cause.NORMAL_CALL_CLEARING;
 
     private Cause reportedCause = Cause.NORMAL_CALL_CLEARING;
-
     private final PeerHolds peerHolds;
     private final ServiceWait serviceWait;
-
     /** True while a message is processed that announces tones of the network. */
     private boolean tonesAnnounced;
 

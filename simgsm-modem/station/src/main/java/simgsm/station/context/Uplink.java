@@ -8,12 +8,10 @@ public interface Uplink extends MediaPort {
     /** No connection: frames are dropped. */
     Uplink DISCONNECTED = new Uplink() {
         @Override
-        public void send(IpaFrame frame) {
-        }
+        public void send(IpaFrame frame) {}
 
         @Override
-        public void drop() {
-        }
+        public void drop() {}
     };
 
     void send(IpaFrame frame);

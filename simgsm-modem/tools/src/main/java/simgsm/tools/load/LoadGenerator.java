@@ -55,7 +55,8 @@ public final class LoadGenerator implements LoadStation.Observer {
 
     public LoadGenerator(LoadOptions options) {
         this.options = options;
-        this.center = new InetSocketAddress(options.center().host(), options.center().port());
+        this.center =
+                new InetSocketAddress(options.center().host(), options.center().port());
         long answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(options.answerAfterMillis());
         for (int i = 0; i < options.phones(); i++) {
             phones.add(new LoadStation(i, options.number(i), answerAfterNanos, this));
