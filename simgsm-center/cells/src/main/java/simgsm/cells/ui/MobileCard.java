@@ -82,6 +82,11 @@ final class MobileCard extends JPanel {
         stand = new JButton(UserAction.of(texts, "stand", "walk.stop", this::stopWalk));
         ComponentNames.name(walk, "walk", texts.of("walk.start"));
         ComponentNames.name(stand, "stand", texts.of("walk.stop"));
+        layOut();
+        show(Optional.empty());
+    }
+
+    private void layOut() {
         add(
                 Arrange.column(
                         6,
@@ -100,7 +105,6 @@ final class MobileCard extends JPanel {
                         decision,
                         gap),
                 BorderLayout.CENTER);
-        show(Optional.empty());
     }
 
     /** Names the text field in the spinner, which has its keys. */

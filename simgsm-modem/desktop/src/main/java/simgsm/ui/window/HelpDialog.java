@@ -71,19 +71,7 @@ final class HelpDialog {
         JDialog dialog = new JDialog(frame, texts.of("window.help"));
         JTabbedPane tabs = ComponentNames.name(new JTabbedPane(), "help.tabs", texts.of("window.help"));
         tabs.addTab(texts.of("window.help"), content(frame.getRootPane(), about, version, texts));
-        tabs.addTab(
-                texts.of("lessons.title"),
-                new LessonList(lessons.library(), language, lessons.hasSheets(), new LessonList.Actions() {
-                    @Override
-                    public void open(String name) {
-                        begin(dialog, name, texts, lessons);
-                    }
-
-                    @Override
-                    public void showSheet(String title, String markdown) {
-                        sheet(dialog, title, markdown, texts);
-                    }
-                }));
+        tabs.addTab(texts.of("lessons.title"), list(dialog, language, texts, lessons));
         tabs.addTab(texts.of("glossary.title"), new GlossaryList(language));
         SettingsPanel.Actions closing = settings.beforeLanguage(dialog::dispose);
         tabs.addTab(texts.of("settings.title"), new SettingsPanel(language, texts, closing));
@@ -96,6 +84,20 @@ final class HelpDialog {
         dialog.setSize(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height));
         dialog.setLocationRelativeTo(frame);
         dialog.setVisible(true);
+    }
+
+    private static LessonList list(JDialog dialog, Locale language, TextBundle texts, Lessons lessons) {
+        return new LessonList(lessons.library(), language, lessons.hasSheets(), new LessonList.Actions() {
+            @Override
+            public void open(String name) {
+                begin(dialog, name, texts, lessons);
+            }
+
+            @Override
+            public void showSheet(String title, String markdown) {
+                sheet(dialog, title, markdown, texts);
+            }
+        });
     }
 
     /** The versions of program, Java and system, selectable for copying. */
