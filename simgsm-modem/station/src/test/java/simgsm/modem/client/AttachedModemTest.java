@@ -154,7 +154,7 @@ class AttachedModemTest {
         assertEquals(MobileCallState.ACTIVE, bench.modem.snapshot().callState());
         assertEquals(Optional.of(new Msisdn("5550100")), bench.modem.snapshot().peer());
         bench.say("+DTMF: 5,160", "+DTMF:*", "+DTMF: 1400");
-        assertEquals(List.of("key 5 160.0", "key * 0.0"), bench.news());
+        assertEquals(List.of("key 5 160.0", "KeyEnded", "key * 0.0", "KeyEnded"), bench.news());
         bench.say("NO CARRIER");
         assertEquals(List.of("released 16"), bench.news());
         assertEquals(MobileCallState.NULL, bench.modem.snapshot().callState());
@@ -169,7 +169,7 @@ class AttachedModemTest {
         bench.say("+DTMF: 1");
         assertEquals(List.of(), bench.news());
         bench.say("+CLCC: 1,1,0,0,0,\"5550100\",129", "OK");
-        assertEquals(List.of("key 1 0.0"), bench.news());
+        assertEquals(List.of("key 1 0.0", "KeyEnded"), bench.news());
         bench.millis(600);
         bench.say("+DTMF: 2");
         bench.millis(2500);
