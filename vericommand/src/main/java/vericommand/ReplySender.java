@@ -52,6 +52,13 @@ final class ReplySender {
         }
     }
 
+    /** Answers an order that only asks. */
+    void answerReport(OrderExecution question) {
+        question.order().instructions().forEach(listener::instructionEnded);
+        display.course(question.order(), OrderCourse.EXECUTED);
+        send(question.origin(), texts.report(question.order(), robot.status(), robot.pose()));
+    }
+
     /** Answers a stop order once the robot has stopped or is off. */
     void answerStop(OrderExecution stop) {
         stop.order().instructions().forEach(listener::instructionEnded);

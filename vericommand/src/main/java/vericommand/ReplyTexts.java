@@ -45,6 +45,16 @@ final class ReplyTexts {
         return text.length() > Reply.MAX_MESSAGE_CHARACTERS - 2 ? reply : new Reply(reply.tone(), text);
     }
 
+    /** The answer to a question that moves nothing: status and pose, or the reason why it is none. */
+    String answer(Recognition question, RobotStatus status, Pose pose) {
+        if (question instanceof Recognition.Broken broken) {
+            return invalid(broken.fault()).message();
+        }
+        boolean isReport = question instanceof Recognition.Complete complete
+                && complete.order().instructions().stream().allMatch(Instruction.ReportStatus.class::isInstance);
+        return isReport ? where(status, pose) : text("reply.report-only");
+    }
+
     /** The reply to an order that only asks for the status. */
     Reply report(Order order, RobotStatus status, Pose pose) {
         String where = where(status, pose);

@@ -92,6 +92,26 @@ public sealed interface Verdict {
                 : new Refused(order, status, treatment.tone());
     }
 
+    /**
+     * Verifies an order against the robot's processes, too: a fault of the order itself precedes a refusal by the status.
+     *
+     * @param processes names by number
+     */
+    static Verdict of(Order order, RobotStatus status, SortedMap<Integer, String> processes) {
+        boolean isThere = order.process()
+                .map(Instruction.StartProcess::number)
+                .map(processes::containsKey)
+                .orElse(true);
+        return isThere ? of(order, status) : new NoProcess(order, processes);
+    }
+
+    /** Verifies a complete or broken order against status and processes. @throws IllegalArgumentException for a pending one */
+    static Verdict of(Recognition recognition, RobotStatus status, SortedMap<Integer, String> processes) {
+        return recognition instanceof Recognition.Complete complete
+                ? of(complete.order(), status, processes)
+                : of(recognition, status);
+    }
+
     /** Verifies a complete or broken order. @throws IllegalArgumentException for a pending one */
     static Verdict of(Recognition recognition, RobotStatus status) {
         if (recognition instanceof Recognition.Complete complete) {

@@ -3,7 +3,6 @@ package vericommand;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.SortedMap;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
@@ -176,13 +175,7 @@ public final class VeriCommand {
      * one by its fault. Nothing moves, and orders under way continue.
      */
     public String query(String text) {
-        Recognition recognition = OrderText.read(text);
-        if (recognition instanceof Recognition.Broken broken) {
-            return texts.invalid(broken.fault()).message();
-        }
-        boolean isReport = recognition instanceof Recognition.Complete complete
-                && complete.order().instructions().stream().allMatch(Instruction.ReportStatus.class::isInstance);
-        return isReport ? texts.where(robot.status(), robot.pose()) : texts.text("reply.report-only");
+        return texts.answer(OrderText.read(text), robot.status(), robot.pose());
     }
 
     /** The robot's status has changed without an order; stop orders that waited for standstill are answered. */
@@ -218,19 +211,11 @@ public final class VeriCommand {
     }
 
     private Verdict verdict(Recognition recognition) {
-        return recognition instanceof Recognition.Complete complete
-                ? verdict(complete.order())
-                : Verdict.of(recognition, robot.status());
+        return Verdict.of(recognition, robot.status(), robot.processes());
     }
 
-    /** A fault of the order itself precedes a refusal by the robot's status. */
     private Verdict verdict(Order order) {
-        SortedMap<Integer, String> processes = robot.processes();
-        boolean isThere = order.process()
-                .map(Instruction.StartProcess::number)
-                .map(processes::containsKey)
-                .orElse(true);
-        return isThere ? Verdict.of(order, robot.status()) : new Verdict.NoProcess(order, processes);
+        return Verdict.of(order, robot.status(), robot.processes());
     }
 
     private void report(Verdict verdict, OrderOrigin origin) {
@@ -282,23 +267,17 @@ public final class VeriCommand {
             reportUnderWay();
             proceed();
         } else if (!execution.order().stops()) {
-            execution.order().instructions().forEach(listener::instructionEnded);
-            display.course(execution.order(), OrderCourse.EXECUTED);
-            replies.send(execution.origin(), texts.report(execution.order(), robot.status(), robot.pose()));
+            replies.answerReport(execution);
         } else {
             stops.add(execution);
             reportUnderWay();
             if (robot.status() == RobotStatus.MOVING) {
-                stopRobot();
+                Stream.of(running, deferred).filter(Objects::nonNull).forEach(OrderExecution::orderStop);
+                robot.brake();
             } else {
                 answerStops();
             }
         }
-    }
-
-    private void stopRobot() {
-        Stream.of(running, deferred).filter(Objects::nonNull).forEach(OrderExecution::orderStop);
-        robot.brake();
     }
 
     /** Starts the next motion, or ends the order when an instruction is refused or none is left. */

@@ -225,6 +225,11 @@ final class BehaviourChild implements ChildProcess.Listener {
             }
         }
 
+        /** True if the running child knows the robot. */
+        private boolean isBegun() {
+            return begun != null && begun == process;
+        }
+
         private Decision failed(int line, String cause, String text) {
             return file.failed(line, cause, text, requests);
         }
@@ -245,19 +250,19 @@ final class BehaviourChild implements ChildProcess.Listener {
         @Override
         public Decision decide(Senses senses) {
             synchronized (BehaviourChild.this) {
-                if (begun != null && begun == process && answer == null) {
+                if (isBegun() && answer == null) {
                     await();
                 }
-                if (begun != null && begun == process && answer == null) {
+                boolean isLate = isBegun() && answer == null;
+                if (isLate) {
                     endIfOverdue();
-                    return answer == null ? new Decision.Go(Steering.STOP) : answer;
                 }
-                if (answer != null) {
-                    last = answer;
-                } else {
-                    // none was asked, or it was ended for another robot
-                    last = new Decision.Go(Steering.STOP);
+                // without an answer none was asked, the child was ended for another robot, or it is late
+                Decision now = answer == null ? new Decision.Go(Steering.STOP) : answer;
+                if (isLate) {
+                    return now;
                 }
+                last = now;
                 return last instanceof Decision.End ? last : ask(senses);
             }
         }
@@ -310,7 +315,7 @@ final class BehaviourChild implements ChildProcess.Listener {
                 if (isOpen) {
                     isOpen = false;
                     robots--;
-                    if (begun != null && begun == process) {
+                    if (isBegun()) {
                         process.send(PipeLine.of("end", "robot", number));
                         process.flush();
                     }

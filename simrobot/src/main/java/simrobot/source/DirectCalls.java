@@ -2,6 +2,7 @@ package simrobot.source;
 
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.IntToDoubleFunction;
 import simrobot.behaviour.Behaviour;
 import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.Senses;
@@ -10,6 +11,7 @@ import simrobot.process.Decision;
 import simrobot.process.RobotProcess;
 import simrobot.source.child.FaultPlace;
 import simrobot.source.child.LoadedClasses;
+import simrobot.source.child.PipeSenses;
 import simrobot.source.child.Watchdog;
 
 /**
@@ -69,6 +71,16 @@ final class DirectCalls implements Watchdog.Watched {
         }
     }
 
+    /** Returns ranges with millimetres, as those that children read; refused after the decision, when the robot has moved. */
+    private IntToDoubleFunction during(long asked, IntToDoubleFunction live) {
+        return i -> {
+            if (decision != asked) {
+                throw new IllegalStateException("senses of an earlier decision: keep their numbers, not the Senses");
+            }
+            return Math.round(live.applyAsDouble(i) * 1000) / 1000.0;
+        };
+    }
+
     /** The process of one robot. */
     private final class OfRobot implements RobotProcess {
         private final Class<? extends Behaviour> type;
@@ -96,11 +108,10 @@ final class DirectCalls implements Watchdog.Watched {
             if (!(now instanceof Decision.End)) {
                 file = source;
                 place = lines;
-                DirectSenses open = new DirectSenses(senses);
                 decision++;
-                next = decision(open);
+                long asked = decision;
+                next = decision(PipeSenses.of(senses, live -> during(asked, live)));
                 decision++;
-                open.close();
             }
             return now;
         }

@@ -9,7 +9,6 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
-import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.HomeKeys;
 import simgsm.phone.screen.KeyMode;
 import simgsm.phone.screen.Screen.Note;
@@ -150,12 +149,7 @@ public final class Handset {
     // Commands of console and window. A refusal is the reason why a command has no effect.
 
     public Optional<Refusal> dial(Msisdn number) {
-        if (!isPowered()) {
-            return Optional.of(Refusal.SWITCHED_OFF);
-        }
-        return call.phase() == CallPhase.NONE && station.dial(number)
-                ? Optional.empty()
-                : Optional.of(Refusal.CALL_UNDER_WAY);
+        return call.dial(station, number);
     }
 
     /**
@@ -239,12 +233,6 @@ public final class Handset {
     }
 
     public Optional<Refusal> sendMessage(Msisdn to, String text) {
-        if (text.isEmpty()) {
-            return Optional.of(Refusal.EMPTY_TEXT);
-        }
-        if (!isPowered()) {
-            return Optional.of(Refusal.SWITCHED_OFF);
-        }
         Optional<Refusal> refusal = submission.submit(station, to, text);
         changed();
         submission.release(this::accept);

@@ -20,6 +20,12 @@ final class MessageSubmission {
     }
 
     Optional<Refusal> submit(StationCommands station, Msisdn to, String text) {
+        if (text.isEmpty()) {
+            return Optional.of(Refusal.EMPTY_TEXT);
+        }
+        if (!station.snapshot().powered()) {
+            return Optional.of(Refusal.SWITCHED_OFF);
+        }
         isSubmitting = true;
         try {
             mailbox.submitted(station.sendMessage(to, text), to.toString(), text);

@@ -6,6 +6,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.HomeKeys;
+import simgsm.station.StationCommands;
 import simgsm.station.context.StationEvent;
 
 /** The handset's calls: the current one with its keys in both directions and its duration, a held one, and a waiting one. */
@@ -42,6 +43,16 @@ final class PhoneCall {
 
     CallPhase phase() {
         return current.phase;
+    }
+
+    /** Calls a number unless a call is under way. */
+    Optional<Refusal> dial(StationCommands station, Msisdn number) {
+        if (!station.snapshot().powered()) {
+            return Optional.of(Refusal.SWITCHED_OFF);
+        }
+        return current.phase == CallPhase.NONE && station.dial(number)
+                ? Optional.empty()
+                : Optional.of(Refusal.CALL_UNDER_WAY);
     }
 
     CallSnapshot snapshot() {

@@ -134,6 +134,7 @@ public final class BatchRun {
 
     private void record(Simulation simulation, RunJudge judge) throws UsageException, IOException {
         Optional<Path> record = arguments.path("record");
+        Optional<Path> track = arguments.path("track");
         // without a thread for it, the recorder writes whenever its buffer is full
         try (SessionRecorder recorder =
                 record.isPresent() ? SessionRecorder.open(record.get(), simulation, act -> {}) : null) {
@@ -141,21 +142,14 @@ public final class BatchRun {
                 simulation.robots().forEach(robot -> record(robot, recorder));
             }
             begin(simulation, judge);
-            track(simulation, judge);
+            try (RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null) {
+                if (written != null) {
+                    simulation.addStepListener(written::stepped);
+                }
+                simulate(simulation, judge);
+            }
             if (recorder != null) {
                 recorder.finish();
-            }
-        }
-    }
-
-    private void track(Simulation simulation, RunJudge judge) throws IOException, UsageException {
-        Optional<Path> track = arguments.path("track");
-        RunTrack written = track.isPresent() ? new RunTrack(track.get(), simulation) : null;
-        try {
-            simulate(simulation, judge);
-        } finally {
-            if (written != null) {
-                written.close();
             }
         }
     }

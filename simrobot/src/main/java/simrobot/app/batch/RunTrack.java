@@ -27,10 +27,10 @@ final class RunTrack implements AutoCloseable {
         out = Files.newBufferedWriter(file);
         out.write(HEADER + "\n");
         write(simulation.timeNanos());
-        simulation.addStepListener(this::stepped);
     }
 
-    private void stepped(long timeNanos) {
+    /** Listens to the steps of the simulation. */
+    void stepped(long timeNanos) {
         if (timeNanos % TrackSeries.PERIOD_NANOS == 0) {
             try {
                 write(timeNanos);

@@ -67,28 +67,6 @@ public final class WindowModel extends SessionModel {
     /** A robot with its modem, and the tones that it has sent. */
     private record Line(TelephoneRobot robot, SentTones sent) {}
 
-    /** The keys of the reply tones of the current or last call. */
-    static final class SentTones implements Consumer<RobotEvent> {
-        private static final int MAX_TONES = 24;
-
-        private volatile String keys = "";
-
-        /** At most 24, newest last; callable on any thread. */
-        String keys() {
-            return keys;
-        }
-
-        @Override
-        public void accept(RobotEvent event) {
-            if (event instanceof RobotEvent.CallReceived) {
-                keys = "";
-            } else if (event instanceof RobotEvent.ToneSent tone) {
-                String longer = keys + tone.key();
-                keys = longer.substring(Math.max(0, longer.length() - MAX_TONES));
-            }
-        }
-    }
-
     /** Listens to the robots, so it is created before the start. */
     public WindowModel(
             SimRobot simRobot,

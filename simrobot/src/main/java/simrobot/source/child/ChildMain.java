@@ -101,7 +101,7 @@ public final class ChildMain implements Watchdog.Watched {
                 behaviour = LoadedClasses.create(loader.loadClass(classNames.get(robot)));
                 behaviours.put(robot, behaviour);
             }
-            BehaviourAnswer made = BehaviourAnswer.of(behaviour, new PipeSenses(question));
+            BehaviourAnswer made = BehaviourAnswer.of(behaviour, PipeSenses.parse(question));
             decision++;
             answer(made);
         } catch (Throwable thrown) {

@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.function.IntPredicate;
 import java.util.function.IntToDoubleFunction;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -11,8 +12,8 @@ import simrobot.behaviour.Call;
 import simrobot.behaviour.OdometryPose;
 import simrobot.behaviour.Senses;
 
-/** Senses at one moment, as a line carries them. Ranges have millimetres, other numbers all their digits. */
-public final class PipeSenses implements Senses {
+/** Reads and writes senses as a line. Ranges have millimetres, other numbers all their digits. */
+public final class PipeSenses {
     private static final int BUMPERS = 5;
 
     private static final Map<String, Function<Senses, Object>> VALUES = Map.ofEntries(
@@ -32,23 +33,62 @@ public final class PipeSenses implements Senses {
             Map.entry("key", live -> Character.toString(live.call().key())),
             Map.entry("pressed", live -> live.call().pressed()));
 
-    private final PipeLine line;
-    /** Null until they are asked for. */
-    private double[] sonars;
+    private PipeSenses() {}
 
-    private double[] laser;
+    /** Returns the senses of a robot that decides without a line. @param ranges applied to the ranges of each array */
+    public static Measurements of(Senses live, UnaryOperator<IntToDoubleFunction> ranges) {
+        return new Measurements(
+                live.seconds(),
+                live.xMeters(),
+                live.yMeters(),
+                live.headingRadians(),
+                live.odometry(),
+                live.metersPerSecond(),
+                live.isBlocked(),
+                live.hasArrived(),
+                live.call(),
+                bits(live::isFrontBumperPressed),
+                bits(live::isRearBumperPressed),
+                ranges.apply(live::sonarMeters),
+                ranges.apply(live::laserMeters));
+    }
 
-    PipeSenses(PipeLine line) {
-        this.line = line;
+    /** Returns the senses that a line carries. */
+    static Measurements parse(PipeLine line) {
+        return new Measurements(
+                line.number("seconds"),
+                line.number("x"),
+                line.number("y"),
+                line.number("heading"),
+                new OdometryPose(line.number("odometryX"), line.number("odometryY"), line.number("odometryHeading")),
+                line.number("speed"),
+                line.flag("blocked"),
+                line.flag("arrived"),
+                new Call(line.text("caller"), line.text("key").charAt(0), line.text("pressed")),
+                line.values().get("front"),
+                line.values().get("rear"),
+                ranges(line, "sonar"),
+                line.values().containsKey("laser") ? ranges(line, "laser") : PipeSenses::noLaser);
+    }
+
+    private static IntToDoubleFunction ranges(PipeLine line, String name) {
+        double[] meters = Stream.of(line.values().get(name).split(","))
+                .mapToDouble(Double::parseDouble)
+                .toArray();
+        return i -> meters[i];
+    }
+
+    private static double noLaser(int reading) {
+        throw new UnsupportedOperationException("this robot has no laser, expected sonarMeters");
     }
 
     /** Returns the line that asks a child for a decision. @param live read on the thread that owns the robot */
     public static String line(int robot, Senses live, boolean withLaser) {
         StringBuilder line = new StringBuilder(1500).append("decide robot=").append(robot);
         VALUES.forEach((name, value) -> line.append(PipeLine.of("", name, value.apply(live))));
-        append(line, "sonar", SONARS, live::sonarMeters);
+        append(line, "sonar", Senses.SONARS, live::sonarMeters);
         if (withLaser && hasLaser(live)) {
-            append(line, "laser", LASER_READINGS, live::laserMeters);
+            append(line, "laser", Senses.LASER_READINGS, live::laserMeters);
         }
         return line.toString();
     }
@@ -78,85 +118,5 @@ public final class PipeSenses implements Senses {
                     .append((char) ('0' + millimeters / 10 % 10))
                     .append((char) ('0' + millimeters % 10));
         }
-    }
-
-    private double[] ranges(String name) {
-        return Stream.of(line.values().get(name).split(","))
-                .mapToDouble(Double::parseDouble)
-                .toArray();
-    }
-
-    @Override
-    public double sonarMeters(int sonar) {
-        if (sonars == null) {
-            sonars = ranges("sonar");
-        }
-        return sonars[sonar];
-    }
-
-    @Override
-    public double laserMeters(int reading) {
-        if (laser == null) {
-            if (!line.values().containsKey("laser")) {
-                throw new UnsupportedOperationException("this robot has no laser, expected sonarMeters");
-            }
-            laser = ranges("laser");
-        }
-        return laser[reading];
-    }
-
-    @Override
-    public boolean isFrontBumperPressed(int bumper) {
-        return line.values().get("front").charAt(bumper) == '1';
-    }
-
-    @Override
-    public boolean isRearBumperPressed(int bumper) {
-        return line.values().get("rear").charAt(bumper) == '1';
-    }
-
-    @Override
-    public double xMeters() {
-        return line.number("x");
-    }
-
-    @Override
-    public double yMeters() {
-        return line.number("y");
-    }
-
-    @Override
-    public double headingRadians() {
-        return line.number("heading");
-    }
-
-    @Override
-    public OdometryPose odometry() {
-        return new OdometryPose(line.number("odometryX"), line.number("odometryY"), line.number("odometryHeading"));
-    }
-
-    @Override
-    public boolean hasArrived() {
-        return line.flag("arrived");
-    }
-
-    @Override
-    public Call call() {
-        return new Call(line.text("caller"), line.text("key").charAt(0), line.text("pressed"));
-    }
-
-    @Override
-    public double metersPerSecond() {
-        return line.number("speed");
-    }
-
-    @Override
-    public boolean isBlocked() {
-        return line.flag("blocked");
-    }
-
-    @Override
-    public double seconds() {
-        return line.number("seconds");
     }
 }

@@ -309,7 +309,7 @@ class WindowModelTest {
 
     @Test
     void tonesThatHaveLeftAreRememberedUntilTheNextCall() {
-        WindowModel.SentTones tones = new WindowModel.SentTones();
+        SentTones tones = new SentTones();
         tones.accept(new RobotEvent.ToneSent('1'));
         tones.accept(new RobotEvent.ToneSent('3'));
         assertEquals("13", tones.keys());

@@ -1,0 +1,26 @@
+package simrobot.app.window;
+
+import java.util.function.Consumer;
+import simrobot.control.RobotEvent;
+
+/** The keys of the reply tones of the current or last call. */
+final class SentTones implements Consumer<RobotEvent> {
+    private static final int MAX_TONES = 24;
+
+    private volatile String keys = "";
+
+    /** At most 24, newest last; callable on any thread. */
+    String keys() {
+        return keys;
+    }
+
+    @Override
+    public void accept(RobotEvent event) {
+        if (event instanceof RobotEvent.CallReceived) {
+            keys = "";
+        } else if (event instanceof RobotEvent.ToneSent tone) {
+            String longer = keys + tone.key();
+            keys = longer.substring(Math.max(0, longer.length() - MAX_TONES));
+        }
+    }
+}
