@@ -9,24 +9,20 @@ import simrobot.behaviour.Senses;
 import simrobot.behaviour.Steering;
 import simrobot.process.Decision;
 import simrobot.process.RobotProcess;
+import simrobot.source.child.Decider;
 import simrobot.source.child.FaultPlace;
 import simrobot.source.child.LoadedClasses;
 import simrobot.source.child.PipeSenses;
-import simrobot.source.child.Watchdog;
 
 /**
  * Calls students' Java processes on the simulation's own thread, for runs without a clock: a child costs many times the time of a
  * decision. A decision takes effect 50 ms later, as with a child. What a fault does to SimRobot ends the run, and the program.
  */
-final class DirectCalls implements Watchdog.Watched {
+final class DirectCalls extends Decider {
     private final Consumer<Decision.Failed> ended;
-    /** Counts the beginnings and ends of decisions: odd while one is being made. */
-    private volatile long decision;
+    /** The robot that decides, or has decided last; null before the first. */
+    private volatile OfRobot deciding;
 
-    /** The file that decides, or has decided last; null before the first. */
-    private volatile ChildFile file;
-
-    private volatile FaultPlace place = new FaultPlace("");
     private volatile boolean isClosed;
 
     /**
@@ -36,7 +32,7 @@ final class DirectCalls implements Watchdog.Watched {
      */
     DirectCalls(Consumer<Decision.Failed> ended) {
         this.ended = ended;
-        new Watchdog(this, Thread.currentThread()).start();
+        watch();
     }
 
     RobotProcess ofRobot(Class<? extends Behaviour> type, ChildFile source, FaultPlace lines) {
@@ -48,24 +44,24 @@ final class DirectCalls implements Watchdog.Watched {
     }
 
     @Override
-    public long decision() {
-        return decision;
+    protected void decided(BehaviourAnswer made) {
+        deciding.next = made.isDone() ? new Decision.Done(made.asked()) : new Decision.Go(made.steering(), made.asked());
     }
 
     @Override
-    public int line(StackTraceElement[] trace) {
-        return place.line(trace);
+    protected void failed(int line, String cause, String text) {
+        deciding.next = deciding.source.failed(line, cause, text, List.of());
     }
 
     @Override
-    public void end(StackTraceElement[] trace, String cause, String text) {
+    protected void end(StackTraceElement[] trace, String cause, String text) {
         int line = line(trace);
-        boolean isOwnExit = cause.equals("exit") && line == 0 && decision % 2 == 0;
+        boolean isOwnExit = cause.equals("exit") && line == 0 && decision() % 2 == 0;
         if (isClosed || isOwnExit) {
             return;
         }
         try {
-            ended.accept(file.failed(line, cause, text, List.of()));
+            ended.accept(deciding.source.failed(line, cause, text, List.of()));
         } finally {
             Runtime.getRuntime().halt(1);
         }
@@ -74,7 +70,7 @@ final class DirectCalls implements Watchdog.Watched {
     /** Returns ranges with millimetres, as those that children read; refused after the decision, when the robot has moved. */
     private IntToDoubleFunction during(long asked, IntToDoubleFunction live) {
         return i -> {
-            if (decision != asked) {
+            if (decision() != asked) {
                 throw new IllegalStateException("senses of an earlier decision: keep their numbers, not the Senses");
             }
             return Math.round(live.applyAsDouble(i) * 1000) / 1000.0;
@@ -106,34 +102,19 @@ final class DirectCalls implements Watchdog.Watched {
         public Decision decide(Senses senses) {
             Decision now = next;
             if (!(now instanceof Decision.End)) {
-                file = source;
-                place = lines;
-                decision++;
-                long asked = decision;
-                next = decision(PipeSenses.of(senses, live -> during(asked, live)));
-                decision++;
+                deciding = this;
+                long asked = decision() + 1;
+                DirectCalls.this.decide(
+                        lines, this::behaviour, PipeSenses.of(senses, live -> during(asked, live)));
             }
             return now;
         }
 
-        private Decision decision(Senses senses) {
-            try {
-                if (behaviour == null) {
-                    behaviour = LoadedClasses.create(type);
-                }
-                BehaviourAnswer made = BehaviourAnswer.of(behaviour, senses);
-                if (made.steering() == null) {
-                    return source.failed(0, "null", "decide returned null, expected a Steering", List.of());
-                }
-                return made.isDone() ? new Decision.Done(made.asked()) : new Decision.Go(made.steering(), made.asked());
-            } catch (Throwable thrown) {
-                Throwable cause = FaultPlace.cause(thrown);
-                return source.failed(
-                        lines.line(cause.getStackTrace()),
-                        cause.getClass().getSimpleName(),
-                        FaultPlace.text(cause),
-                        List.of());
+        private Behaviour behaviour() throws Exception {
+            if (behaviour == null) {
+                behaviour = LoadedClasses.create(type);
             }
+            return behaviour;
         }
     }
 }

@@ -25,7 +25,7 @@ import simrobot.behaviour.BehaviourRequest;
  * The main class of a child: reads questions from its standard input and writes a decision for each to its standard output.
  * It ends with that input, so no child outlives SimRobot.
  */
-public final class ChildMain implements Watchdog.Watched {
+public final class ChildMain extends Decider {
     /** Characters that one decision may print; further ones are dropped. */
     private static final int MOST_PRINTED = 2000;
 
@@ -38,9 +38,6 @@ public final class ChildMain implements Watchdog.Watched {
     private ClassLoader loader = new LoadedClasses(classes);
     private final AtomicInteger leftToPrint = new AtomicInteger(MOST_PRINTED);
     private volatile String robot = "0";
-
-    /** Counts the beginnings and ends of decisions: odd while one is being made. */
-    private volatile long decision;
 
     private ChildMain(String file) {
         place = new FaultPlace(file);
@@ -61,7 +58,7 @@ public final class ChildMain implements Watchdog.Watched {
                 throw new UnsupportedOperationException("System.in: a process has no keyboard");
             }
         });
-        new Watchdog(child, Thread.currentThread()).start();
+        child.watch();
         try {
             child.answerAll();
         } finally {
@@ -94,36 +91,31 @@ public final class ChildMain implements Watchdog.Watched {
     private void decide(PipeLine question) {
         robot = question.text("robot");
         leftToPrint.set(MOST_PRINTED);
-        decision++;
-        try {
-            Behaviour behaviour = behaviours.get(robot);
-            if (behaviour == null) {
-                behaviour = LoadedClasses.create(loader.loadClass(classNames.get(robot)));
-                behaviours.put(robot, behaviour);
-            }
-            BehaviourAnswer made = BehaviourAnswer.of(behaviour, PipeSenses.parse(question));
-            decision++;
-            answer(made);
-        } catch (Throwable thrown) {
-            decision++;
-            Throwable cause = FaultPlace.cause(thrown);
-            behaviours.remove(robot);
-            fail(place.line(cause.getStackTrace()), cause.getClass().getSimpleName(), FaultPlace.text(cause));
-            if (cause instanceof OutOfMemoryError) {
-                answers.flush();
-                Runtime.getRuntime().halt(1);
-            }
-        }
+        decide(place, this::behaviour, PipeSenses.parse(question));
     }
 
-    private void answer(BehaviourAnswer made) {
-        if (made.steering() == null) {
-            fail(0, "null", "decide returned null, expected a Steering");
-            return;
+    private Behaviour behaviour() throws Exception {
+        if (!behaviours.containsKey(robot)) {
+            behaviours.put(robot, LoadedClasses.create(loader.loadClass(classNames.get(robot))));
         }
+        return behaviours.get(robot);
+    }
+
+    @Override
+    protected void decided(BehaviourAnswer made) {
         made.asked().forEach(request -> answer(RequestLine.of(robot, request)));
         answer("go robot=" + robot + " speed=" + made.steering().metersPerSecond() + " turn="
                 + made.steering().radiansPerSecond() + " done=" + (made.isDone() ? 1 : 0));
+    }
+
+    @Override
+    protected void failed(int line, String cause, String text) {
+        behaviours.remove(robot);
+        tell(line, cause, text);
+        if (cause.equals(OutOfMemoryError.class.getSimpleName())) {
+            answers.flush();
+            Runtime.getRuntime().halt(1);
+        }
     }
 
     private void answer(String line) {
@@ -139,27 +131,15 @@ public final class ChildMain implements Watchdog.Watched {
         }
     }
 
-    private void fail(int line, String cause, String text) {
+    private void tell(int line, String cause, String text) {
         answer(PipeLine.of("failed", "robot", robot, "line", line, "cause", cause, "text", text));
-    }
-
-    // ---- for the watchdog's thread -------------------------------------------------------------------------------
-
-    @Override
-    public long decision() {
-        return decision;
-    }
-
-    @Override
-    public int line(StackTraceElement[] trace) {
-        return place.line(trace);
     }
 
     /** Reports a fault of the robot that decides, or has decided last, and ends the child at once. */
     @Override
-    public void end(StackTraceElement[] trace, String cause, String text) {
+    protected void end(StackTraceElement[] trace, String cause, String text) {
         try {
-            fail(place.line(trace), cause, text);
+            tell(line(trace), cause, text);
             answers.flush();
         } finally {
             Runtime.getRuntime().halt(1);

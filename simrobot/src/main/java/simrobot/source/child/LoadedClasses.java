@@ -3,6 +3,7 @@ package simrobot.source.child;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Modifier;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -51,16 +52,9 @@ public final class LoadedClasses extends ClassLoader {
     }
 
     private static boolean isBehaviour(Class<?> type) {
-        boolean concrete = !type.isInterface() && !Modifier.isAbstract(type.getModifiers());
-        if (!concrete || !Behaviour.class.isAssignableFrom(type)) {
-            return false;
-        }
-        try {
-            type.getDeclaredConstructor();
-            return true;
-        } catch (NoSuchMethodException e) {
-            return false;
-        }
+        return Behaviour.class.isAssignableFrom(type)
+                && !Modifier.isAbstract(type.getModifiers())
+                && Arrays.stream(type.getDeclaredConstructors()).anyMatch(each -> each.getParameterCount() == 0);
     }
 
     /** Creates an object; what its constructor throws is thrown. */

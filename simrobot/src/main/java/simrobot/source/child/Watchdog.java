@@ -10,38 +10,26 @@ import java.util.Set;
  * and when the file ends the Java virtual machine. Time counts in periods of this thread, so that a busy machine, which delays
  * both, makes no decision late.
  */
-public final class Watchdog {
-    /** Makes the decisions. */
-    public interface Watched {
-        /** Counts the beginnings and ends of decisions: odd while one is being made. */
-        long decision();
-
-        /** The line of the student's file that a thread executes; 0 if it executes none. */
-        int line(StackTraceElement[] trace);
-
-        /** Reports a fault and ends the virtual machine. @param cause names a hint */
-        void end(StackTraceElement[] trace, String cause, String text);
-    }
-
+final class Watchdog {
     private static final long PERIOD_MILLIS = 50;
     private static final int PERIODS_PER_SECOND = 20;
     private static final int MOST_THREADS = 50;
 
-    private final Watched watched;
+    private final Decider watched;
     private final Thread main;
     private final Thread thread = new Thread(this::run, "watchdog");
     private long seen;
     private int late;
     private Set<Thread> foreign = Set.of();
 
-    public Watchdog(Watched watched, Thread main) {
+    Watchdog(Decider watched, Thread main) {
         this.watched = watched;
         this.main = main;
         thread.setDaemon(true);
         thread.setPriority(Thread.MAX_PRIORITY);
     }
 
-    public void start() {
+    void start() {
         thread.start();
         Runtime.getRuntime().addShutdownHook(new Thread(this::explainExit, "exit"));
     }
