@@ -45,7 +45,8 @@ final class DirectCalls extends Decider {
 
     @Override
     protected void decided(BehaviourAnswer made) {
-        deciding.next = made.isDone() ? new Decision.Done(made.asked()) : new Decision.Go(made.steering(), made.asked());
+        deciding.next =
+                made.isDone() ? new Decision.Done(made.asked()) : new Decision.Go(made.steering(), made.asked());
     }
 
     @Override
@@ -104,8 +105,7 @@ final class DirectCalls extends Decider {
             if (!(now instanceof Decision.End)) {
                 deciding = this;
                 long asked = decision() + 1;
-                DirectCalls.this.decide(
-                        lines, this::behaviour, PipeSenses.of(senses, live -> during(asked, live)));
+                DirectCalls.this.decide(lines, this::behaviour, PipeSenses.of(senses, live -> during(asked, live)));
             }
             return now;
         }
