@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -42,7 +43,9 @@ public final class ClassPanel extends JPanel {
     private static final List<String> COLUMNS =
             List.of("phone", "name", "robot", "orders", "keys", "collisions", "seconds", "lesson", "score");
     /** Minimum content of each column; names and lessons take the rest. */
-    private static final List<String> SAMPLES = List.of("5550100", "Maria", "5550200", "", "", "", "", "twelve", "");
+    private static final List<String> SAMPLES = List.of("5550100", "Maria", "5550200", "", "", "", "1234.5", "twelve", "");
+    /** Columns that a narrow table hides, the least important first. */
+    private static final List<String> OMITTED = List.of("robot", "orders", "keys", "lesson");
 
     private static final int CELL_MARGIN_UNITS = 10;
 
@@ -56,6 +59,8 @@ public final class ClassPanel extends JPanel {
     private final Frames frames;
     private final DefaultTableModel model;
     private final JTable table;
+    /** Minimum width of each column in pixels. */
+    private final int[] least = new int[COLUMNS.size()];
     private final JLabel clock = new JLabel("00:00");
     private final JLabel best = PlainText.in(new JLabel(" "));
     private final JTextArea command;
@@ -82,7 +87,13 @@ public final class ClassPanel extends JPanel {
         words = ClassroomTexts.in(language);
         model = new DefaultTableModel(
                 COLUMNS.stream().map(column -> words.of("class." + column)).toArray(), 0);
-        table = ComponentNames.name(new JTable(model), "class.table", words.of("class.title"));
+        table = ComponentNames.name(new JTable(model) {
+            @Override
+            public void doLayout() {
+                fit();
+                super.doLayout();
+            }
+        }, "class.table", words.of("class.title"));
         table.setDefaultEditor(Object.class, null);
         table.setDefaultRenderer(Object.class, PlainText.in(new Cell()));
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
@@ -257,8 +268,9 @@ public final class ClassPanel extends JPanel {
                     .getTableCellRendererComponent(table, column.getHeaderValue(), false, false, -1, i)
                     .getPreferredSize()
                     .width;
-            int sample = Drawing.width(Theme.base(), SAMPLES.get(i)) + Theme.px(CELL_MARGIN_UNITS);
-            column.setMinWidth(Math.max(heading, sample));
+            int sample = Drawing.width(Theme.strong(), SAMPLES.get(i)) + Theme.px(CELL_MARGIN_UNITS);
+            least[i] = Math.max(heading, sample);
+            column.setMinWidth(least[i]);
             boolean grows = COLUMNS.get(i).equals("name") || COLUMNS.get(i).equals("lesson");
             column.setPreferredWidth(grows ? 2 * column.getMinWidth() : column.getMinWidth());
         }
@@ -269,6 +281,20 @@ public final class ClassPanel extends JPanel {
         command.setForeground(Theme.color(Ink.TEXT));
         command.setBorder(Theme.padding(6));
         Stream.of(clock, best).forEach(label -> label.setForeground(Theme.color(Ink.TEXT)));
+    }
+
+    /** Hides the least important columns while the table is narrower than all minimum widths. */
+    private void fit() {
+        int missing = IntStream.of(least).sum() - table.getWidth();
+        for (String each : OMITTED) {
+            int i = COLUMNS.indexOf(each);
+            int shown = missing > 0 ? 0 : least[i];
+            missing -= least[i] - shown;
+            TableColumn column = table.getColumnModel().getColumn(i);
+            column.setMinWidth(0);
+            column.setMaxWidth(shown == 0 ? 0 : Integer.MAX_VALUE);
+            column.setMinWidth(shown);
+        }
     }
 
     /** Marks the best run by weight and background. */
