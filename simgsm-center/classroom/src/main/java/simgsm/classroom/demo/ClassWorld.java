@@ -19,8 +19,8 @@ public record ClassWorld(int students) {
     private static final int BOX_WIDTH = 1_000;
     private static final int GOAL_X = 5_200;
     private static final int GOAL_Y = 1_000;
-    /** Width to height of a window's floor. */
-    private static final double ASPECT = 2.1;
+    /** Width to height of the demo's floor within its margins, rounded up: more columns leave larger lanes. */
+    private static final double ASPECT = 2.5;
 
     private static final double PER_METER = 1_000;
 
