@@ -29,8 +29,6 @@ public final class FloorPainter {
     private static final double CHEVRON_SPACING_METERS = 0.5;
     private static final double CHEVRON_METERS = 0.16;
     private static final double HOME_RADIUS_METERS = 0.3;
-    /** Distance from home within which a robot's name would overlap the home's. */
-    private static final double NEAR_HOME_METERS = 1;
     /** Scale below which names are omitted, in pixels per metre at zoom 1. */
     private static final double LEAST_NAMED_SCALE = 22;
     /** The height of a row of a name. */
@@ -292,14 +290,11 @@ public final class FloorPainter {
         g.line(x + ux * r, y + uy * r, x + ux * (r + g.px(6)), y + uy * (r + g.px(6)));
     }
 
-    /** Draws names of homes, except those with a named robot of the same name at home. */
+    /** Draws names of homes, except those of named robots, which bear the same name. */
     public void homeNames(World world, List<RobotSnapshot> named) {
         for (Home home : world.items(Home.class)) {
             Position at = home.position();
-            if (named.stream()
-                    .noneMatch(robot -> robot.name().equals(home.name())
-                            && Math.hypot(robot.xMeters() - at.xMeters(), robot.yMeters() - at.yMeters())
-                                    < NEAR_HOME_METERS)) {
+            if (named.stream().noneMatch(robot -> robot.name().equals(home.name()))) {
                 double y = view.screenY(at.yMeters()) + homeRadius() + g.px(11);
                 name(names.of(home.name()), view.screenX(at.xMeters()), y, Double.MAX_VALUE, Ink.GOOD);
             }

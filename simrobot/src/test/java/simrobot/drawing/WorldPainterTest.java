@@ -78,8 +78,8 @@ class WorldPainterTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, 1, es", "0, 1, en", "2, 2, en"})
-    void aHomeHasNoNameWhileItsRobotIsThere(double metersAway, int names, String language) throws Exception {
+    @CsvSource({"0, 1, es", "0, 1, en", "2, 1, es", "2, 1, en"})
+    void aHomeOfANamedRobotHasNoName(double metersAway, int names, String language) throws Exception {
         World world = WindowBench.world("office.map");
         Home home = world.items(Home.class).stream()
                 .filter(each -> each.name().equals("Reception"))
