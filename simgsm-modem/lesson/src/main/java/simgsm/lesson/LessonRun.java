@@ -141,7 +141,7 @@ public final class LessonRun {
         return progress(name).result();
     }
 
-    /** What has been counted for the step's conditions that count, such as {@code 2/3}; without those that allow none. */
+    /** Returns a count such as {@code 2/3} for each condition of the step that counts, except those that allow none. */
     public List<String> counts(String name) {
         return progress(name).counted();
     }

@@ -1,9 +1,9 @@
 package simgsm.lesson;
 
 /**
- * How a student stands in a step.
+ * A step's result tells whether a student has done the step, and with how many tries and hints.
  *
- * @param tries answers given to the step, or attempts begun that its conditions counted
+ * @param tries the number of answers given to the step, or of attempts that its conditions counted
  * @param hints 1 if the step's hint was opened before the step was done, else 0
  */
 public record StepResult(String lesson, String step, boolean isPassed, int tries, int hints) {

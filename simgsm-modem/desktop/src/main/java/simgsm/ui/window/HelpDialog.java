@@ -45,7 +45,7 @@ final class HelpDialog {
     /**
      * The lessons and the action that begins one.
      *
-     * @param hasSheets whether the teacher's sheets are shown
+     * @param hasSheets true shows the teacher's sheets, too
      * @param chosen empty if the program cannot begin one
      * @param question key of the text that is confirmed before
      */
