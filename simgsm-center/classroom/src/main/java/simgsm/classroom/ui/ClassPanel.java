@@ -43,7 +43,8 @@ public final class ClassPanel extends JPanel {
     private static final List<String> COLUMNS =
             List.of("phone", "name", "robot", "orders", "keys", "collisions", "seconds", "lesson", "score");
     /** Minimum content of each column; names and lessons take the rest. */
-    private static final List<String> SAMPLES = List.of("5550100", "Maria", "5550200", "", "", "", "1234.5", "twelve", "");
+    private static final List<String> SAMPLES =
+            List.of("5550100", "Maria", "5550200", "", "", "", "1234.5", "twelve", "");
     /** Columns that a narrow table hides, the least important first. */
     private static final List<String> OMITTED = List.of("robot", "orders", "keys", "lesson");
 
@@ -61,6 +62,7 @@ public final class ClassPanel extends JPanel {
     private final JTable table;
     /** Minimum width of each column in pixels. */
     private final int[] least = new int[COLUMNS.size()];
+
     private final JLabel clock = new JLabel("00:00");
     private final JLabel best = PlainText.in(new JLabel(" "));
     private final JTextArea command;
@@ -87,13 +89,16 @@ public final class ClassPanel extends JPanel {
         words = ClassroomTexts.in(language);
         model = new DefaultTableModel(
                 COLUMNS.stream().map(column -> words.of("class." + column)).toArray(), 0);
-        table = ComponentNames.name(new JTable(model) {
-            @Override
-            public void doLayout() {
-                fit();
-                super.doLayout();
-            }
-        }, "class.table", words.of("class.title"));
+        table = ComponentNames.name(
+                new JTable(model) {
+                    @Override
+                    public void doLayout() {
+                        fit();
+                        super.doLayout();
+                    }
+                },
+                "class.table",
+                words.of("class.title"));
         table.setDefaultEditor(Object.class, null);
         table.setDefaultRenderer(Object.class, PlainText.in(new Cell()));
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
