@@ -16,6 +16,9 @@ public class Square implements Behaviour {
         double dy = next[1] - believed.yMeters();
         if (Math.hypot(dx, dy) < 0.03) {
             passed++;
+            if (passed % CORNERS.length == 2) {
+                System.out.println("far");
+            }
             if (passed % CORNERS.length == 0) {
                 System.out.printf("%.2f %.2f%n", believed.xMeters(), believed.yMeters());
             }
