@@ -108,6 +108,8 @@ public final class Lamp extends PaintedComponent {
     @Override
     public void updateUI() {
         setFont(Theme.base());
+        // A lamp has no delegate whose change would renew its style.
+        firePropertyChange("UI", false, true);
     }
 
     @Override

@@ -100,7 +100,8 @@ public final class ClassPanel extends JPanel {
                 "class.table",
                 words.of("class.title"));
         table.setDefaultEditor(Object.class, null);
-        table.setDefaultRenderer(Object.class, PlainText.in(new Cell()));
+        // Nimbus puts its own renderer back whenever the look changes.
+        Theme.styled(table, all -> all.setDefaultRenderer(Object.class, PlainText.in(new Cell())));
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.getSelectionModel().addListSelectionListener(event -> chosen());
         start = action("start", Symbol.PLAY, actions::start);
@@ -257,7 +258,6 @@ public final class ClassPanel extends JPanel {
     public void updateUI() {
         super.updateUI();
         if (table != null) {
-            table.setDefaultRenderer(Object.class, new Cell());
             dress();
         }
     }

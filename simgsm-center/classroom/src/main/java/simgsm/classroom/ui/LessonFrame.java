@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import simgsm.ui.SnapshotPoller;
+import simgsm.ui.window.WindowKeys;
 
 /** The window of a lesson. */
 public final class LessonFrame {
@@ -30,6 +31,7 @@ public final class LessonFrame {
         JFrame frame = new JFrame(title);
         frame.setIconImages(icons);
         frame.setContentPane(panel);
+        WindowKeys.install(frame.getRootPane(), panel.getLocale());
         frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
         frame.setBounds(x, y, width, height);
         frame.setVisible(true);

@@ -66,6 +66,7 @@ public final class LessonPanel extends JPanel {
     private final Lamp success;
     private long shownScore;
     private final UserAction closeNotices;
+    private JComponent told;
     private String closedNotice = "";
 
     /**
@@ -89,7 +90,6 @@ public final class LessonPanel extends JPanel {
         words = ClassroomTexts.in(language);
         closeNotices = new UserAction("lesson.notice.close", words.of("lesson.notice.close"), this::closeNotices)
                 .with(Symbol.CLOSE.icon());
-        closeNotices.setEnabled(false);
         glossary = Glossary.in(language);
         term = GlossaryText.ofExplanations("lesson.term");
         task = text("lesson.task");
@@ -111,7 +111,7 @@ public final class LessonPanel extends JPanel {
         column.setBorder(Theme.padding(12));
         add(scrolled(column), BorderLayout.CENTER);
         add(notices(), BorderLayout.SOUTH);
-        setBackground(Theme.color(Ink.SURFACE));
+        Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
         setFocusTraversalPolicyProvider(true);
         setFocusTraversalPolicy(new LinksLast());
     }
@@ -138,16 +138,27 @@ public final class LessonPanel extends JPanel {
     private JComponent notices() {
         JPanel texts = Arrange.column(Theme.HALF, notice, term);
         texts.setBorder(Theme.padding(8, 12, 8, 12));
-        JScrollPane place = new VerticalScrollPane(new WrappedColumn(texts)) {
+        JScrollPane place = new VerticalScrollPane(new WrappedColumn(texts));
+        place.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
+        JButton close = ComponentNames.name(new JButton(closeNotices), "lesson.notice.close", closeNotices.name());
+        close.setHideActionText(true);
+        told = Arrange.row(Theme.HALF, Arrange.growing(place), Arrange.column(Theme.HALF, close, Arrange.spring()));
+        JPanel reserved = new JPanel(new BorderLayout()) {
             @Override
             public Dimension getPreferredSize() {
                 return new Dimension(0, Theme.px(NOTICES_UNITS));
             }
         };
-        place.setVerticalScrollBarPolicy(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS);
-        JButton close = ComponentNames.name(new JButton(closeNotices), "lesson.notice.close", closeNotices.name());
-        close.setHideActionText(true);
-        return Arrange.row(Theme.HALF, Arrange.growing(place), Arrange.column(Theme.HALF, close, Arrange.spring()));
+        reserved.setOpaque(false);
+        reserved.add(told);
+        showNotices();
+        return reserved;
+    }
+
+    /** Shows the frame of notice and term, and the button that closes it, only around a text. */
+    private void showNotices() {
+        told.setVisible(notice.isVisible() || term.isVisible());
+        revalidate();
     }
 
     /** Keeps a closed notice hidden until the next one. */
@@ -155,8 +166,7 @@ public final class LessonPanel extends JPanel {
         closedNotice = notice.getText();
         notice.setVisible(false);
         term.setVisible(false);
-        closeNotices.setEnabled(false);
-        revalidate();
+        showNotices();
     }
 
     private GlossaryText text(String name) {
@@ -167,8 +177,7 @@ public final class LessonPanel extends JPanel {
         glossary.find(name).ifPresent(found -> {
             term.show(name + ": " + found);
             term.setVisible(true);
-            closeNotices.setEnabled(true);
-            revalidate();
+            showNotices();
         });
     }
 
@@ -330,8 +339,7 @@ public final class LessonPanel extends JPanel {
         }
         notice.show(view.notice());
         notice.setVisible(!view.notice().equals(closedNotice));
-        closeNotices.setEnabled(notice.isVisible() || term.isVisible());
-        revalidate();
+        showNotices();
         repaint();
     }
 

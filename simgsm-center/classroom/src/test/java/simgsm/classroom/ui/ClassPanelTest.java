@@ -22,6 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.draw.Appearance;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
@@ -204,5 +205,19 @@ class ClassPanelTest {
                 return Optional.empty();
             }
         };
+    }
+
+    /** Changed appearance, and colours and fonts of every component as of one that was built in it. */
+    @ParameterizedTest
+    @EnumSource
+    void aPanelLooksInANewAppearanceAsOneThatWasBuiltInIt(Appearance next) throws Exception {
+        Theme.install(next.next());
+        ClassPanel changed = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
+        changed.show(view(row("5550100", "<html>", true)));
+        Theme.install(next);
+        Theme.refresh(changed);
+        ClassPanel built = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
+        built.show(view(row("5550100", "<html>", true)));
+        assertEquals(Looks.of(built), Looks.of(changed));
     }
 }

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import simgsm.draw.Appearance;
 import simgsm.lesson.Lesson;
@@ -403,5 +404,29 @@ class LessonPanelTest {
         JScrollPane scroll = (JScrollPane) SwingUtilities.getAncestorOfClass(
                 JScrollPane.class, ComponentNames.find(panel, "lesson.task").orElseThrow());
         assertEquals(ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS, scroll.getVerticalScrollBarPolicy());
+    }
+
+    /** Changed appearance, and colours and fonts of every component as of one that was built in it. */
+    @ParameterizedTest
+    @EnumSource
+    void aPanelLooksInANewAppearanceAsOneThatWasBuiltInIt(Appearance next) throws Exception {
+        Theme.install(next.next());
+        LessonPanel changed = panel("store-and-forward", "es");
+        changed.show(noticed(view("store-and-forward", LessonView.StepState.OPEN), "Saved"));
+        Theme.install(next);
+        Theme.refresh(changed);
+        LessonPanel built = panel("store-and-forward", "es");
+        built.show(noticed(view("store-and-forward", LessonView.StepState.OPEN), "Saved"));
+        assertEquals(Looks.of(built), Looks.of(changed));
+    }
+
+    @Test
+    void noFrameAndNoCloseButtonStandBeforeANotice() throws Exception {
+        LessonPanel panel = panel("twelve-keys", "en");
+        LessonView quiet = view("twelve-keys", LessonView.StepState.OPEN);
+        panel.show(quiet);
+        assertFalse(isShown(panel, "lesson.notice.close"));
+        panel.show(noticed(quiet, "Saved"));
+        assertTrue(isShown(panel, "lesson.notice.close"));
     }
 }

@@ -60,7 +60,6 @@ public final class GlossaryText extends JEditorPane {
         setEditable(false);
         setOpaque(false);
         setBorder(null);
-        putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         ComponentNames.name(this, name, name);
         setFocusable(false);
         bindKeys(chosen);
@@ -145,6 +144,8 @@ public final class GlossaryText extends JEditorPane {
     @Override
     public void updateUI() {
         super.updateUI();
+        // Nimbus takes it away with the look that it replaces.
+        putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         setFont(font(false));
         setForeground(Theme.color(Ink.TEXT));
         setOpaque(false);
