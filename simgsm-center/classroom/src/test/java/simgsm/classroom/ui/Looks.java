@@ -17,7 +17,8 @@ final class Looks {
     static List<String> of(JComponent window) {
         return ComponentNames.all(window)
                 .filter(each -> each.getName() != null || each == window)
-                .map(Looks::look).toList();
+                .map(Looks::look)
+                .toList();
     }
 
     private static String look(Component component) {
