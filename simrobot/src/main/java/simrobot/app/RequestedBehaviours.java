@@ -82,6 +82,11 @@ public final class RequestedBehaviours implements AutoCloseable {
         folder.ifPresent(opened -> opened.callDirectly(ended));
     }
 
+    /** Makes the simulation wait for each decision of the folder's processes, so that a loaded machine changes no pose. */
+    public void waitForDecisions() {
+        folder.ifPresent(BehaviourFolder::waitForDecisions);
+    }
+
     /**
      * Chooses for one of several runs without a clock: adds the loaded processes to the list of its simulation and chooses
      * from that, because it has goals of its own.

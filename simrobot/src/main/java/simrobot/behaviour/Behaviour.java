@@ -41,7 +41,7 @@ public interface Behaviour {
     }
 
     /**
-     * Drives to a goal, dock or home of the world, for as long as each decision asks for it: {@code return goTo("Exit");}. The process
+     * Drives to a goal, dock or home of the world, for as long as each decision asks for it: {@code return goTo("Library");}. The process
      * fails if there is no such place, or no way.
      */
     default Steering goTo(String place) {

@@ -3,6 +3,7 @@ package simrobot.source;
 import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -115,6 +116,9 @@ final class BehaviourFiles {
     }
 
     private List<BehaviourKind> ofPython(Path file) throws SourceException {
+        if (!base(file).matches("\\w+")) {
+            throw new SourceException(0, "expected a file name of letters, digits and _, found " + file.getFileName());
+        }
         ChildFile python = ChildFile.ofPython(base(file), file.toAbsolutePath(), source(file), settings);
         BehaviourChild child = new BehaviourChild(python, fault -> failed.accept(file, fault));
         requireFree(base(file));
@@ -142,7 +146,11 @@ final class BehaviourFiles {
                                         "process")));
         BehaviourChild child =
                 new BehaviourChild(ChildFile.ofSource(base(file), classes, lines, settings), fault -> {});
-        BehaviourKind kind = kind(type, child, new FaultPlace(file.getFileName().toString()));
+        // a halt would end SimRobot without an outcome
+        boolean isHalting = classes.values().stream()
+                .anyMatch(octets -> new String(octets, StandardCharsets.ISO_8859_1).contains("halt"));
+        FaultPlace place = isHalting ? null : new FaultPlace(file.getFileName().toString());
+        BehaviourKind kind = kind(type, child, place);
         compiled.put(file, classes);
         children.put(file, child);
         return List.of(kind);
@@ -177,7 +185,7 @@ final class BehaviourFiles {
                     .toList();
             BehaviourChild child = new BehaviourChild(ChildFile.ofJar(base(jar), copy, settings), fault -> {});
             for (Class<? extends Behaviour> type : types) {
-                kinds.add(kind(type, child, new FaultPlace(null)));
+                kinds.add(kind(type, child, null));
             }
             if (!kinds.isEmpty()) {
                 children.put(jar, child);
@@ -194,13 +202,14 @@ final class BehaviourFiles {
         return kinds;
     }
 
+    /** @param place of faults in decisions that are called directly; null if always the child decides */
     private BehaviourKind kind(Class<? extends Behaviour> type, BehaviourChild child, FaultPlace place)
             throws SourceException {
         String name = type.getSimpleName();
         requireFree(name);
         return new BehaviourKind(
                 name,
-                around -> direct == null
+                around -> direct == null || place == null
                         ? child.ofRobot(type.getName(), around.waitBudget(), patient)
                         : direct.ofRobot(type, child.file(), place));
     }

@@ -163,7 +163,7 @@ public final class BehaviourFolder implements AutoCloseable {
     }
 
     /** Makes processes that begin from now on wait for each decision, so that a loaded machine changes no pose. */
-    void waitForDecisions() {
+    public void waitForDecisions() {
         files.waitForDecisions();
     }
 

@@ -64,7 +64,7 @@ final class DirectCalls extends Decider {
         try {
             ended.accept(deciding.source.failed(line, cause, text, List.of()));
         } finally {
-            Runtime.getRuntime().halt(1);
+            halt(1);
         }
     }
 

@@ -92,7 +92,8 @@ final class NumbersFile {
                     file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
                 // held until the channel is closed
                 channel.lock();
-                String now = new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8);
+                String now = new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8)
+                        .replaceFirst("^\\uFEFF", "");
                 numbers = parsed(now);
                 text = now + (now.isEmpty() || now.endsWith("\n") ? "" : "\n") + give(names);
                 ByteBuffer added = StandardCharsets.UTF_8.encode(text.substring(now.length()));

@@ -183,4 +183,16 @@ class RequestsOfProcessTest {
         assertThrows(IllegalArgumentException.class, () -> floods.drawLine(0, 0, Double.NaN, 0));
         assertThrows(IllegalArgumentException.class, () -> floods.drawText(0, 0, "a".repeat(61)));
     }
+
+    @Test
+    void surplusPrintsAreDroppedAndLeaveRoomForOtherRequests() {
+        Behaviour prints = senses -> {
+            IntStream.range(0, 1500).forEach(i -> BehaviourAnswer.ask(new BehaviourRequest.Printed("line\n")));
+            BehaviourAnswer.ask(new BehaviourRequest.Sms("5550100", "last"));
+            return Steering.STOP;
+        };
+        List<BehaviourRequest> asked = BehaviourAnswer.of(prints, null).asked();
+        assertEquals(501, asked.size());
+        assertEquals(new BehaviourRequest.Sms("5550100", "last"), asked.get(500));
+    }
 }

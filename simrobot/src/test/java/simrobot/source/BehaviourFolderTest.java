@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -31,6 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simrobot.source.child.PipeLine;
 import simrobot.process.BehaviourKind;
 import simrobot.process.BehaviourList;
 import simrobot.process.Decision;
@@ -482,5 +484,19 @@ class BehaviourFolderTest {
     void aProgramThatIsNotThereIsNamed() {
         IOException missing = assertThrows(IOException.class, () -> new ChildProcess("X", List.of("python9"), null));
         assertEquals("cannot be started: expected the program python9", missing.getMessage());
+    }
+
+    @Test
+    void aPythonFileWithABlankInItsNameIsRefused() throws IOException {
+        Files.writeString(folder.resolve("my robot.py"), "");
+        open();
+        assertEquals(
+                List.of("failed my robot 0 expected a file name of letters, digits and _, found my robot.py"), told);
+    }
+
+    @Test
+    void aMalformedLineOfAChildIsNone() {
+        assertEquals(Optional.empty(), PipeLine.parse("go robot=%"));
+        assertEquals(1e+20, PipeLine.parse("go speed=1e+20").orElseThrow().number("speed"));
     }
 }

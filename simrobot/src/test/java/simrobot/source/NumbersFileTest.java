@@ -160,4 +160,13 @@ class NumbersFileTest {
                         .startsWith("numbers.txt 0 cannot be read or written, new numbers hold until SimRobot ends: "),
                 faults.get(0));
     }
+
+    @Test
+    void aByteOrderMarkIsNoPartOfTheFirstLine() throws IOException {
+        Files.writeString(numbers(), "\uFEFF3 Arc\n");
+        write("Bow");
+        BehaviourList list = new BehaviourList();
+        open(list);
+        assertEquals(Map.of("Bow", 4), own(list));
+    }
 }

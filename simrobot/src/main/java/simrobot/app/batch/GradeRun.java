@@ -59,6 +59,10 @@ public final class GradeRun {
             throw new UsageException("--grade: expected a folder, found "
                     + arguments.text("grade").orElseThrow());
         }
+        if (!Files.isWritable(arguments.path("grade").orElseThrow())) {
+            throw new UsageException("--grade: expected a folder that can be written, found "
+                    + arguments.text("grade").orElseThrow());
+        }
         Arguments asRun = arguments
                 .with("run", "done")
                 .with("behaviours", arguments.text("grade").orElseThrow());
@@ -97,22 +101,19 @@ public final class GradeRun {
         return grade;
     }
 
-    /** The rows of all seeds: a program that ends before its last seed is started again for those that are left. */
+    /** The rows of all seeds, each by a program of its own: a file that sleeps or halts costs one run. */
     private List<String> rows(String name) throws IOException, InterruptedException {
         List<String> rows = new ArrayList<>();
         Path output = Files.createTempFile("grade", ".csv");
         try {
-            while (rows.size() < runs) {
-                int before = rows.size();
-                String end = run(name, seed + before, runs - before, output);
-                Files.readString(output)
+            for (long next = seed; next < seed + runs; next++) {
+                String end = run(name, next, output);
+                String start = next + ",";
+                rows.add(Files.readString(output)
                         .lines()
-                        .filter(Grade::isRow)
-                        .limit(runs - before)
-                        .forEach(rows::add);
-                if (rows.size() == before || rows.size() < runs && end.startsWith("stopped")) {
-                    rows.add(Grade.failed(seed + rows.size(), end));
-                }
+                        .filter(row -> Grade.isRow(row) && row.startsWith(start))
+                        .findFirst()
+                        .orElse(Grade.failed(next, end)));
             }
         } finally {
             Files.delete(output);
@@ -121,10 +122,16 @@ public final class GradeRun {
     }
 
     /** @return how the program has ended */
-    private String run(String name, long first, int count, Path output) throws IOException, InterruptedException {
+    private String run(String name, long ofRun, Path output) throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(ProgramFolder.of(GradeRun.class)
-                .command("simrobot.jar", List.of("-Xmx512m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1")));
-        command.addAll(List.of("--run=done", "--runs=" + count, "--seed=" + first));
+                .command(
+                        "simrobot.jar",
+                        List.of(
+                                "-Xmx512m",
+                                "-XX:+UseSerialGC",
+                                "-XX:TieredStopAtLevel=1",
+                                "-D" + BatchRun.ENDS_WITH_PARENT + "=true")));
+        command.addAll(List.of("--run=done", "--runs=1", "--seed=" + ofRun));
         command.addAll(List.of("--behaviours=" + folder, "--behaviour=" + name));
         for (String option : PASSED) {
             arguments.all(option).forEach(value -> command.add("--" + option + "=" + value));
@@ -134,11 +141,11 @@ public final class GradeRun {
                 .redirectOutput(output.toFile())
                 .redirectError(Redirect.DISCARD)
                 .start();
-        boolean hasEnded = process.waitFor(MOST_SECONDS * count, TimeUnit.SECONDS);
+        boolean hasEnded = process.waitFor(MOST_SECONDS, TimeUnit.SECONDS);
         process.descendants().forEach(ProcessHandle::destroyForcibly);
         process.destroyForcibly();
         return hasEnded
                 ? "it has ended its program, exit status " + process.exitValue()
-                : "stopped after " + MOST_SECONDS * count + " s of real time";
+                : "stopped after " + MOST_SECONDS + " s of real time";
     }
 }

@@ -16,8 +16,9 @@ record RunGoal(String name, Position position) {
     /** @throws IllegalArgumentException if the world has no home, goal or dock of this name; the message lists the names */
     static RunGoal named(World world, String name) {
         List<RunGoal> places = Stream.concat(
-                        world.items(Home.class).stream().map(home -> new RunGoal(home.name(), home.position())),
-                        world.items(Goal.class).stream().map(goal -> new RunGoal(goal.name(), goal.position())))
+                        // a goal comes before a home of the same name, as in Destinations
+                        world.items(Goal.class).stream().map(goal -> new RunGoal(goal.name(), goal.position())),
+                        world.items(Home.class).stream().map(home -> new RunGoal(home.name(), home.position())))
                 .toList();
         return places.stream()
                 .filter(place -> place.name.equals(name))

@@ -63,7 +63,7 @@ public final class ChildMain extends Decider {
             child.answerAll();
         } finally {
             // not exit: threads and shutdown hooks of a student would go on
-            Runtime.getRuntime().halt(0);
+            halt(0);
         }
     }
 
@@ -114,7 +114,7 @@ public final class ChildMain extends Decider {
         tell(line, cause, text);
         if (cause.equals(OutOfMemoryError.class.getSimpleName())) {
             answers.flush();
-            Runtime.getRuntime().halt(1);
+            halt(1);
         }
     }
 
@@ -142,7 +142,7 @@ public final class ChildMain extends Decider {
             tell(line(trace), cause, text);
             answers.flush();
         } finally {
-            Runtime.getRuntime().halt(1);
+            halt(1);
         }
     }
 }

@@ -23,7 +23,7 @@ public record PipeLine(String word, Map<String, String> values) {
         return line.toString();
     }
 
-    /** Returns the line as it was written; empty if it has another form. */
+    /** Returns the line with decoded values; empty if it has another form. */
     public static Optional<PipeLine> parse(String line) {
         String[] parts = line.split(" ");
         Map<String, String> values = new HashMap<>();
@@ -32,23 +32,29 @@ public record PipeLine(String word, Map<String, String> values) {
             if (equals <= 0) {
                 return Optional.empty();
             }
-            values.put(parts[i].substring(0, equals), parts[i].substring(equals + 1));
+            try {
+                String value = URLDecoder.decode(parts[i].substring(equals + 1), StandardCharsets.UTF_8);
+                values.put(parts[i].substring(0, equals), value);
+            } catch (IllegalArgumentException malformed) {
+                return Optional.empty();
+            }
         }
         return parts.length == 0 ? Optional.empty() : Optional.of(new PipeLine(parts[0], values));
     }
 
-    /** Returns a text; empty if the line has none of this name. @throws IllegalArgumentException if it is encoded wrongly */
+    /** Returns a text; empty if the line has none of this name. */
     public String text(String name) {
-        return URLDecoder.decode(values.getOrDefault(name, ""), StandardCharsets.UTF_8);
+        return values.getOrDefault(name, "");
     }
 
     /** @throws NumberFormatException if the line has no number of this name */
     public double number(String name) {
-        return Double.parseDouble(values.getOrDefault(name, ""));
+        // an exponent's plus is decoded to a space
+        return Double.parseDouble(text(name).replace(' ', '+'));
     }
 
     /** Returns true if the value is 1. */
     public boolean flag(String name) {
-        return values.getOrDefault(name, "").equals("1");
+        return text(name).equals("1");
     }
 }

@@ -62,9 +62,14 @@ final class Watchdog {
         late = now % 2 == 1 && now == seen ? late + 1 : 0;
         seen = now;
         if (late >= PERIODS_PER_SECOND) {
-            boolean waits = main.getState() != Thread.State.RUNNABLE;
+            StackTraceElement[] trace = main.getStackTrace();
+            // a read of a socket or a terminal is a native method, and its thread counts as runnable
+            boolean isNative = trace.length > 0
+                    && trace[0].isNativeMethod()
+                    && trace[0].getClassName().matches("(java\\.io|sun\\.nio)\\..*");
+            boolean waits = isNative || main.getState() != Thread.State.RUNNABLE;
             String text = waits ? "it waits for something" : "it computes without end";
-            watched.end(main.getStackTrace(), waits ? "waits" : "loops", "no decision within 1 s: " + text);
+            watched.end(trace, waits ? "waits" : "loops", "no decision within 1 s: " + text);
         }
     }
 

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.console.ExitStatus;
 import simgsm.console.UsageException;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
@@ -204,5 +205,14 @@ class BatchRunTest {
                 assertFalse(thread.isAlive(), thread.getName());
             }
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--limit=600", "--runs=2"})
+    void aFileThatHaltsFailsAndDoesNotEndTheProgram(String option) throws Exception {
+        save("Halts", "Runtime.getRuntime().halt(0);");
+        assertEquals(
+                ExitStatus.FAILED,
+                BatchRun.run(SimRobotOptions.all().parse(options("Halts", "--run=done", option)), ROOM));
     }
 }

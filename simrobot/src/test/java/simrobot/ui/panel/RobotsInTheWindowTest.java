@@ -381,6 +381,8 @@ class RobotsInTheWindowTest {
                 new RobotEvent.StatusChanged(RobotStatus.MOVING),
                 new RobotEvent.BehaviourChanged(BehaviourKind.WANDER),
                 new RobotEvent.Arrived(new Pose(1, 2, 90)),
+                new RobotEvent.Placed(new Pose(1, 2, 90)),
+                new RobotEvent.Printed("Dance", "1"),
                 new RobotEvent.BehaviourFailed("Dance", 12, "ArithmeticException: / by zero"));
         for (ModemState state : ModemState.values()) {
             assertTrue(
