@@ -117,7 +117,7 @@ class RunJudgeTest {
     @Test
     void anUnknownGoalIsRefusedWithTheNamesThatThereAre() {
         assertEquals(
-                "expected a home or goal of the world (Start, Finish), found X",
+                "expected a home or goal of the world (Finish, Start), found X",
                 assertThrows(IllegalArgumentException.class, () -> RunGoal.named(WORLD, "X"))
                         .getMessage());
     }
