@@ -54,8 +54,9 @@ class GradeTest {
                 rows.toString());
         assertTrue(
                 rows.stream()
-                        .anyMatch(row -> row.startsWith(
-                                "Halts,1,failed,1,0,0.060,0.000,0,\"line 5: it has ended its process, exit status 3 (")),
+                        .anyMatch(
+                                row -> row.startsWith(
+                                        "Halts,1,failed,1,0,0.060,0.000,0,\"line 5: it has ended its process, exit status 3 (")),
                 rows.toString());
         String page = Files.readString(folder.resolve("grades.html"));
         assertTrue(page.contains("<td>Good</td><td>1 / 1</td>"), page);
@@ -84,8 +85,7 @@ class GradeTest {
         assertTrue(late.output().contains(" state=timeout seconds=2.000 "), late.output());
         FinishedProgram nowhere = run(options, "--run=done", "--goal=Nowhere");
         assertEquals(2, nowhere.status());
-        assertTrue(
-                nowhere.error().contains("--goal: expected a home or goal of the world (Exit,"), nowhere.error());
+        assertTrue(nowhere.error().contains("--goal: expected a home or goal of the world (Exit,"), nowhere.error());
         assertEquals(2, FinishedProgram.run("simrobot", "--run=done").status());
         assertEquals(2, run(options, "--run=5", "--limit=2").status());
     }

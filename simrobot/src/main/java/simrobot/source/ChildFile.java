@@ -37,7 +37,8 @@ record ChildFile(
             """;
 
     /** A line of Python's stack traces. */
-    private static final Pattern PYTHON_LINE = Pattern.compile("\\s*File \"[^\"]*?([^\"/\\\\]+)\\.py\", line (\\d{1,9})\\b.*");
+    private static final Pattern PYTHON_LINE =
+            Pattern.compile("\\s*File \"[^\"]*?([^\"/\\\\]+)\\.py\", line (\\d{1,9})\\b.*");
 
     static ChildFile ofSource(String name, Map<String, byte[]> classes, SourceLines source, ChildSettings settings) {
         List<String> lines = new ArrayList<>();

@@ -76,7 +76,10 @@ public final class BatchRun {
 
     public static int run(Arguments arguments, World world) throws UsageException, IOException {
         if (Boolean.getBoolean(ENDS_WITH_PARENT)) {
-            ProcessHandle.current().parent().ifPresent(parent -> parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
+            ProcessHandle.current()
+                    .parent()
+                    .ifPresent(parent ->
+                            parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
         }
         refuse(arguments, LIVE_OPTIONS, ": a run (--run) has no clients, expected one of the two");
         try (RequestedBehaviours behaviours = RequestedBehaviours.of(arguments, new BehaviourList())) {
