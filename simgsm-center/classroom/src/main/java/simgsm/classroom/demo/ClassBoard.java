@@ -21,7 +21,6 @@ final class ClassBoard {
     /** The distance within which a robot's middle counts as at the goal. */
     static final double GOAL_RADIUS_METERS = 0.5;
 
-    private static final String PASS = "pass";
     private static final double NANOS_PER_SECOND = TimeUnit.SECONDS.toNanos(1);
 
     private final Map<String, Result> results = new LinkedHashMap<>();
@@ -48,8 +47,8 @@ final class ClassBoard {
 
         private double seconds = Double.NaN;
         private String lesson = "";
-        /** The latest result of each step, by lesson and step. */
-        private final Map<String, String> steps = new LinkedHashMap<>();
+        /** By lesson and step. */
+        private final Map<String, StepRecord> steps = new LinkedHashMap<>();
 
         private Result(String phone, String number, double goalX, double goalY) {
             this.phone = phone;
@@ -88,7 +87,7 @@ final class ClassBoard {
         private String score() {
             long passed = steps.entrySet().stream()
                     .filter(step -> step.getKey().startsWith(lesson + " "))
-                    .filter(step -> step.getValue().startsWith(PASS))
+                    .filter(step -> step.getValue().isPassed)
                     .count();
             return lesson.isEmpty() ? "" : Long.toString(passed);
         }
@@ -97,15 +96,15 @@ final class ClassBoard {
             Map<String, String> fields = event.fields();
             if (event.name().equals("lesson-result")) {
                 lesson = fields.get("lesson");
-                String result =
-                        fields.get("result") + " tries=" + fields.get("tries") + " hints=" + fields.get("hints");
-                steps.merge(
-                        lesson + " " + fields.get("step"), result, (old, next) -> old.startsWith(PASS) ? old : next);
+                steps.merge(lesson + " " + fields.get("step"), StepRecord.of(fields), StepRecord::then);
                 return true;
             }
-            boolean isNew = !fields.getOrDefault("name", "").equals(name);
-            name = fields.getOrDefault("name", "");
-            return isNew;
+            String told = fields.getOrDefault("name", "");
+            if (told.isEmpty() || told.equals(name)) {
+                return false;
+            }
+            name = told;
+            return true;
         }
 
         /** All steps of all lessons. */
@@ -128,6 +127,32 @@ final class ClassBoard {
                     .with("keys", keys)
                     .with("collisions", collisions)
                     .with("seconds", cells().get(6));
+        }
+    }
+
+    /**
+     * A step until its first pass, over all runs of its lesson.
+     *
+     * @param before tries of the earlier runs
+     * @param tries of the latest run
+     * @param hints the greatest of all runs
+     */
+    private record StepRecord(boolean isPassed, int before, int tries, int hints) {
+        static StepRecord of(Map<String, String> fields) {
+            boolean isPassed = "pass".equals(fields.get("result"));
+            return new StepRecord(
+                    isPassed, 0, Integer.parseInt(fields.get("tries")), Integer.parseInt(fields.get("hints")));
+        }
+
+        /** Adds a later result. A run's tries only grow, so a number that does not begins another run. */
+        StepRecord then(StepRecord next) {
+            int earlier = next.tries > tries ? before : before + tries;
+            return isPassed ? this : new StepRecord(next.isPassed, earlier, next.tries, Math.max(hints, next.hints));
+        }
+
+        @Override
+        public String toString() {
+            return (isPassed ? "pass" : "fail") + " tries=" + (before + tries) + " hints=" + hints;
         }
     }
 

@@ -76,6 +76,25 @@ class ClassBoardTest {
         assertFalse(told("lesson-result number=99 lesson=tones step=low result=pass tries=1 hints=0"));
     }
 
+    @Test
+    void anotherRunOfALessonKeepsTheTriesAndHintsUntilTheFirstPass() {
+        told("lesson-result number=100 lesson=tones step=low result=fail tries=4 hints=0");
+        told("lesson-result number=100 lesson=tones step=low result=fail tries=5 hints=1");
+        told("lesson-result number=100 lesson=tones step=low result=fail tries=1 hints=0");
+        assertEquals("tones low fail tries=6 hints=1", board.rows().get(0).steps());
+        told("lesson-result number=100 lesson=tones step=low result=pass tries=2 hints=0");
+        told("lesson-result number=100 lesson=tones step=low result=fail tries=1 hints=0");
+        assertEquals("tones low pass tries=7 hints=1", board.rows().get(0).steps());
+    }
+
+    @Test
+    void aBrowserThatJoinsWithoutANameLeavesTheKnownOne() {
+        told("named number=100 name=Ana");
+        assertFalse(told("joined kind=web number=100 from=1.2.3.4"));
+        assertFalse(told("joined kind=web number=100 from=1.2.3.4 name=\"\""));
+        assertEquals("Ana", first().get(1));
+    }
+
     private String row() {
         return Event.from(board.list().get(1)).toString();
     }
