@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -16,6 +17,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
+import javax.swing.JToolTip;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.DefaultTableModel;
@@ -96,12 +98,17 @@ public final class ClassPanel extends JPanel {
                         fit();
                         super.doLayout();
                     }
+
+                    @Override
+                    public JToolTip createToolTip() {
+                        return PlainText.in(super.createToolTip());
+                    }
                 },
                 "class.table",
                 words.of("class.title"));
         table.setDefaultEditor(Object.class, null);
         // Nimbus puts its own renderer back whenever the look changes.
-        Theme.styled(table, all -> all.setDefaultRenderer(Object.class, PlainText.in(new Cell())));
+        Theme.styled(table, all -> all.setDefaultRenderer(Object.class, new Cell()));
         table.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         table.getSelectionModel().addListSelectionListener(event -> chosen());
         start = action("start", Symbol.PLAY, actions::start);
@@ -276,8 +283,7 @@ public final class ClassPanel extends JPanel {
             int sample = Drawing.width(Theme.strong(), SAMPLES.get(i)) + Theme.px(CELL_MARGIN_UNITS);
             least[i] = Math.max(heading, sample);
             column.setMinWidth(least[i]);
-            boolean grows = COLUMNS.get(i).equals("name") || COLUMNS.get(i).equals("lesson");
-            column.setPreferredWidth(grows ? 2 * column.getMinWidth() : column.getMinWidth());
+            column.setPreferredWidth(COLUMNS.get(i).equals("lesson") ? 2 * least[i] : least[i]);
         }
         clock.setFont(Theme.monoStrong().deriveFont(Theme.exact(CLOCK_UNITS)));
         best.setFont(Theme.strong());
@@ -288,7 +294,7 @@ public final class ClassPanel extends JPanel {
         Stream.of(clock, best).forEach(label -> label.setForeground(Theme.color(Ink.TEXT)));
     }
 
-    /** Hides the least important columns while the table is narrower than all minimum widths. */
+    /** Hides the least important columns while the table is narrower than all minimum widths; names take the rest. */
     private void fit() {
         int missing = IntStream.of(least).sum() - table.getWidth();
         for (String each : OMITTED) {
@@ -300,10 +306,18 @@ public final class ClassPanel extends JPanel {
             column.setMaxWidth(shown == 0 ? 0 : Integer.MAX_VALUE);
             column.setMinWidth(shown);
         }
+        List<TableColumn> all = Collections.list(table.getColumnModel().getColumns());
+        TableColumn names = all.remove(COLUMNS.indexOf("name"));
+        int others = all.stream().mapToInt(TableColumn::getPreferredWidth).sum();
+        names.setPreferredWidth(Math.max(names.getMinWidth(), table.getWidth() - others));
     }
 
     /** Marks the best run by weight and background. */
     private final class Cell extends DefaultTableCellRenderer {
+        Cell() {
+            PlainText.in(this);
+        }
+
         @Override
         public Component getTableCellRendererComponent(
                 JTable all, Object value, boolean selected, boolean focused, int row, int column) {

@@ -17,7 +17,9 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
+import javax.swing.JToolTip;
 import javax.swing.plaf.basic.BasicHTML;
+import javax.swing.table.TableColumn;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -67,8 +69,15 @@ class ClassPanelTest {
         ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
         panel.show(view(row("5550100", "<html><b>ann", true)));
         JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
-        JComponent cell = (JComponent) table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
-        assertNull(cell.getClientProperty(BasicHTML.propertyKey));
+        for (Appearance appearance : Appearance.values()) {
+            Theme.install(appearance);
+            Theme.refresh(panel);
+            JComponent cell = (JComponent) table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
+            assertNull(cell.getClientProperty(BasicHTML.propertyKey));
+            JToolTip tip = table.createToolTip();
+            tip.setTipText(cell.getToolTipText());
+            assertNull(tip.getClientProperty(BasicHTML.propertyKey));
+        }
         JComponent best = (JComponent) ComponentNames.find(panel, "class.best").orElseThrow();
         assertNull(best.getClientProperty(BasicHTML.propertyKey));
     }
@@ -110,6 +119,22 @@ class ClassPanelTest {
         assertTrue(text(panel, "class.best").startsWith("Ana, \"=1\" leads"));
         assertTrue(panel.csv().contains("\r\n5550100,\"Ana, \"\"=1\"\"\",5550200,"), panel.csv());
         assertTrue(panel.csv().contains("\r\n5550101,'=2+3,5550200,"), panel.csv());
+    }
+
+    @Test
+    void namesHaveTheRoomThatIsLeft() {
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
+        panel.show(view(row("5550100", "Maria del Carmen Fernandez", true)));
+        JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
+        table.setSize(1200, 100);
+        table.doLayout();
+        for (int i = 0; i < table.getColumnCount(); i++) {
+            TableColumn column = table.getColumnModel().getColumn(i);
+            int most = i == 1 ? 1200 : 2 * column.getMinWidth();
+            assertTrue(column.getWidth() <= most, table.getColumnName(i));
+        }
+        Component name = table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
+        assertTrue(name.getPreferredSize().width <= table.getColumnModel().getColumn(1).getWidth());
     }
 
     /** The windows of a class are 34 % of the screen wide, at the zoom that leaves room for the others. */
