@@ -91,18 +91,18 @@ class LayeringTest {
             simgsm.center.msc.ss     : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.ss simgsm.center.subscriber simgsm.center.msc.link
             simgsm.center.bsc.handover : simgsm.octets
             simgsm.center.bsc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.center.subscriber simgsm.center.msc.link simgsm.center.bsc.handover
-            simgsm.center.msc        : simgsm.event simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.tone simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss
+            simgsm.center.msc        : simgsm.event simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.tone simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss simgsm.lesson
             simgsm.center.records    : simgsm.file simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.web        : simgsm.event simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.capture    : simgsm.file simgsm.octets simgsm.abis
             simgsm.center.net        : simgsm.timer simgsm.net simgsm.abis simgsm.center.smpp simgsm.center.msc.link simgsm.center.msc simgsm.center.capture
             simgsm.center.ui.ladder  : simgsm.abis simgsm.air simgsm.center.msc simgsm.console simgsm.draw simgsm.file simgsm.octets simgsm.sms simgsm.trace simgsm.ui simgsm.ui.file simgsm.ui.glossary simgsm.ui.pane
             simgsm.center.ui         : simgsm.air simgsm.sms simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc simgsm.center.ui.ladder
-            simgsm.center.app        : simgsm.event simgsm.file simgsm.net simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.tone simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui
+            simgsm.center.app        : simgsm.event simgsm.file simgsm.net simgsm.center.bsc.handover simgsm.octets simgsm.air simgsm.sim simgsm.tone simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.center.subscriber simgsm.center.smsc simgsm.center.journal simgsm.center.smpp simgsm.center.msc.call simgsm.center.msc simgsm.center.capture simgsm.center.net simgsm.web simgsm.center.records simgsm.center.web simgsm.center.ui simgsm.lesson
             simgsm.center            :
             simgsm.classroom.ui      : simgsm.console simgsm.draw simgsm.file simgsm.lesson simgsm.ui simgsm.ui.file simgsm.ui.glossary simgsm.ui.pane simgsm.ui.window simgsm.web
             simgsm.classroom.session : simgsm.air simgsm.center.app simgsm.center.msc simgsm.console simgsm.lesson simgsm.ui.window
-            simgsm.classroom.demo    : simgsm.air simgsm.center.app simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.file simgsm.net simgsm.ui.window
+            simgsm.classroom.demo    : simgsm.air simgsm.center.app simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.file simgsm.lesson simgsm.net simgsm.ui.window
             simgsm.classroom.lesson  : simgsm.air simgsm.center.app simgsm.center.msc simgsm.classroom.demo simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.dtmf simgsm.file simgsm.lesson simgsm.octets simgsm.sms simgsm.ui simgsm.ui.window
             simgsm.classroom         : simgsm.center simgsm.center.app simgsm.classroom.demo simgsm.classroom.lesson simgsm.console simgsm.ui.window
             simgsm.cells.town        : simgsm.file simgsm.octets

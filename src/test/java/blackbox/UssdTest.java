@@ -84,6 +84,7 @@ public class UssdTest {
                 "2",
                 "hints",
                 "1");
+        phone.say("ussd *301*no-such*zzz*pass*1*0#").expect("ussd", "text", "There is no such lesson or step.");
         phone.say("ussd *301*twelve-keys*key1*perhaps*2*1#").expect("ussd-failed", "cause", "36");
         phone.say("ussd *300* #").expect("ussd-failed", "cause", "36");
     }

@@ -36,6 +36,7 @@ import simgsm.console.Event;
 import simgsm.console.FatalError;
 import simgsm.console.HostPort;
 import simgsm.event.EventLine;
+import simgsm.lesson.LessonLibrary;
 import simgsm.net.FirstExchange;
 import simgsm.web.WebPort;
 
@@ -238,6 +239,11 @@ public final class Center implements AutoCloseable {
     /** Gives the console's command {@code class} its rows. */
     public void listClass(Supplier<List<ClassRow>> rows) {
         classRows = rows;
+    }
+
+    /** Sets the lessons whose results phones may tell; those of the suite without a call. */
+    public void markLessons(LessonLibrary lessons) {
+        loop.post(exchange -> exchange.markLessons(lessons));
     }
 
     List<Event> classRows() {

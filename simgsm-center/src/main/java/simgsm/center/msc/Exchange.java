@@ -42,6 +42,7 @@ import simgsm.center.smsc.StoreEntry;
 import simgsm.center.smsc.StoredState;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
+import simgsm.lesson.LessonLibrary;
 import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
@@ -66,6 +67,7 @@ public final class Exchange {
     private final Link.Context links;
     private final BaseStationController controller;
     private final boolean speaksUdp;
+    private LessonLibrary lessons = LessonLibrary.ofSuite();
 
     /** An exchange without applications. */
     public Exchange(ExchangeSettings settings, MessageStore store, Consumer<ExchangeEvent> listener) {
@@ -119,6 +121,11 @@ public final class Exchange {
         controller.setHandover(handover);
     }
 
+    /** Sets the lessons whose results phones may tell, instead of the suite's. */
+    public void markLessons(LessonLibrary library) {
+        lessons = library;
+    }
+
     private UserReports reports() {
         return new UserReports() {
             @Override
@@ -127,8 +134,13 @@ public final class Exchange {
             }
 
             @Override
-            public void lessonResult(Msisdn number, String lesson, String step, String result, int tries, int hints) {
-                report(new ExchangeEvent.LessonResult(number, lesson, step, result, tries, hints));
+            public boolean lessonResult(
+                    Msisdn number, String lesson, String step, String result, int tries, int hints) {
+                boolean isKnown = lessons.hasStep(lesson, step);
+                if (isKnown) {
+                    report(new ExchangeEvent.LessonResult(number, lesson, step, result, tries, hints));
+                }
+                return isKnown;
             }
         };
     }

@@ -134,6 +134,15 @@ public final class LessonLibrary {
         return LessonReader.read(name, place(name, LESSON), text(name, LESSON));
     }
 
+    /** False for a lesson that cannot be read, too. */
+    public boolean hasStep(String lesson, String step) {
+        try {
+            return lesson(lesson).steps().stream().anyMatch(each -> each.name().equals(step));
+        } catch (LessonException e) {
+            return false;
+        }
+    }
+
     /** The texts in a language; in the other one if the lesson has only these. */
     public LessonTexts texts(Lesson lesson, Locale language) throws LessonException {
         String wanted = file(language, ".txt");

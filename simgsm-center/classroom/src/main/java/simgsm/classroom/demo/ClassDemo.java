@@ -22,6 +22,7 @@ import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
+import simgsm.lesson.LessonLibrary;
 import simgsm.ui.window.Display;
 
 /**
@@ -77,6 +78,7 @@ public final class ClassDemo implements Consoles.Listener {
         try (Session session = Session.open(arguments, folder -> settings)) {
             boolean isHeadless = arguments.has("headless") || !Display.isAvailable();
             session.center().listClass(demo::list);
+            session.center().markLessons(LessonLibrary.of(arguments));
             if (isHeadless && (WebLink.isWanted(arguments) || arguments.has("console"))) {
                 // The students' phones are browsers, or programs that they start.
                 List<String> options = demo.robotOptions(session, Stream.of("--headless"));

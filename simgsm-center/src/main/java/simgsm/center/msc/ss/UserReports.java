@@ -7,6 +7,6 @@ public interface UserReports {
     /** @param name 1 to 30 characters, no control characters */
     void named(Msisdn number, String name);
 
-    /** A step of a lesson. @param result {@code pass} or {@code fail} */
-    void lessonResult(Msisdn number, String lesson, String step, String result, int tries, int hints);
+    /** A step of a lesson. @param result {@code pass} or {@code fail}; @return false if there is no such step */
+    boolean lessonResult(Msisdn number, String lesson, String step, String result, int tries, int hints);
 }

@@ -67,14 +67,15 @@ final class UssdServices {
         } else if (code.equals(NAME_QUESTION)) {
             session.ask(text("name"), reply -> noteName(session, reply));
         } else if (result.matches()) {
-            reports.lessonResult(
+            boolean isKnown = reports.lessonResult(
                     session.subscriber(),
                     result.group(1),
                     result.group(2),
                     result.group(3),
                     Integer.parseInt(result.group(4)),
                     Integer.parseInt(result.group(5)));
-            session.end(text("result." + result.group(3), result.group(1), result.group(2)));
+            String key = isKnown ? result.group(3) : "unknown";
+            session.end(text("result." + key, result.group(1), result.group(2)));
         } else {
             session.fail(SsError.UNEXPECTED_DATA_VALUE);
         }
