@@ -196,7 +196,7 @@ public final class SimRobotMain {
                 RobotConsole commands = commands(arguments, built, console.get()::emit);
                 window.withConsole(() -> Program.runConsole(console.get(), arguments, commands));
             }
-            show(window, refusals, "SimRobot " + model.firstNumber(), model);
+            show(window, refusals, model.title(), model);
             console.ifPresent(Console::close);
         }
         return ExitStatus.OK;

@@ -372,8 +372,9 @@ public final class WindowModel extends SessionModel {
         recording.restart(file, (path, why) -> tell(refusals.unwritable(path, why)));
     }
 
-    /** The first robot's number, for the title. */
-    public String firstNumber() {
-        return lines.isEmpty() ? "" : lines.get(0).robot().number().digits();
+    /** The number of the only robot, or how many robots there are. */
+    public String title() {
+        return "SimRobot "
+                + (lines.size() == 1 ? lines.get(0).robot().number().digits() : "(" + lines.size() + ")");
     }
 }
