@@ -192,9 +192,11 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
             isChanged = true;
             places = new LinkedHashMap<>(homes);
         }
-        // without the lock, because SimRobot may wait until its events are read
-        places.forEach((robot, place) -> Stream.of("motors off", "place " + place, "motors on")
+        // without the lock and the event thread, because SimRobot may wait until its events are read
+        Runnable placing = () -> places.forEach((robot, place) -> Stream.of(
+                        "motors off", "place " + place, "motors on")
                 .forEach(order -> order(ClassDemo.ROBOTS + " @" + robot + " " + order)));
+        new Thread(placing, "class start").start();
     }
 
     private void order(String line) {

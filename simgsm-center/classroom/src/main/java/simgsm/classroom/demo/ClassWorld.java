@@ -69,7 +69,7 @@ public record ClassWorld(int students) {
                         box + BOX_LENGTH / 2,
                         right + BOX_WIDTH / 2,
                         "",
-                        " %d %d %d %d".formatted(box, right, box + BOX_LENGTH, right + BOX_WIDTH));
+                        String.format(Locale.ROOT, " %d %d %d %d", box, right, box + BOX_LENGTH, right + BOX_WIDTH));
     }
 
     private static String cairn(String kind, int x, int y, String name, String corners) {
