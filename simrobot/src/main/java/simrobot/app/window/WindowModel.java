@@ -374,7 +374,6 @@ public final class WindowModel extends SessionModel {
 
     /** The number of the only robot, or how many robots there are. */
     public String title() {
-        return "SimRobot "
-                + (lines.size() == 1 ? lines.get(0).robot().number().digits() : "(" + lines.size() + ")");
+        return "SimRobot " + (lines.size() == 1 ? lines.get(0).robot().number().digits() : "(" + lines.size() + ")");
     }
 }

@@ -193,8 +193,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
             places = new LinkedHashMap<>(homes);
         }
         // without the lock and the event thread, because SimRobot may wait until its events are read
-        Runnable placing = () -> places.forEach((robot, place) -> Stream.of(
-                        "motors off", "place " + place, "motors on")
+        Runnable placing = () -> places.forEach((robot, place) -> Stream.of("motors off", "place " + place, "motors on")
                 .forEach(order -> order(ClassDemo.ROBOTS + " @" + robot + " " + order)));
         new Thread(placing, "class start").start();
     }

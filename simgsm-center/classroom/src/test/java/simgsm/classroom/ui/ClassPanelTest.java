@@ -134,7 +134,8 @@ class ClassPanelTest {
             assertTrue(column.getWidth() <= most, table.getColumnName(i));
         }
         Component name = table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
-        assertTrue(name.getPreferredSize().width <= table.getColumnModel().getColumn(1).getWidth());
+        assertTrue(name.getPreferredSize().width
+                <= table.getColumnModel().getColumn(1).getWidth());
     }
 
     /** The windows of a class are 34 % of the screen wide, at the zoom that leaves room for the others. */
