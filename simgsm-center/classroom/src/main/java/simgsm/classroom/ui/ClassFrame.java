@@ -69,7 +69,7 @@ public final class ClassFrame {
         panel = new ClassPanel(language, actions, new Frames(ClassroomTexts.in(language)));
         frame.setTitle(ClassroomTexts.in(language).of("class.title"));
         frame.setContentPane(panel);
-        WindowKeys.install(frame.getRootPane(), language);
+        WindowKeys.installBeside(frame.getRootPane(), language);
         newest.ifPresent(panel::show);
         frame.validate();
     }

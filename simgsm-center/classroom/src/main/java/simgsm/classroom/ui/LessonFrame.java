@@ -31,7 +31,7 @@ public final class LessonFrame {
         JFrame frame = new JFrame(title);
         frame.setIconImages(icons);
         frame.setContentPane(panel);
-        WindowKeys.install(frame.getRootPane(), panel.getLocale());
+        WindowKeys.installBeside(frame.getRootPane(), panel.getLocale());
         frame.setDefaultCloseOperation(JFrame.DISPOSE_ON_CLOSE);
         frame.setBounds(x, y, width, height);
         frame.setVisible(true);

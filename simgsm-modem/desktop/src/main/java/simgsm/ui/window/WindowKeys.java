@@ -7,8 +7,11 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
+import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
@@ -43,6 +46,26 @@ public final class WindowKeys {
         reset.bindInWindow(anchor, ctrl(KeyEvent.VK_0), ctrl(KeyEvent.VK_NUMPAD0));
         appearance.bindInWindow(anchor, ctrl(KeyEvent.VK_L));
         return List.of(in, out, reset, appearance);
+    }
+
+    /** Binds the keys of a window beside the program's main one, and F1 to the main one's help. */
+    public static void installBeside(JComponent anchor, Locale language) {
+        install(anchor, language);
+        Supplier<Stream<JRootPane>> all = () -> Stream.of(Window.getWindows())
+                .filter(Component::isDisplayable)
+                .map(SwingUtilities::getRootPane);
+        new UserAction("window.help.main", DesktopTexts.in(language).of("window.help"), () -> openHelp(all.get()))
+                .in(CommandGroup.WINDOW)
+                .bindInWindow(anchor, KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
+    }
+
+    /** Opens the help of the first window that has one. */
+    static void openHelp(Stream<JRootPane> windows) {
+        windows.filter(Objects::nonNull)
+                .map(each -> each.getActionMap().get("window.help"))
+                .filter(Objects::nonNull)
+                .findFirst()
+                .ifPresent(help -> help.actionPerformed(null));
     }
 
     /** Gives the whole window the next appearance: light, dark, high contrast. */
