@@ -51,9 +51,8 @@ public final class WindowKeys {
     /** Binds the keys of a window beside the program's main one, and F1 to the main one's help. */
     public static void installBeside(JComponent anchor, Locale language) {
         install(anchor, language);
-        Supplier<Stream<JRootPane>> all = () -> Stream.of(Window.getWindows())
-                .filter(Component::isDisplayable)
-                .map(SwingUtilities::getRootPane);
+        Supplier<Stream<JRootPane>> all = () ->
+                Stream.of(Window.getWindows()).filter(Component::isDisplayable).map(SwingUtilities::getRootPane);
         new UserAction("window.help.main", DesktopTexts.in(language).of("window.help"), () -> openHelp(all.get()))
                 .in(CommandGroup.WINDOW)
                 .bindInWindow(anchor, KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
