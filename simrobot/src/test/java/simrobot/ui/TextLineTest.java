@@ -1,9 +1,12 @@
 package simrobot.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Font;
+import javax.swing.JToolTip;
+import javax.swing.plaf.basic.BasicHTML;
 import org.junit.jupiter.api.Test;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
@@ -32,5 +35,14 @@ class TextLineTest {
                 2 * one,
                 new TextLine("two", Theme::small, Ink.TEXT).overTwoRows().getPreferredSize().height);
         assertTrue(one > 0);
+    }
+
+    @Test
+    void aTextFromOutsideIsNoMarkupInTheToolTip() {
+        TextLine line = new TextLine("line", Theme::small, Ink.TEXT);
+        line.show("<html><b>3 Done");
+        JToolTip tip = line.createToolTip();
+        tip.setTipText(line.getToolTipText());
+        assertNull(tip.getClientProperty(BasicHTML.propertyKey));
     }
 }

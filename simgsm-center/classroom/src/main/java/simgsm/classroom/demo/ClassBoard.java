@@ -100,11 +100,9 @@ final class ClassBoard {
                 return true;
             }
             String told = fields.getOrDefault("name", "");
-            if (told.isEmpty() || told.equals(name)) {
-                return false;
-            }
-            name = told;
-            return true;
+            boolean isNew = !told.isEmpty() && !told.equals(name);
+            name = isNew ? told : name;
+            return isNew;
         }
 
         /** All steps of all lessons. */
