@@ -166,11 +166,7 @@ final class RadioConnection {
         }
     }
 
-    /**
-     * Handles the tower's answer to MODE MODIFY REQUEST.
-     *
-     * @return false if it is too late
-     */
+    /** Handles the tower's answer to MODE MODIFY REQUEST. @return false if it is too late */
     boolean modeModified(DedicatedChannel of, boolean isDone) {
         return of == channel && machine.fire(isDone ? ConnectionEvent.CHANNEL_ACTIVE : ConnectionEvent.MODE_REFUSED);
     }

@@ -45,10 +45,7 @@ public final class ShortMessageCenter {
     private BiConsumer<ShortMessage, MessageState> listener;
     private final ReceiverQueues queues;
     private final MessageRegister messages;
-    /**
-     * Receivers of the store's answers, by ticket. A report is sent when its end is durable, because a sent report must
-     * not change.
-     */
+    /** Receivers of the store's answers, by ticket: a sent report must not change, so its end is durable before. */
     private final Map<Long, Consumer<Boolean>> commits = new HashMap<>();
 
     private final RecentSubmissions recent = new RecentSubmissions();

@@ -383,10 +383,7 @@ public final class AtSession<C> {
         }
     }
 
-    /**
-     * Sends held codes between two lines, or 2 s after the start of an incomplete line; the end of a command sends
-     * them otherwise.
-     */
+    /** Sends held codes between two lines, or 2 s after the start of an incomplete one; a command's end sends the rest. */
     private void sendOrWait() {
         if (mode == Mode.COMMAND && line.length() == 0 && !isProcessing) {
             held.send();
