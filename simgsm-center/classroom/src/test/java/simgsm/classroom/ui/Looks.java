@@ -23,7 +23,8 @@ final class Looks {
 
     private static String look(Component component) {
         String look = component.getClass().getSimpleName() + " " + component.getName() + " " + component.getBackground()
-                + " " + component.getForeground() + " " + component.getFont();
+                + " " + component.getForeground() + " " + component.getFont() + " "
+                + (component instanceof JComponent it ? it.getInsets() : "");
         if (component instanceof JTable table && table.getRowCount() > 0) {
             JComponent cell = (JComponent) table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
             look += " markup " + cell.getClientProperty(BasicHTML.propertyKey);

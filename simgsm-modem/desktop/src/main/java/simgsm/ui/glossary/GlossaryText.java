@@ -59,7 +59,6 @@ public final class GlossaryText extends JEditorPane {
         setContentType("text/html");
         setEditable(false);
         setOpaque(false);
-        setBorder(null);
         ComponentNames.name(this, name, name);
         setFocusable(false);
         bindKeys(chosen);
@@ -144,6 +143,7 @@ public final class GlossaryText extends JEditorPane {
     @Override
     public void updateUI() {
         super.updateUI();
+        setBorder(null);
         // Nimbus takes it away with the look that it replaces.
         putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         setFont(font(false));
