@@ -118,7 +118,7 @@ public final class ChildMain extends Decider {
         }
     }
 
-    private void answer(String line) {
+    private synchronized void answer(String line) {
         answers.print(line + "\n");
     }
 
@@ -135,9 +135,12 @@ public final class ChildMain extends Decider {
         answer(PipeLine.of("failed", "robot", robot, "line", line, "cause", cause, "text", text));
     }
 
-    /** Reports a fault of the robot that decides, or has decided last, and ends the child at once. */
+    /**
+     * Reports a fault of the robot that decides, or has decided last, and ends the child; no answer of a decision follows, which
+     * SimRobot would take for the child's last word.
+     */
     @Override
-    protected void end(StackTraceElement[] trace, String cause, String text) {
+    protected synchronized void end(StackTraceElement[] trace, String cause, String text) {
         try {
             tell(line(trace), cause, text);
             answers.flush();
