@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.MediaPort;
@@ -107,12 +108,35 @@ class SpeechOverUdpTest {
     }
 
     @Test
-    void beforeTheAnswerAndAfterARefusalSpeechGoesWithTheSignalling() throws ProtocolViolation {
+    void theFirstSpeechWaitsForTheAnswer() throws ProtocolViolation {
         call.active.caller().speak(SPEECH);
-        assertEquals(1, call.active.called().heard.size());
+        call.active.caller().speak(SPEECH);
+        assertEquals(0, call.calledMedia.sent.size());
+
+        answer(call.active.called(), next(call.active.called()).created("1", TERMINAL));
+
+        assertEquals(2, call.calledMedia.sent.size());
+        assertEquals(List.of(), call.active.called().heard);
+    }
+
+    @Test
+    void speechWithoutAnAnswerFor200MsGoesWithTheSignalling() {
+        IntStream.range(0, 10).forEach(frame -> call.active.caller().speak(SPEECH));
+        assertEquals(List.of(), call.active.called().heard);
+
+        IntStream.range(10, 25).forEach(frame -> {
+            call.active.caller().speak(SPEECH);
+            assertEquals(frame + 1, call.active.called().heard.size());
+        });
+    }
+
+    @Test
+    void afterARefusalSpeechGoesWithTheSignalling() throws ProtocolViolation {
+        call.active.caller().speak(SPEECH);
 
         answer(call.active.called(), next(call.active.called()).answered(Head.NO_RESOURCES));
         assertTrue(!call.calledMedia.isOpen);
+        assertEquals(1, call.active.called().heard.size());
         call.active.caller().speak(SPEECH);
         assertEquals(2, call.active.called().heard.size());
     }

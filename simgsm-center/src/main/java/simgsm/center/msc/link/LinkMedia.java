@@ -1,6 +1,8 @@
 package simgsm.center.msc.link;
 
 import java.lang.System.Logger.Level;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Optional;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.MgcpMessage;
@@ -15,10 +17,12 @@ public final class LinkMedia {
     private static final System.Logger LOG = System.getLogger(LinkMedia.class.getName());
 
     private static final int COUNTS = 256;
+    /** Frames of 20 ms. */
+    private static final int MOST_WAITING = 10;
 
     private enum State {
         CLOSED,
-        /** CRCX is sent; speech is sent as frames meanwhile. */
+        /** CRCX is sent; the first 200 ms of speech wait for the answer, later frames are sent by the link. */
         CREATING,
         OPEN
     }
@@ -30,6 +34,9 @@ public final class LinkMedia {
     private int transaction;
     private int calls;
     private String connection = "";
+    private final Deque<IpaFrame> waiting = new ArrayDeque<>();
+    /** Frames of the session that have waited. */
+    private int delayed;
 
     LinkMedia(Link link, LinkPort port, boolean isOverUdp) {
         this.link = link;
@@ -51,6 +58,7 @@ public final class LinkMedia {
         if (own.isPresent()) {
             calls++;
             state = State.CREATING;
+            delayed = 0;
             send(MgcpMessage.create(++transaction, callId(), own.get()));
         }
     }
@@ -74,6 +82,7 @@ public final class LinkMedia {
     void close() {
         state = State.CLOSED;
         port.closeMedia();
+        waiting.clear();
     }
 
     /** Handles the terminal's answer. */
@@ -88,13 +97,30 @@ public final class LinkMedia {
         if (isTaken) {
             state = State.OPEN;
             connection = answer.connection().orElse("1");
+            sendWaiting();
         } else {
             LOG.log(Level.INFO, "{0}: no RTP over UDP, speech goes with the signalling", link);
+            sendWaiting();
             close();
         }
     }
 
     void sendSpeech(IpaFrame frame) {
+        if (state == State.CREATING && delayed < MOST_WAITING) {
+            delayed++;
+            waiting.add(frame);
+        } else {
+            sendWaiting();
+            sendNow(frame);
+        }
+    }
+
+    private void sendWaiting() {
+        waiting.forEach(this::sendNow);
+        waiting.clear();
+    }
+
+    private void sendNow(IpaFrame frame) {
         if (state != State.OPEN || !port.sendMedia(frame.payload())) {
             port.send(frame);
         }
