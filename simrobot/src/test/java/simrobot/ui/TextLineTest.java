@@ -7,7 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Font;
 import javax.swing.JToolTip;
 import javax.swing.plaf.basic.BasicHTML;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
@@ -15,6 +17,11 @@ import simgsm.ui.Theme;
 class TextLineTest {
     private static final String REPLY = "3 Done: #**20. Stopped at 0.200 -1.450 m, heading 90.0.";
     private final Font face = Theme.small();
+
+    @BeforeAll
+    static void asInTheProgram() {
+        Theme.install(Appearance.LIGHT);
+    }
 
     @Test
     void theHeightIsThatOfTheRowsThatTheTextTakes() {

@@ -13,7 +13,6 @@ import java.util.function.Function;
 import javax.swing.Icon;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import javax.swing.JToolTip;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableColumn;
@@ -23,7 +22,6 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 import simgsm.ui.DressedPanel;
 import simgsm.ui.GraphicsCanvas;
-import simgsm.ui.PlainText;
 import simgsm.ui.Theme;
 
 /** A table of a snapshot's rows, with a text for the empty table. */
@@ -111,11 +109,6 @@ final class RowsPanel<T> extends DressedPanel {
         }
 
         @Override
-        public JToolTip createToolTip() {
-            return PlainText.in(super.createToolTip());
-        }
-
-        @Override
         protected void paintComponent(Graphics graphics) {
             super.paintComponent(graphics);
             if (getRowCount() == 0) {
@@ -131,10 +124,6 @@ final class RowsPanel<T> extends DressedPanel {
     }
 
     private static final class CellRenderer extends DefaultTableCellRenderer {
-        CellRenderer() {
-            PlainText.in(this);
-        }
-
         @Override
         public Component getTableCellRendererComponent(
                 JTable table, Object value, boolean selected, boolean focused, int row, int column) {

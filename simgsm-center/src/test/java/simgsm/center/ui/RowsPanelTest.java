@@ -9,12 +9,20 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JToolTip;
 import javax.swing.plaf.basic.BasicHTML;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
+import simgsm.draw.Appearance;
+import simgsm.ui.Theme;
 
 @ExtendWith(OnEventThread.class)
 class RowsPanelTest {
     private static final String TEXT = "<html><img src='http://127.0.0.1:9/x'>hello";
+
+    @BeforeAll
+    static void asInTheProgram() {
+        Theme.install(Appearance.LIGHT);
+    }
 
     @Test
     void aMessageThatBeginsAsAPageIsShownAsItsText() {

@@ -23,6 +23,10 @@ final class InstrumentLookAndFeel extends NimbusLookAndFeel {
             colours();
             sizes();
             FlatPainter.replaceIn(defaults);
+            for (Class<?> plain : List.of(PlainLabelUI.class, PlainToolTipUI.class)) {
+                defaults.put(plain.getSimpleName().replace("Plain", ""), plain.getName());
+                defaults.put(plain.getName(), plain);
+            }
             // arrow keys move through an open list; Enter takes the row, Escape cancels
             defaults.put("ComboBox.noActionOnKeyNavigation", Boolean.TRUE);
         }

@@ -9,7 +9,6 @@ import javax.accessibility.Accessible;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
-import javax.swing.JToolTip;
 import simgsm.draw.Ink;
 
 /** A component that is painted by code and describes its content in words for assistive technology. */
@@ -20,12 +19,6 @@ public abstract class PaintedComponent extends JComponent implements Accessible 
     /** @param role LABEL for a reading, CANVAS for a picture */
     protected PaintedComponent(AccessibleRole role) {
         this.role = role;
-    }
-
-    /** A tool tip whose text may come from outside. */
-    @Override
-    public final JToolTip createToolTip() {
-        return PlainText.in(super.createToolTip());
     }
 
     /** The current content in words. */

@@ -17,7 +17,6 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
-import javax.swing.JToolTip;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.DefaultTableModel;
@@ -30,7 +29,6 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.CopiedText;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Drawing;
-import simgsm.ui.PlainText;
 import simgsm.ui.ReadingArea;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -66,7 +64,7 @@ public final class ClassPanel extends JPanel {
     private final int[] least = new int[COLUMNS.size()];
 
     private final JLabel clock = new JLabel("00:00");
-    private final JLabel best = PlainText.in(new JLabel(" "));
+    private final JLabel best = new JLabel(" ");
     private final JTextArea command;
     private final GlossaryText notice = new GlossaryText("class.notice", Optional.empty(), term -> {});
     private final UserAction start;
@@ -97,11 +95,6 @@ public final class ClassPanel extends JPanel {
                     public void doLayout() {
                         fit();
                         super.doLayout();
-                    }
-
-                    @Override
-                    public JToolTip createToolTip() {
-                        return PlainText.in(super.createToolTip());
                     }
                 },
                 "class.table",
@@ -314,10 +307,6 @@ public final class ClassPanel extends JPanel {
 
     /** Marks the best run by weight and background. */
     private final class Cell extends DefaultTableCellRenderer {
-        Cell() {
-            PlainText.in(this);
-        }
-
         @Override
         public Component getTableCellRendererComponent(
                 JTable all, Object value, boolean selected, boolean focused, int row, int column) {

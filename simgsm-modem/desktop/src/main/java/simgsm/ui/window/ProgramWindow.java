@@ -322,10 +322,7 @@ public final class ProgramWindow {
                 tab);
     }
 
-    /**
-     * Shows the window in another language, unless its user wants to keep unsaved work. Called on the event thread,
-     * for a content made for a language.
-     */
+    /** Shows another language's content, unless the user wants to keep unsaved work. Called on the event thread. */
     public void speak(Locale next) {
         if (next.getLanguage().equals(language.getLanguage())) {
             return;
