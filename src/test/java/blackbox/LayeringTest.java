@@ -88,7 +88,7 @@ class LayeringTest {
             simgsm.center.msc.mobility : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.center.subscriber simgsm.center.msc.link
             simgsm.center.msc.call   : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.msc.link simgsm.center.msc.mobility
             simgsm.center.msc.sms    : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link
-            simgsm.center.msc.ss     : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.ss simgsm.center.subscriber simgsm.center.msc.link
+            simgsm.center.msc.ss     : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.ss simgsm.center.subscriber simgsm.center.msc.link simgsm.lesson
             simgsm.center.bsc.handover : simgsm.octets
             simgsm.center.bsc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.center.subscriber simgsm.center.msc.link simgsm.center.bsc.handover
             simgsm.center.msc        : simgsm.event simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.tone simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss simgsm.lesson
@@ -144,7 +144,7 @@ class LayeringTest {
             simrobot.app             : simgsm.air simgsm.audio simgsm.console simgsm.modem simgsm.modem.client simgsm.net simgsm.sim simgsm.speech simgsm.station simrobot.bitmap simrobot.control simrobot.pioneer simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.source simrobot.world vericommand
             simrobot.app.ports       : simgsm.air simgsm.console simgsm.modem simgsm.modem.at simgsm.modem.at.port simgsm.modem.client simgsm.net simgsm.web vericommand simrobot.app simrobot.control simrobot.http simrobot.p2os simrobot.robot simrobot.ros simrobot.simulation simrobot.world
             simrobot.app.window      : simgsm.air simgsm.console simgsm.speech simgsm.station simgsm.tone simgsm.ui.window simrobot.app simrobot.app.ports simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.ui simrobot.ui.floor simrobot.ui.inspector simrobot.world vericommand
-            simrobot.app.batch       : simgsm.console simgsm.file simgsm.modem.client simgsm.net simgsm.sim simrobot.app simrobot.behaviour simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.world vericommand
+            simrobot.app.batch       : simgsm.console simgsm.draw simgsm.file simgsm.modem.client simgsm.net simgsm.sim simrobot.app simrobot.behaviour simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.world vericommand
             simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.inspector simrobot.ui.panel simrobot.app simrobot.app.batch simrobot.app.ports simrobot.app.window
             """);
 

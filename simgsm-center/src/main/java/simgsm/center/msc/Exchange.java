@@ -43,6 +43,7 @@ import simgsm.center.smsc.StoredState;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.center.subscriber.SubscriberRegister;
 import simgsm.lesson.LessonLibrary;
+import simgsm.lesson.StepResult;
 import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
@@ -134,11 +135,10 @@ public final class Exchange {
             }
 
             @Override
-            public boolean lessonResult(
-                    Msisdn number, String lesson, String step, String result, int tries, int hints) {
-                boolean isKnown = lessons.hasStep(lesson, step);
+            public boolean lessonResult(Msisdn number, StepResult result) {
+                boolean isKnown = lessons.hasStep(result.lesson(), result.step());
                 if (isKnown) {
-                    report(new ExchangeEvent.LessonResult(number, lesson, step, result, tries, hints));
+                    report(new ExchangeEvent.LessonResult(number, result));
                 }
                 return isKnown;
             }

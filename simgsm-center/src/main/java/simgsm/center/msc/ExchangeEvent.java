@@ -6,6 +6,7 @@ import simgsm.air.Msisdn;
 import simgsm.center.msc.call.CallProgress;
 import simgsm.center.smsc.MessageState;
 import simgsm.event.EventLine;
+import simgsm.lesson.StepResult;
 
 /** An event for the operator. */
 public sealed interface ExchangeEvent {
@@ -32,9 +33,9 @@ public sealed interface ExchangeEvent {
     record Named(Msisdn number, String name) implements ExchangeEvent {}
 
     /** A student's result in a step of a lesson, pass or fail. */
-    @EventLine("lesson-result number= lesson= step= result= tries= hints=")
-    record LessonResult(Msisdn number, String lesson, String step, String result, int tries, int hints)
-            implements ExchangeEvent {}
+    @EventLine("lesson-result number= lesson=result.lesson step=result.step result=result.word tries=result.tries"
+            + " hints=result.hints")
+    record LessonResult(Msisdn number, StepResult result) implements ExchangeEvent {}
 
     /** A short message is accepted, delivered, expired, rejected or deleted. */
     @EventLine("sms id= from=from.digits to=to.digits state=")

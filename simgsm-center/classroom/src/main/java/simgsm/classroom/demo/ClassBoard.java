@@ -79,9 +79,13 @@ final class ClassBoard {
                     Integer.toString(orders),
                     Integer.toString(keys),
                     Integer.toString(collisions),
-                    isAtGoal() ? String.format(Locale.ROOT, "%.1f", seconds) : "",
+                    seconds(),
                     lesson,
                     score());
+        }
+
+        private String seconds() {
+            return isAtGoal() ? String.format(Locale.ROOT, "%.1f", seconds) : "";
         }
 
         private String score() {
@@ -124,7 +128,7 @@ final class ClassBoard {
                     .with("orders", orders)
                     .with("keys", keys)
                     .with("collisions", collisions)
-                    .with("seconds", cells().get(6));
+                    .with("seconds", seconds());
         }
     }
 

@@ -33,7 +33,6 @@ import simgsm.lesson.LessonLibrary;
 import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonRun;
 import simgsm.lesson.LessonTexts;
-import simgsm.lesson.StepResult;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.Display;
@@ -123,7 +122,8 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
                     arguments.language());
             WindowedLesson opened =
                     new WindowedLesson(library, named.texts(), arguments.language(), run, session, window);
-            run.listen(result -> network.center().report(event(result)));
+            run.listen(result ->
+                    network.center().report(new ExchangeEvent.LessonResult(new Msisdn(Session.PHONE_NUMBER), result)));
             CenterWindow.Watch watch = new CenterWindow.Watch(
                     session.centerEvents(),
                     session.trace(),
@@ -137,16 +137,6 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
             opened.end();
             return chosen.or(() -> Optional.ofNullable(opened.next));
         }
-    }
-
-    private static ExchangeEvent.LessonResult event(StepResult result) {
-        return new ExchangeEvent.LessonResult(
-                new Msisdn(Session.PHONE_NUMBER),
-                result.lesson(),
-                result.step(),
-                result.word(),
-                result.tries(),
-                result.hints());
     }
 
     /** The panel's share of the screen's width, for texts of that zoom. */

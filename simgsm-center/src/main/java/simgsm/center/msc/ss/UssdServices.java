@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simgsm.air.Msisdn;
+import simgsm.lesson.StepResult;
 import simgsm.ss.SsError;
 import simgsm.ss.UssdText;
 
@@ -18,7 +19,7 @@ final class UssdServices {
     private static final String MENU = "*111#";
     /** The status of the robot behind a number. */
     private static final Pattern ROBOT = Pattern.compile("\\*200\\*(\\+?[0-9]{1," + Msisdn.MAX_DIGITS + "})#");
-    /** What a phone tells of its user: a name, or the result of a lesson's step. */
+    /** A phone tells its user's name. */
     private static final Pattern NAME = Pattern.compile("\\*300\\*(.*\\S.*)#", Pattern.DOTALL);
 
     /** The network asks for the name. */
@@ -26,6 +27,7 @@ final class UssdServices {
     /** Characters of a name that are kept. */
     private static final int MOST_NAME = 30;
 
+    /** A phone tells a result in a lesson. */
     private static final Pattern RESULT =
             Pattern.compile("\\*301\\*([a-z0-9-]+)\\*([a-z0-9-]+)\\*(pass|fail)\\*([0-9]{1,6})\\*([0-9]{1,6})#");
     /** The question to the robot: the order of the command language that only asks for a report. */
@@ -67,18 +69,21 @@ final class UssdServices {
         } else if (code.equals(NAME_QUESTION)) {
             session.ask(text("name"), reply -> noteName(session, reply));
         } else if (result.matches()) {
-            boolean isKnown = reports.lessonResult(
-                    session.subscriber(),
-                    result.group(1),
-                    result.group(2),
-                    result.group(3),
-                    Integer.parseInt(result.group(4)),
-                    Integer.parseInt(result.group(5)));
-            String key = isKnown ? result.group(3) : "unknown";
-            session.end(text("result." + key, result.group(1), result.group(2)));
+            noteResult(session, result);
         } else {
             session.fail(SsError.UNEXPECTED_DATA_VALUE);
         }
+    }
+
+    private void noteResult(UssdSession session, Matcher code) {
+        StepResult told = new StepResult(
+                code.group(1),
+                code.group(2),
+                code.group(3).equals("pass"),
+                Integer.parseInt(code.group(4)),
+                Integer.parseInt(code.group(5)));
+        String key = reports.lessonResult(session.subscriber(), told) ? told.word() : "unknown";
+        session.end(text("result." + key, told.lesson(), told.step()));
     }
 
     private void noteName(UssdSession session, String told) {
