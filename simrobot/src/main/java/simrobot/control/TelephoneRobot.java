@@ -76,8 +76,8 @@ public final class TelephoneRobot {
      * Submits an order of a program, such as {@code ** #**20 **}. For the simulation's thread only.
      *
      * @param operator owner of the program's key
-     * @param follower told of the order's progress on the simulation's thread, first before this returns, last at the
-     * order's end
+     * @param follower receives the order's progress on the simulation's thread: first before this returns, last at the
+     *     order's end
      */
     public void order(String operator, String keys, Consumer<OrderReport> follower) {
         control.order(operator, keys, follower);

@@ -43,7 +43,7 @@ final class BehaviourChild implements ChildProcess.Listener {
 
     private final ChildFile file;
     private final Consumer<Decision.Failed> startFault;
-    /** Those with a question, the oldest first. */
+    /** Robots with an unanswered question, the oldest first. */
     private final Deque<OfRobot> asked = new ArrayDeque<>();
     /** Null while none runs. */
     private ChildProcess process;

@@ -3,7 +3,6 @@ package simrobot.source;
 import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -55,7 +54,7 @@ final class BehaviourFiles {
         this.failed = failed;
     }
 
-    /** Whether the file's name ends as those of processes do. */
+    /** True for a name that ends in .java, .jar or .py. */
     static boolean mayBeProcess(Path file) {
         return Stream.of(SOURCE, JAR, PYTHON).anyMatch(file.toString()::endsWith);
     }
@@ -147,9 +146,9 @@ final class BehaviourFiles {
         BehaviourChild child =
                 new BehaviourChild(ChildFile.ofSource(base(file), classes, lines, settings), fault -> {});
         // a halt would end SimRobot without an outcome
-        boolean isHalting = classes.values().stream()
-                .anyMatch(octets -> new String(octets, StandardCharsets.ISO_8859_1).contains("halt"));
-        FaultPlace place = isHalting ? null : new FaultPlace(file.getFileName().toString());
+        FaultPlace place = LoadedClasses.mention(classes, "halt")
+                ? null
+                : new FaultPlace(file.getFileName().toString());
         BehaviourKind kind = kind(type, child, place);
         compiled.put(file, classes);
         children.put(file, child);

@@ -1,6 +1,5 @@
 package simrobot.source;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Base64;
@@ -11,6 +10,7 @@ import java.util.regex.Pattern;
 import simrobot.behaviour.BehaviourRequest;
 import simrobot.process.Decision;
 import simrobot.source.child.ChildMain;
+import simrobot.source.child.LoadedClasses;
 import simrobot.source.child.PipeLine;
 
 /**
@@ -44,8 +44,7 @@ record ChildFile(
         List<String> lines = new ArrayList<>();
         classes.forEach((className, octets) -> lines.add(PipeLine.of(
                 "class", "name", className, "octets", Base64.getUrlEncoder().encodeToString(octets))));
-        boolean readsLaser = classes.values().stream()
-                .anyMatch(octets -> new String(octets, StandardCharsets.ISO_8859_1).contains("laserMeters"));
+        boolean readsLaser = LoadedClasses.mention(classes, "laserMeters");
         return new ChildFile(name, java(settings, name + ".java"), lines, source, readsLaser, settings.hints());
     }
 

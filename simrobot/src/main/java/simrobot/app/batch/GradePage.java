@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.stream.Collectors;
 import simgsm.console.TextBundle;
+import simgsm.draw.SvgCanvas;
 import simgsm.file.CsvLine;
 import simgsm.file.FileErrors;
 
@@ -47,7 +48,7 @@ final class GradePage {
         StringBuilder html = new StringBuilder("<!DOCTYPE html>\n<html lang=\"" + texts.of("language") + "\"><head>"
                 + "<meta charset=\"utf-8\"><title>" + texts.of("title") + "</title><style>" + STYLE
                 + "</style></head><body>\n<h1>" + texts.of("title") + "</h1>\n<p>"
-                + escaped(texts.of("facts", facts.toArray())) + "</p>\n<table>\n");
+                + SvgCanvas.escaped(texts.of("facts", facts.toArray())) + "</p>\n<table>\n");
         row(
                 html,
                 "th",
@@ -71,14 +72,7 @@ final class GradePage {
 
     private static void row(StringBuilder html, String cell, List<String> fields) {
         html.append("<tr>");
-        fields.forEach(field -> html.append('<' + cell + '>' + escaped(field) + "</" + cell + '>'));
+        fields.forEach(field -> html.append('<' + cell + '>' + SvgCanvas.escaped(field) + "</" + cell + '>'));
         html.append("</tr>\n");
-    }
-
-    private static String escaped(String text) {
-        return text.replace("&", "&amp;")
-                .replace("<", "&lt;")
-                .replace(">", "&gt;")
-                .replace("\"", "&quot;");
     }
 }

@@ -55,17 +55,14 @@ public final class GradeRun {
                         "--" + option + ": --grade runs each file of its folder, expected one of the two");
             }
         }
-        if (!Files.isDirectory(arguments.path("grade").orElseThrow())) {
-            throw new UsageException("--grade: expected a folder, found "
-                    + arguments.text("grade").orElseThrow());
+        Path folder = arguments.path("grade").orElseThrow();
+        if (!Files.isDirectory(folder)) {
+            throw new UsageException("--grade: expected a folder, found " + folder);
         }
-        if (!Files.isWritable(arguments.path("grade").orElseThrow())) {
-            throw new UsageException("--grade: expected a folder that can be written, found "
-                    + arguments.text("grade").orElseThrow());
+        if (!Files.isWritable(folder)) {
+            throw new UsageException("--grade: expected a folder that can be written, found " + folder);
         }
-        Arguments asRun = arguments
-                .with("run", "done")
-                .with("behaviours", arguments.text("grade").orElseThrow());
+        Arguments asRun = arguments.with("run", "done").with("behaviours", folder.toString());
         BehaviourList list = new BehaviourList();
         RequestedBehaviours.of(asRun, list).close();
         BatchRun.check(asRun.with("behaviour", BehaviourKind.WANDER.text()), world);

@@ -3,6 +3,7 @@ package simrobot.source.child;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Modifier;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +20,12 @@ public final class LoadedClasses extends ClassLoader {
     public LoadedClasses(Map<String, byte[]> classes) {
         super(NAME, Behaviour.class.getClassLoader());
         this.classes = classes;
+    }
+
+    /** True if a constant of a class contains this ASCII name, such as that of a method which it calls. */
+    public static boolean mention(Map<String, byte[]> classes, String name) {
+        return classes.values().stream()
+                .anyMatch(octets -> new String(octets, StandardCharsets.ISO_8859_1).contains(name));
     }
 
     @Override

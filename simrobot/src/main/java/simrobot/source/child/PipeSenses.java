@@ -16,22 +16,22 @@ import simrobot.behaviour.Senses;
 public final class PipeSenses {
     private static final int BUMPERS = 5;
 
-    private static final Map<String, Function<Senses, Object>> VALUES = Map.ofEntries(
-            Map.entry("seconds", Senses::seconds),
-            Map.entry("x", Senses::xMeters),
-            Map.entry("y", Senses::yMeters),
-            Map.entry("heading", Senses::headingRadians),
-            Map.entry("odometryX", live -> live.odometry().xMeters()),
-            Map.entry("odometryY", live -> live.odometry().yMeters()),
-            Map.entry("odometryHeading", live -> live.odometry().headingRadians()),
-            Map.entry("speed", Senses::metersPerSecond),
-            Map.entry("blocked", live -> live.isBlocked() ? 1 : 0),
-            Map.entry("front", live -> bits(live::isFrontBumperPressed)),
-            Map.entry("rear", live -> bits(live::isRearBumperPressed)),
-            Map.entry("arrived", live -> live.hasArrived() ? 1 : 0),
-            Map.entry("caller", live -> live.call().caller()),
-            Map.entry("key", live -> Character.toString(live.call().key())),
-            Map.entry("pressed", live -> live.call().pressed()));
+    private static final Map<String, Function<Measurements, Object>> VALUES = Map.ofEntries(
+            Map.entry("seconds", Measurements::seconds),
+            Map.entry("x", Measurements::xMeters),
+            Map.entry("y", Measurements::yMeters),
+            Map.entry("heading", Measurements::headingRadians),
+            Map.entry("odometryX", now -> now.odometry().xMeters()),
+            Map.entry("odometryY", now -> now.odometry().yMeters()),
+            Map.entry("odometryHeading", now -> now.odometry().headingRadians()),
+            Map.entry("speed", Measurements::metersPerSecond),
+            Map.entry("blocked", now -> now.isBlocked() ? 1 : 0),
+            Map.entry("front", Measurements::front),
+            Map.entry("rear", Measurements::rear),
+            Map.entry("arrived", now -> now.hasArrived() ? 1 : 0),
+            Map.entry("caller", now -> now.call().caller()),
+            Map.entry("key", now -> Character.toString(now.call().key())),
+            Map.entry("pressed", now -> now.call().pressed()));
 
     private PipeSenses() {}
 
@@ -85,7 +85,8 @@ public final class PipeSenses {
     /** Returns the line that asks a child for a decision. @param live read on the thread that owns the robot */
     public static String line(int robot, Senses live, boolean withLaser) {
         StringBuilder line = new StringBuilder(1500).append("decide robot=").append(robot);
-        VALUES.forEach((name, value) -> line.append(PipeLine.of("", name, value.apply(live))));
+        Measurements now = of(live, ranges -> ranges);
+        VALUES.forEach((name, value) -> line.append(PipeLine.of("", name, value.apply(now))));
         append(line, "sonar", Senses.SONARS, live::sonarMeters);
         if (withLaser && hasLaser(live)) {
             append(line, "laser", Senses.LASER_READINGS, live::laserMeters);
