@@ -9,7 +9,7 @@ import java.util.Optional;
  * @param patterns events required in this order
  * @param least count of the first event; only with a single pattern
  * @param most count; unlimited for a condition that must become true
- * @param different field of which different values count, each once; empty if all events count
+ * @param different field; each of its values counts once; empty if all events count
  */
 public record LessonCondition(List<EventPattern> patterns, int least, int most, Optional<String> different) {
     static final int NO_LIMIT = Integer.MAX_VALUE;

@@ -100,7 +100,7 @@ public final class LessonLibrary {
         }
     }
 
-    /** Those of the index, then the others. */
+    /** The names of the index, then the other names. */
     private static List<String> ordered(Path index, List<String> found) throws LessonException {
         List<String> names = new ArrayList<>(LessonReader.list(text(index)));
         for (String name : names) {
