@@ -276,7 +276,7 @@ public final class ClassPanel extends JPanel {
             int sample = Drawing.width(Theme.strong(), SAMPLES.get(i)) + Theme.px(CELL_MARGIN_UNITS);
             least[i] = Math.max(heading, sample);
             column.setMinWidth(least[i]);
-            column.setPreferredWidth(COLUMNS.get(i).equals("lesson") ? 2 * least[i] : least[i]);
+            column.setPreferredWidth(least[i]);
         }
         clock.setFont(Theme.monoStrong().deriveFont(Theme.exact(CLOCK_UNITS)));
         best.setFont(Theme.strong());
@@ -299,6 +299,10 @@ public final class ClassPanel extends JPanel {
             column.setMaxWidth(shown == 0 ? 0 : Integer.MAX_VALUE);
             column.setMinWidth(shown);
         }
+        int lesson = COLUMNS.indexOf("lesson");
+        boolean hasLessons =
+                rows.stream().anyMatch(row -> !row.cells().get(lesson).isEmpty());
+        table.getColumnModel().getColumn(lesson).setPreferredWidth((hasLessons ? 2 : 1) * least[lesson]);
         List<TableColumn> all = Collections.list(table.getColumnModel().getColumns());
         TableColumn names = all.remove(COLUMNS.indexOf("name"));
         int others = all.stream().mapToInt(TableColumn::getPreferredWidth).sum();

@@ -138,6 +138,19 @@ class ClassPanelTest {
                 <= table.getColumnModel().getColumn(1).getWidth());
     }
 
+    @Test
+    void beforeAnyLessonANameOfUsualLengthIsWholeInTheWindowOfAClass() {
+        ClassPanel panel = new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES);
+        panel.show(view(new ClassView.Row(
+                List.of("5550100", "María del Carmen", "5550200", "1", "9", "0", "", "", ""), false, "")));
+        JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
+        table.setSize((int) (1920 * 0.34) - Theme.px(24), 100);
+        table.doLayout();
+        Component name = table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
+        assertTrue(name.getPreferredSize().width
+                <= table.getColumnModel().getColumn(1).getWidth());
+    }
+
     /** The windows of a class are 34 % of the screen wide, at the zoom that leaves room for the others. */
     @ParameterizedTest
     @CsvSource({"1366, 0.7, en", "1366, 0.7, es", "1920, 1.05, en", "1920, 1.05, es"})

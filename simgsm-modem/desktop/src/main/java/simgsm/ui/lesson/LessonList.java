@@ -66,14 +66,16 @@ public final class LessonList extends JPanel {
             LessonTexts texts = library.texts(lesson, language);
             String title = texts.of("title");
             text.show(title + " (" + words.of("lesson.minutes", Integer.toString(lesson.minutes())) + ")");
-            List<Component> parts = new ArrayList<>(List.of(Arrange.growing(Arrange.column(0, text))));
+            List<Component> lines = new ArrayList<>(List.of(text.bold()));
+            texts.find("about").ifPresent(about -> lines.add(line(name, about)));
+            List<Component> parts =
+                    new ArrayList<>(List.of(Arrange.growing(Arrange.column(0, lines.toArray(Component[]::new)))));
             library.sheet(name, language)
                     .filter(sheet -> hasSheets)
                     .ifPresent(sheet ->
                             parts.add(button("lessons.sheet", name, title, () -> actions.showSheet(title, sheet))));
             parts.add(button("lessons.open", name, title, () -> actions.open(name)));
-            Component row = Arrange.row(Theme.GRID, parts.toArray(Component[]::new));
-            return texts.find("about").map(about -> withLine(row, name, about)).orElse(row);
+            return Arrange.row(Theme.GRID, parts.toArray(Component[]::new));
         } catch (LessonException e) {
             // A teacher's own lesson with a fault.
             text.show(e.getMessage());
@@ -81,11 +83,11 @@ public final class LessonList extends JPanel {
         }
     }
 
-    /** The lesson's subject, below its title and as wide as the list. */
-    private static Component withLine(Component row, String name, String about) {
+    /** The lesson's subject, below its title. */
+    private static Component line(String name, String about) {
         GlossaryText line = GlossaryText.ofExplanations("lessons.about." + name);
         line.show(about);
-        return Arrange.column(0, row, line);
+        return line;
     }
 
     private JButton button(String key, String lesson, String title, Runnable act) {
