@@ -23,8 +23,9 @@ import simrobot.source.child.RequestLine;
  *
  * <p>A robot hands over its senses every 50 ms of simulated time and takes the decision with the next: so the delay is the same
  * in every run. A decision that is late makes the robot brake. A simulation at its usual pace never waits here; one that is
- * faster waits for the decisions of all robots at most 50 ms a step. One that waits for each is patient: there no decision is
- * late, and a loaded machine changes no pose.
+ * faster waits for the decisions of all robots at most 50 ms a step, also for those that are already late, so that no robot
+ * brakes for more periods than at the usual pace. One that waits for each is patient: there no decision is late, and a loaded
+ * machine changes no pose.
  */
 final class BehaviourChild implements ChildProcess.Listener {
     static final long PERIOD_NANOS = 50_000_000;
@@ -207,6 +208,8 @@ final class BehaviourChild implements ChildProcess.Listener {
 
         private int number;
         private long askedNanos;
+        /** End of the last wait for a decision. */
+        private long awaitedNanos;
         /** Null until the child has decided. */
         private Decision answer;
 
@@ -296,7 +299,7 @@ final class BehaviourChild implements ChildProcess.Listener {
             long began = System.nanoTime();
             long end = isPatient
                     ? Math.max(heardNanos, askedNanos) + LATEST_NANOS
-                    : Math.min(askedNanos + PERIOD_NANOS, began + budget.leftNanos());
+                    : Math.min(Math.max(askedNanos, awaitedNanos) + PERIOD_NANOS, began + budget.leftNanos());
             long left = end - began;
             try {
                 while (answer == null && begun == process && left > 0) {
@@ -306,7 +309,8 @@ final class BehaviourChild implements ChildProcess.Listener {
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
             }
-            budget.spend(System.nanoTime() - began);
+            awaitedNanos = System.nanoTime();
+            budget.spend(awaitedNanos - began);
         }
 
         @Override

@@ -124,6 +124,21 @@ class BehaviourFolderTest {
         }
     }
 
+    /** A decision of 70 ms: late in its first period of 50 ms, there in the second. */
+    @Test
+    void aFastSimulationWaitsForALateDecisionInItsNextPeriodToo() throws IOException {
+        write(
+                "Slow",
+                "        java.util.concurrent.locks.LockSupport.parkNanos(70_000_000);\n"
+                        + "        return new Steering(0.5, 0);");
+        opened = open(folder, list, listener);
+        begin("Slow");
+        runUntil(() -> robot.xMeters() > 0);
+        double begun = robot.xMeters();
+        simulation.run(600);
+        assertTrue(robot.xMeters() > begun + 0.01, robot.xMeters() + " m after " + begun);
+    }
+
     @Test
     void aSourceFileDrivesARobot() throws IOException {
         write("Ahead", "        return new Steering(0.5, 0);");
