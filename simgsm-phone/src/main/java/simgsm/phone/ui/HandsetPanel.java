@@ -20,6 +20,7 @@ import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetSnapshot;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.station.StationSnapshot;
+import simgsm.ui.CommandGroup;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Drawing;
 import simgsm.ui.Lamp;
@@ -72,6 +73,7 @@ public final class HandsetPanel extends JPanel {
         foot = new HandsetFooter(texts, this::toggle);
         place(foot, HandsetLayout.FOOT);
         UserAction goToEvents = new UserAction("events.go", texts.of("events.title"), this::goToEvents)
+                .in(CommandGroup.VIEW)
                 .onKey(this, KeyEvent.VK_2, InputEvent.ALT_DOWN_MASK);
         foot.setToolTip(HandsetFold.EVENTS, (String) goToEvents.getValue(Action.SHORT_DESCRIPTION));
         Keyboard.install(this, texts, controls);

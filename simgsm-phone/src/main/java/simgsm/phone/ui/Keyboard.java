@@ -11,6 +11,7 @@ import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import javax.swing.AbstractAction;
 import javax.swing.ActionMap;
 import javax.swing.InputMap;
@@ -77,7 +78,8 @@ final class Keyboard {
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, false), "erase");
         inputs.put(KeyStroke.getKeyStroke(KeyEvent.VK_BACK_SPACE, 0, true), "none");
         actions.put("erase", new UserAction("erase", "", controls::eraseDown));
-        KEYS.forEach((code, key) -> {
+        // the menu lists them in this order
+        new TreeMap<>(KEYS).forEach((code, key) -> {
             String name = PhoneKeyButton.nameOf(key);
             String meaning =
                     ARROWS.contains(key) ? "" : texts.of("key." + key.name().toLowerCase(Locale.ROOT));

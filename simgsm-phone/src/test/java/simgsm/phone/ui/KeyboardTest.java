@@ -9,8 +9,10 @@ import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -44,6 +46,29 @@ class KeyboardTest {
 
     private void letGo() {
         strike(KeyStroke.getKeyStroke(KeyEvent.VK_5, 0, true), null, 0);
+    }
+
+    @Test
+    void theMenuListsTheKeysOfThePhoneInTheirOrderAndTheEvents() {
+        List<String> listed = Stream.of(bench.panel.getActionMap().keys())
+                .map(bench.panel.getActionMap()::get)
+                .filter(UserAction.class::isInstance)
+                .map(UserAction.class::cast)
+                .filter(action -> action.group().isPresent() && !action.name().isBlank())
+                .sorted(Comparator.comparing((UserAction action) -> action.group().orElseThrow())
+                        .thenComparing(UserAction::number))
+                .map(UserAction::name)
+                .toList();
+        assertEquals(
+                List.of(
+                        "Hang up",
+                        "Write a message",
+                        "Left key of the display",
+                        "Right key of the display",
+                        "Call",
+                        "Menu",
+                        "Events"),
+                listed);
     }
 
     @ParameterizedTest
