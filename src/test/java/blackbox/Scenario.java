@@ -155,6 +155,13 @@ public class Scenario implements AutoCloseable {
 
     /** Starts SimRobot with a world of ours, answering calls at once, and waits until its modem is registered. */
     public RunningProgram robot(String world, String... options) {
+        RunningProgram robot = unregisteredRobot(world, options);
+        robot.expect("registered");
+        return robot;
+    }
+
+    /** Starts SimRobot without waiting for its modem's registration. */
+    RunningProgram unregisteredRobot(String world, String... options) {
         RunningProgram robot = headless(
                 "robot",
                 "simrobot",
@@ -169,7 +176,6 @@ public class Scenario implements AutoCloseable {
                         "0"),
                 options);
         robot.expect("ready");
-        robot.expect("registered");
         return robot;
     }
 

@@ -157,7 +157,8 @@ class SequenceDiagramsTest {
         suite.phone(VirtualSuite.PHONE, Sim.of(card));
         suite.seconds(0.5);
         trace.add("== a phone with another key ==");
-        SimCard wrong = new SimCard(card.imsi(), card.number(), card.opc(), card.opc());
+        SimCard wrong = new SimCard(
+                card.imsi(), card.number(), card.opc().orElseThrow(), card.opc().orElseThrow());
         suite.phone(VirtualSuite.PHONE, Sim.of(wrong));
         suite.seconds(0.5);
         hold("authentication", "Registration in a closed network (TS 24.008, 4.3.2; TS 35.206)", PHONE, CENTER);

@@ -20,6 +20,7 @@ import simgsm.phone.handset.Handset;
 import simgsm.phone.handset.Refusal;
 import simgsm.phone.handset.UserCodes;
 import simgsm.phone.store.StoredMessage;
+import simgsm.sim.CardPin;
 import simgsm.sms.ChannelList;
 import simgsm.ss.ServiceCode;
 import simgsm.ss.UssdText;
@@ -37,6 +38,8 @@ final class PhoneCommands implements Console.Commands {
             .add("play", PhoneCommands::play)
             .add("sms", PhoneCommands::sms)
             .add("ussd", PhoneCommands::ussd)
+            .add("pin", PhoneCommands::pin)
+            .add("puk", PhoneCommands::puk)
             .add("name", PhoneCommands::name)
             .add("inbox", (phone, command) -> phone.inbox())
             .add("channels", PhoneCommands::channels)
@@ -121,6 +124,26 @@ final class PhoneCommands implements Console.Commands {
             throw new CommandException("ussd: expected ussd CODE, found nothing after it");
         }
         perform(command, handset -> handset.ussd(text));
+    }
+
+    private void pin(ConsoleCommand command) throws CommandException {
+        String pin = command.words(1, "pin CODE").get(0);
+        check(command, CardPin.isPin(pin), "a PIN of 4 to 8 digits");
+        perform(command, handset -> handset.codes().useCard(card -> card.verify(pin)));
+    }
+
+    private void puk(ConsoleCommand command) throws CommandException {
+        List<String> codes = command.words(2, "puk PUK NEWPIN");
+        check(command, CardPin.isPuk(codes.get(0)), "a PUK of 8 digits");
+        check(command, CardPin.isPin(codes.get(1)), "a new PIN of 4 to 8 digits");
+        perform(command, handset -> handset.codes().useCard(card -> card.unblock(codes.get(0), codes.get(1))));
+    }
+
+    /** The error does not repeat what was found, because it may be nearly the code. */
+    private static void check(ConsoleCommand command, boolean isValid, String expected) throws CommandException {
+        if (!isValid) {
+            throw new CommandException(command.name() + ": expected " + expected);
+        }
     }
 
     private void name(ConsoleCommand command) throws CommandException {

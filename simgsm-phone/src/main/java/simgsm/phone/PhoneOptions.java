@@ -13,7 +13,7 @@ import simgsm.console.TextBundle;
 import simgsm.console.UsageException;
 import simgsm.phone.screen.KeyMode;
 import simgsm.phone.screen.UserSettings;
-import simgsm.sim.SimCard;
+import simgsm.sim.InsertedCard;
 import simgsm.sim.SimSlot;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
@@ -50,11 +50,11 @@ record PhoneOptions(
     static PhoneOptions of(Arguments arguments) throws UsageException, IOException {
         SimSlot slot = SimSlot.of(arguments.path("sim"));
         Optional<Msisdn> given = arguments.value("number", slot.isEmpty() ? PhoneOptions::ownNumber : Msisdn::parse);
-        Optional<SimCard> card = Arguments.checked(() -> slot.card(given));
-        Msisdn number = card.map(SimCard::number).or(() -> given).orElse(new Msisdn(DEFAULT_NUMBER));
+        Optional<InsertedCard> card = Arguments.checked(() -> slot.card(given));
+        Msisdn number = card.map(InsertedCard::number).or(() -> given).orElse(new Msisdn(DEFAULT_NUMBER));
         Imei imei = imei(arguments, number);
         return new PhoneOptions(
-                card.map(inserted -> StationIdentity.ofCard(inserted, imei, UNIT_NAME))
+                card.map(inserted -> StationIdentity.ofCard(inserted.card(), imei, UNIT_NAME))
                         .orElseGet(() -> StationIdentity.ofOpenNumber(number, imei, UNIT_NAME)),
                 card.map(Sim::of).orElse(Sim.WITHOUT_KEY),
                 UserSettings.delivered(

@@ -11,7 +11,7 @@ import simgsm.air.Msisdn;
 import simgsm.console.UsageException;
 import simgsm.modem.ModemOptions;
 import simgsm.net.LineAddress;
-import simgsm.sim.SimCard;
+import simgsm.sim.InsertedCard;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
@@ -62,7 +62,7 @@ public final class Fleet {
 
     /** Supplies the SIM card of a modem; none in an open network. */
     public interface Cards {
-        Optional<SimCard> of(Msisdn number) throws UsageException;
+        Optional<InsertedCard> of(Msisdn number) throws UsageException;
     }
 
     /**
@@ -176,7 +176,7 @@ public final class Fleet {
      */
     public TelephoneRobot add(RobotName name, Optional<Pose> place)
             throws RobotRefusal, IOException, InterruptedException {
-        Optional<SimCard> card = card(name);
+        Optional<InsertedCard> card = card(name);
         CallAudioListener recorder = kit.recording().of(name.name());
         try {
             return simRobot.onSimulation(() -> attempt(name, card, place, recorder));
@@ -188,7 +188,7 @@ public final class Fleet {
         }
     }
 
-    private Optional<SimCard> card(RobotName name) throws RobotRefusal {
+    private Optional<InsertedCard> card(RobotName name) throws RobotRefusal {
         try {
             Imsi.ofOpenNumber(name.number());
             return kit.cards().of(name.number());
@@ -198,7 +198,7 @@ public final class Fleet {
     }
 
     private TelephoneRobot attempt(
-            RobotName name, Optional<SimCard> card, Optional<Pose> place, CallAudioListener recorder)
+            RobotName name, Optional<InsertedCard> card, Optional<Pose> place, CallAudioListener recorder)
             throws RobotRefusal {
         if (simRobot.robots().stream().anyMatch(other -> other.number().equals(name.number()))) {
             throw new RobotRefusal(Reason.NUMBER_TAKEN, "another robot has the number " + name.number());
@@ -261,7 +261,8 @@ public final class Fleet {
         return simRobot.addBehind(modem, robot, name.number(), kit.answerAfterMillis());
     }
 
-    private TelephoneRobot join(Pioneer robot, RobotName name, Optional<SimCard> card, CallAudioListener recorder) {
+    private TelephoneRobot join(
+            Pioneer robot, RobotName name, Optional<InsertedCard> card, CallAudioListener recorder) {
         ModemOptions options = new ModemOptions(new StationOptions(kit.codec(), recorder), kit.answerAfterMillis());
         Imei imei = imei(name.number());
         return card.isPresent()

@@ -30,7 +30,7 @@ import simgsm.modem.at.port.AtPort;
 import simgsm.modem.client.AttachedModem;
 import simgsm.modem.client.ModemLine;
 import simgsm.net.LineAddress;
-import simgsm.sim.SimCard;
+import simgsm.sim.InsertedCard;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.CallMonitor;
@@ -112,8 +112,8 @@ public final class SimRobot implements AutoCloseable {
     }
 
     /** Adds a robot whose modem has a SIM card. */
-    public TelephoneRobot add(Pioneer robot, SimCard card, Imei imei, ModemOptions options) {
-        return add(robot, StationIdentity.ofCard(card, imei, UNIT_NAME), Sim.of(card), options);
+    public TelephoneRobot add(Pioneer robot, InsertedCard card, Imei imei, ModemOptions options) {
+        return add(robot, StationIdentity.ofCard(card.card(), imei, UNIT_NAME), Sim.of(card), options);
     }
 
     private TelephoneRobot add(Pioneer robot, StationIdentity identity, Sim sim, ModemOptions options) {

@@ -132,7 +132,8 @@ public final class NewSims {
     }
 
     private static String line(SimCard card) {
-        return "sim number=" + card.number() + " imsi=" + card.imsi() + " k=" + card.k() + " opc=" + card.opc();
+        return "sim number=" + card.number() + " imsi=" + card.imsi() + " k=" + card.k() + " opc="
+                + card.opc().orElseThrow();
     }
 
     /** The heading of a new list, or a missing line break at the end of the list. */

@@ -12,7 +12,6 @@ import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.octets.OctetString;
-import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
 import simgsm.sim.Subscription;
 
@@ -37,7 +36,7 @@ class TowerAuthenticationTest {
         String request = west.nextLayer3();
         assertTrue(request.startsWith("0512"), request);
         OctetString rand = OctetString.ofHex(request.substring(6));
-        west.tell(channel, header + GsmVector.of(card.functions(), rand).sres());
+        west.tell(channel, header + card.vector(rand).sres());
     }
 
     private String register(SimCard card, String imei) {

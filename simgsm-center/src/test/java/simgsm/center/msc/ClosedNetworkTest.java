@@ -25,7 +25,6 @@ import simgsm.air.Tmsi;
 import simgsm.center.msc.mobility.CardAuthentication;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.octets.OctetString;
-import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
 import simgsm.sim.Subscription;
 import simgsm.sms.SmsAddress;
@@ -208,7 +207,7 @@ class ClosedNetworkTest {
         MobilityManagement.AuthenticationRequest request = mobile.next(MobilityManagement.AuthenticationRequest.class);
         network.passSeconds(12);
         mobile.tell(new MobilityManagement.AuthenticationResponse(
-                GsmVector.of(ANA.functions(), request.rand()).sres()));
+                ANA.vector(request.rand()).sres()));
         mobile.leaveReleasedChannel();
         assertTrue(mobile.hasNothing());
         assertTrue(network.events.isEmpty());
@@ -223,8 +222,8 @@ class ClosedNetworkTest {
                 mobile.next(MobilityManagement.AuthenticationRequest.class).rand();
         mobile.leaveChannel();
         requestService(mobile, MobilityManagement.NO_KEY);
-        mobile.tell(new MobilityManagement.AuthenticationResponse(
-                GsmVector.of(ANA.functions(), first).sres()));
+        mobile.tell(
+                new MobilityManagement.AuthenticationResponse(ANA.vector(first).sres()));
         mobile.prove(ANA);
         abandonService(mobile);
         assertEquals(1, network.events.size(), "still attached");

@@ -29,7 +29,6 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.link.LinkPort;
 import simgsm.center.msc.link.Peer;
 import simgsm.octets.OctetString;
-import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
 
 /** A mobile that does only what the test tells it, in genuine octets; what the network sends piles up to be looked at. */
@@ -256,7 +255,7 @@ final class TestMobile implements LinkPort {
     /** The card's answer to the last challenge. */
     MobilityManagement.AuthenticationResponse responseOf(SimCard card) {
         return new MobilityManagement.AuthenticationResponse(
-                GsmVector.of(card.functions(), challenge.orElseThrow()).sres());
+                card.vector(challenge.orElseThrow()).sres());
     }
 
     /** Up to CM SERVICE ACCEPT. */

@@ -4,8 +4,7 @@ import simgsm.octets.OctetString;
 import simgsm.octets.Octets;
 
 /**
- * The GSM authentication vector of a challenge, derived from the UMTS values by the conversion functions c2 and c3
- * (TS 33.102, 6.8.1.2).
+ * The GSM authentication vector of a challenge.
  *
  * @param sres the card's answer, 4 octets
  * @param kc the ciphering key, 8 octets; not used, because the suite does not cipher
@@ -14,7 +13,7 @@ public record GsmVector(OctetString sres, OctetString kc) {
     public static final int SRES_LENGTH = 4;
     public static final int KC_LENGTH = 8;
 
-    /** The vector of a challenge. */
+    /** The UMTS values of a challenge, by the conversion functions c2 and c3 (TS 33.102, 6.8.1.2). */
     public static GsmVector of(Milenage functions, OctetString rand) {
         byte[] res = functions.f2(rand).toArray();
         byte[] ck = functions.f3(rand).toArray();

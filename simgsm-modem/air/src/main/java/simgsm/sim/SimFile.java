@@ -1,6 +1,7 @@
 package simgsm.sim;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -8,6 +9,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.file.FileReplacement;
 import simgsm.file.Utf8Text;
 
 /**
@@ -20,7 +22,9 @@ import simgsm.file.Utf8Text;
  *   barred-imei 490154203237518
  * </pre>
  *
- * where HEX is 32 hexadecimal digits. Each number and each IMSI may occur once only.
+ * where HEX is 32 hexadecimal digits; further words of a {@code sim} line are {@code algorithm=comp128v1}, {@code
+ * comp128v2} or {@code comp128v3} in place of {@code opc=}, {@code pin=}, {@code puk=} and {@code pin-enabled=false}, and
+ * {@code pin-tries=} and {@code puk-tries=}, which {@link #keep} writes. Each number and each IMSI may occur once only.
  *
  * @param barredEquipment terminals that may not register
  */
@@ -46,6 +50,28 @@ public record SimFile(List<Subscription> subscriptions, Set<Imei> barredEquipmen
     public static SimFile read(Path file) throws IOException {
         return new SimFileReader(file.toString())
                 .read(Utf8Text.read(file).lines().toList());
+    }
+
+    /** Writes the PIN's present state into the line of a card; the rest of the file stays. */
+    public static void keep(Path file, Msisdn number, CardPin pin) throws IOException {
+        String text = Utf8Text.read(file)
+                .lines()
+                .map(line -> isOf(line, number) ? withPin(line, pin) : line)
+                .collect(Collectors.joining("\n", "", "\n"));
+        FileReplacement.writePrivately(file, text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static boolean isOf(String line, Msisdn number) {
+        return line.strip().matches("sim\\b[^#]*\\snumber=" + number.digits() + "(\\s.*)?");
+    }
+
+    private static String withPin(String line, CardPin pin) {
+        int comment = line.indexOf('#');
+        String content = comment < 0 ? line : line.substring(0, comment);
+        return content.replaceAll("\\s+(pin|puk|pin-enabled|pin-tries|puk-tries)=\\S*", "")
+                        .stripTrailing()
+                + " pin=" + pin.pin() + " puk=" + pin.puk() + " pin-enabled=" + pin.isEnabled() + " pin-tries="
+                + pin.tries() + " puk-tries=" + pin.pukTries() + (comment < 0 ? "" : " " + line.substring(comment));
     }
 
     /** The card of a number. */

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
@@ -17,7 +18,8 @@ import simgsm.octets.OctetString;
 final class SimFileReader {
     private static final String LINES = "sim ... or barred-imei IMEI";
     private static final String BYTE_ORDER_MARK = "\ufeff";
-    private static final Set<String> FIELDS = Set.of("number", "imsi", "k", "op", "opc");
+    private static final Set<String> FIELDS = Set.of(
+            "number", "imsi", "k", "op", "opc", "algorithm", "pin", "puk", "pin-enabled", "pin-tries", "puk-tries");
 
     private final String file;
     private final List<Subscription> subscriptions = new ArrayList<>();
@@ -89,7 +91,8 @@ final class SimFileReader {
         String name = equals < 0 ? word : word.substring(0, equals);
         if (equals < 0 || !FIELDS.contains(name)) {
             throw new IllegalArgumentException(
-                    "expected number=, imsi=, k=, opc= (or op=) or barred, found " + name + (equals < 0 ? "" : "="));
+                    "expected number=, imsi=, k=, opc= (or op=), algorithm=, pin=, puk=, pin-enabled= or barred, found "
+                            + name + (equals < 0 ? "" : "="));
         }
         if (fields.put(name, word.substring(equals + 1)) != null) {
             throw new IllegalArgumentException("expected " + name + "= once, found it twice");
@@ -100,12 +103,49 @@ final class SimFileReader {
         Msisdn number = new Msisdn(required(fields, "number"));
         Imsi imsi = new Imsi(required(fields, "imsi"));
         OctetString k = key(fields, "k");
-        if (fields.containsKey("op") == fields.containsKey("opc")) {
-            throw new IllegalArgumentException(
-                    "expected opc= or op=, found " + (fields.containsKey("op") ? "both" : "neither"));
+        CardAlgorithm algorithm = CardAlgorithm.named(fields.getOrDefault("algorithm", CardAlgorithm.MILENAGE.word()));
+        return new SimCard(imsi, number, k, algorithm, opc(fields, k, algorithm), pin(fields));
+    }
+
+    private static Optional<OctetString> opc(Map<String, String> fields, OctetString k, CardAlgorithm algorithm) {
+        boolean hasOp = fields.containsKey("op");
+        if (algorithm != CardAlgorithm.MILENAGE) {
+            if (hasOp || fields.containsKey("opc")) {
+                throw new IllegalArgumentException("expected neither opc= nor op= with " + algorithm.word());
+            }
+            return Optional.empty();
         }
-        OctetString opc = fields.containsKey("opc") ? key(fields, "opc") : Milenage.opc(k, key(fields, "op"));
-        return new SimCard(imsi, number, k, opc);
+        if (hasOp == fields.containsKey("opc")) {
+            throw new IllegalArgumentException("expected opc= or op=, found " + (hasOp ? "both" : "neither"));
+        }
+        return Optional.of(hasOp ? Milenage.opc(k, key(fields, "op")) : key(fields, "opc"));
+    }
+
+    private static Optional<CardPin> pin(Map<String, String> fields) {
+        if (!fields.containsKey("pin")) {
+            if (fields.keySet().stream().anyMatch(name -> name.startsWith("pin-") || name.startsWith("puk"))) {
+                throw new IllegalArgumentException("expected pin=, found none");
+            }
+            return Optional.empty();
+        }
+        String enabled = fields.getOrDefault("pin-enabled", "true");
+        if (!enabled.equals("true") && !enabled.equals("false")) {
+            throw new IllegalArgumentException("expected pin-enabled= with true or false, found " + enabled);
+        }
+        return Optional.of(new CardPin(
+                fields.get("pin"),
+                required(fields, "puk"),
+                enabled.equals("true"),
+                tries(fields, "pin-tries", CardPin.TRIES),
+                tries(fields, "puk-tries", CardPin.PUK_TRIES)));
+    }
+
+    private static int tries(Map<String, String> fields, String name, int most) {
+        String text = fields.getOrDefault(name, String.valueOf(most));
+        if (!text.matches("[0-9]{1,2}")) {
+            throw new IllegalArgumentException("expected " + name + "= with 0 to " + most + ", found " + text);
+        }
+        return Integer.parseInt(text);
     }
 
     private static String required(Map<String, String> fields, String name) {

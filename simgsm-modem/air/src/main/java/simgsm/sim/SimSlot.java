@@ -1,12 +1,16 @@
 package simgsm.sim;
 
 import java.io.IOException;
+import java.lang.System.Logger.Level;
 import java.nio.file.Path;
 import java.util.Optional;
 import simgsm.air.Msisdn;
+import simgsm.file.FileErrors;
 
 /** The SIMs of {@code --sim FILE} for the terminals of a program. */
 public final class SimSlot {
+    private static final System.Logger LOG = System.getLogger(SimSlot.class.getName());
+
     private final Optional<Path> path;
     private final SimFile file;
 
@@ -35,7 +39,7 @@ public final class SimSlot {
      * @param number of the card; without it the file must hold exactly one
      * @throws IllegalArgumentException if the file has no such card, or several and no number is given
      */
-    public Optional<SimCard> card(Optional<Msisdn> number) {
+    public Optional<InsertedCard> card(Optional<Msisdn> number) {
         if (isEmpty()) {
             return Optional.empty();
         }
@@ -44,7 +48,18 @@ public final class SimSlot {
             throw new IllegalArgumentException("--sim: " + path.get() + " holds " + holdings() + ", "
                     + number.map(wanted -> "not that of " + wanted).orElse("choose one with --number"));
         }
-        return found;
+        return found.map(card -> new InsertedCard(card, lock(card)));
+    }
+
+    /** The lock of a card; its changes are kept in the file. */
+    private PinLock lock(SimCard card) {
+        return new PinLock(card.pin(), pin -> {
+            try {
+                SimFile.keep(path.orElseThrow(), card.number(), pin);
+            } catch (IOException e) {
+                LOG.log(Level.ERROR, "--sim: tries and changes of the PIN are not kept: {0}", FileErrors.describe(e));
+            }
+        });
     }
 
     private String holdings() {

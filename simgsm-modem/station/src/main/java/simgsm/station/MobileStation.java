@@ -3,6 +3,7 @@ package simgsm.station;
 import java.lang.System.Logger.Level;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.random.RandomGenerator;
 import simgsm.abis.IpaFrame;
 import simgsm.air.Cause;
@@ -10,6 +11,7 @@ import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
+import simgsm.sim.PinLock;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.call.KeySignalling;
@@ -24,7 +26,6 @@ import simgsm.station.context.StationIdentity;
 import simgsm.station.context.StationTimer;
 import simgsm.station.context.Uplink;
 import simgsm.station.mobility.MobileRegistration;
-import simgsm.station.mobility.MobileRegistrationTable.MobileRegistrationEvent;
 import simgsm.station.mobility.MobilityMessages;
 import simgsm.station.mobility.ServiceRequests;
 import simgsm.station.mobility.Sim;
@@ -42,6 +43,7 @@ public final class MobileStation implements StationCommands {
 
     private final StationContext context;
     private final ConnectionControl control;
+    private final PinLock lock;
     private final MobileRegistration registration;
     private final ServiceRequests services;
     private final MobilityMessages mobility;
@@ -53,6 +55,9 @@ public final class MobileStation implements StationCommands {
     private final MediaControl media;
     private final MessageDispatcher dispatcher;
     private final CellReception reception;
+    /** A card that demands nothing is not reported. */
+    private PinLock.Status toldCard = PinLock.none().status();
+
     private boolean linkUp;
     private volatile StationSnapshot snapshot;
 
@@ -80,7 +85,8 @@ public final class MobileStation implements StationCommands {
             Consumer<StationEvent> listener,
             RandomGenerator random) {
         context = StationContext.of(identity, listener, this::settle);
-        registration = new MobileRegistration(context, random);
+        lock = sim.lock();
+        registration = new MobileRegistration(context, lock, random);
         control = new ConnectionControl(context, registration::cellFound);
         services = new ServiceRequests(context, registration);
         mobility = new MobilityMessages(context, registration, services, sim);
@@ -159,7 +165,7 @@ public final class MobileStation implements StationCommands {
 
     @Override
     public void powerOn() {
-        registration.fire(MobileRegistrationEvent.POWER_ON);
+        registration.powerOn();
         settle();
     }
 
@@ -172,6 +178,14 @@ public final class MobileStation implements StationCommands {
             registration.powerOff();
             settle();
         }
+    }
+
+    @Override
+    public PinLock.Result useCard(Function<PinLock, PinLock.Result> command) {
+        PinLock.Result result = registration.isPowered() ? command.apply(lock) : PinLock.Result.REFUSED;
+        registration.cardAnswered();
+        settle();
+        return result;
     }
 
     @Override
@@ -319,6 +333,10 @@ public final class MobileStation implements StationCommands {
         }
         superviseIdleChannel();
         StationSnapshot now = current();
+        if (!now.card().equals(toldCard)) {
+            toldCard = now.card();
+            context.events().add(new StationEvent.SimStateChanged(toldCard.state(), toldCard.tries()));
+        }
         if (!now.equals(snapshot)) {
             snapshot = now;
             context.events().add(new StationEvent.StationChanged());
@@ -350,6 +368,7 @@ public final class MobileStation implements StationCommands {
                 call.peer(),
                 Optional.of(speech.codec()),
                 speech.heardCodec(),
-                reception.cell());
+                reception.cell(),
+                lock.status());
     }
 }

@@ -1,8 +1,10 @@
 package simgsm.station;
 
+import java.util.function.Function;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
+import simgsm.sim.PinLock;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.context.StationIdentity;
@@ -15,6 +17,9 @@ public interface StationCommands {
 
     /** Ends a call with cause 16 and detaches. */
     void powerOff();
+
+    /** Gives the card a command of its user. @return its answer; REFUSED if the station is off */
+    PinLock.Result useCard(Function<PinLock, PinLock.Result> command);
 
     /**
      * Calls a number; without service the call waits 5 s. @return false if a call is under way or the station is off

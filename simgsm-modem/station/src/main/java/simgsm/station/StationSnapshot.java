@@ -3,6 +3,7 @@ package simgsm.station;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
+import simgsm.sim.PinLock;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.call.MobileCallTable.MobileCallState;
 
@@ -16,6 +17,7 @@ import simgsm.station.call.MobileCallTable.MobileCallState;
  * @param peer the other party of the current call, if its number is known
  * @param codec of the speech sent; empty if a real modem does not name it
  * @param heardCodec of the newest speech frame received in the current call
+ * @param card what the SIM demands of its user
  * @param cell serving the station through a cells program; empty in its own small cell
  */
 public record StationSnapshot(
@@ -29,7 +31,8 @@ public record StationSnapshot(
         Optional<Msisdn> peer,
         Optional<SpeechCodec.Kind> codec,
         Optional<SpeechCodec.Kind> heardCodec,
-        Optional<ServingCell> cell) {
+        Optional<ServingCell> cell,
+        PinLock.Status card) {
     /** The bars of a display; all of them in the station's own small cell. */
     public int signalBars(int most) {
         return registered ? cell.map(serving -> serving.bars(most)).orElse(most) : 0;

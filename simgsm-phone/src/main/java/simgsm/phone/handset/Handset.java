@@ -192,7 +192,8 @@ public final class Handset {
         return userCodes;
     }
 
-    ServiceCodes codes() {
+    /** Performs codes typed by the user. */
+    public ServiceCodes codes() {
         return codes;
     }
 
@@ -241,6 +242,7 @@ public final class Handset {
 
     public void powerOn() {
         station.powerOn();
+        screens.askForPin(station.snapshot().card());
         changed();
     }
 
@@ -249,6 +251,7 @@ public final class Handset {
         station.powerOff();
         audio.stopTones();
         home.clear();
+        screens.home();
         changed();
     }
 
@@ -290,10 +293,7 @@ public final class Handset {
         changed();
     }
 
-    /**
-     * True if {@link #timePassed} must be called within 20 ms: for key tones, letters and long presses without a
-     * call.
-     */
+    /** True if {@link #timePassed} is due within 20 ms: key tones, letters, and long presses without a call. */
     public boolean wantsTime() {
         return audio.wantsTime() || screens.wantsTime() || home.wantsTime(call.phase());
     }
@@ -349,8 +349,8 @@ public final class Handset {
             keysSignalled.accept(ofKey);
         } else if (event instanceof StationEvent.OfMessage message) {
             store.mailbox().accept(message);
-        } else if (event instanceof StationEvent.OfUssd ofUssd) {
-            screens.accept(ofUssd);
+        } else {
+            screens.accept(event, station.snapshot().card());
         }
     }
 

@@ -1,6 +1,8 @@
 package simgsm.phone.handset;
 
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.HomeKeys;
@@ -8,6 +10,7 @@ import simgsm.phone.screen.KeyIntent;
 import simgsm.phone.screen.PhoneKey;
 import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.screen.ScreenNavigation;
+import simgsm.sim.PinLock;
 import simgsm.ss.ServiceCode;
 
 /**
@@ -15,6 +18,8 @@ import simgsm.ss.ServiceCode;
  * the handset.
  */
 public final class HandsetKeys {
+    private static final Set<PhoneKey> OPENING = EnumSet.of(PhoneKey.OK, PhoneKey.SOFT_LEFT, PhoneKey.MENU);
+
     private final Handset handset;
     private final PhoneCall call;
     private final HandsetAudio audio;
@@ -44,16 +49,26 @@ public final class HandsetKeys {
             handset.hangUp();
         } else if (key == PhoneKey.CALL && call.phase() == CallPhase.RINGING) {
             handset.answer();
+        } else if (asksForPin(key)) {
+            screens.askForPin(handset.station().snapshot().card());
         } else if (screens.isHome()) {
             endTones();
             perform(home.press(key, handset.situation()));
-            if (home.typed().equals(ServiceCode.IMEI)) {
-                handset.codes().showImei();
+            if (home.typed().equals(ServiceCode.IMEI) || PinLock.isCode(home.typed())) {
+                handset.ussd(home.typed());
             }
         } else {
             perform(screens.press(key, nowNanos));
         }
         handset.changed();
+    }
+
+    /** True if the key opens the SIM's question again, which the red key has left for an emergency call. */
+    private boolean asksForPin(PhoneKey key) {
+        return OPENING.contains(key)
+                && screens.isHome()
+                && home.typed().isEmpty()
+                && !handset.station().snapshot().card().isReady();
     }
 
     /** The red key ends the current call; a held one once the user has read the end of the call before it. */
@@ -83,6 +98,8 @@ public final class HandsetKeys {
             send(text);
         } else if (intent instanceof KeyIntent.SendUssd code) {
             handset.ussd(code.text()).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, code.text()));
+        } else if (intent instanceof KeyIntent.UseCard use) {
+            handset.codes().useCard(use.command());
         } else if (intent instanceof KeyIntent.ChangeSettings change) {
             handset.set(change.settings());
         } else {

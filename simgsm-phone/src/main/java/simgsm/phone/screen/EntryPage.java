@@ -14,6 +14,8 @@ final class EntryPage extends TextEntryPage {
         NUMBER("+0123456789"),
         /** A number with the signs of service codes. */
         CODE("+0123456789*#"),
+        /** A secret number, shown as stars. */
+        PIN("0123456789"),
         /** Any text. */
         NAME("");
 
@@ -67,7 +69,8 @@ final class EntryPage extends TextEntryPage {
     @Override
     Screen screen() {
         Optional<TextEntry.Mode> mode = kind == Kind.NAME ? Optional.of(entry.mode()) : Optional.empty();
-        return new Screen.Entry(title, entry.text(), entry.caret(), entry.choices(), mode);
+        String shown = kind == Kind.PIN ? "*".repeat(entry.text().length()) : entry.text();
+        return new Screen.Entry(title, shown, entry.caret(), entry.choices(), mode);
     }
 
     @Override

@@ -1,9 +1,11 @@
 package simgsm.phone.screen;
 
 import java.util.Optional;
+import java.util.function.Function;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.store.StoredMessage;
+import simgsm.sim.PinLock;
 
 /** The handset's action after a pressed key, beyond a change of the screen. */
 public sealed interface KeyIntent {
@@ -38,6 +40,9 @@ public sealed interface KeyIntent {
 
     /** A service code, or the reply to the network's question. */
     record SendUssd(String text) implements KeyIntent {}
+
+    /** Gives the SIM a code of its user. */
+    record UseCard(Function<PinLock, PinLock.Result> command) implements KeyIntent {}
 
     /** @param replaced failed message that is sent again */
     record SendText(Msisdn to, String text, Optional<StoredMessage> replaced) implements KeyIntent {}

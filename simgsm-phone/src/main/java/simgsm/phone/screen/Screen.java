@@ -120,6 +120,12 @@ public sealed interface Screen {
             REFUSED,
             NOT_A_NUMBER,
             SAVED,
+            /** The SIM refuses a PIN or PUK; the detail is the number of tries left. */
+            PIN_WRONG,
+            /** A PIN has 4 to 8 digits, a PUK 8. */
+            PIN_LENGTH,
+            /** The two new PINs differ. */
+            PIN_DIFFERS,
             /** The SIM has no room for another name. */
             SIM_FULL,
             /** The network refused keys; the detail is the cause. */

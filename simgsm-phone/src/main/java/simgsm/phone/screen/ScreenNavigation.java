@@ -8,6 +8,7 @@ import simgsm.phone.screen.Screen.Note;
 import simgsm.phone.store.CallLog;
 import simgsm.phone.store.Contacts;
 import simgsm.phone.store.Mailbox;
+import simgsm.sim.PinLock;
 import simgsm.station.context.StationEvent;
 
 /** All screens except the home screen: the menu, its pages, and the functions of the keys on them. */
@@ -21,6 +22,7 @@ public final class ScreenNavigation {
     final CallPages calls;
     private final ServicePages services;
     private final SettingsPages settings;
+    private final PinPages pins;
     private final Supplier<List<Words>> about;
 
     /** @param about lines about the phone and its network */
@@ -36,6 +38,7 @@ public final class ScreenNavigation {
         messages = new MessagePages(stack, mailbox, contacts, names);
         names.setWriteTo(messages::writeTo);
         calls = new CallPages(stack, log, contacts, names, messages);
+        pins = new PinPages(stack);
         services = new ServicePages(stack, names);
         this.settings = new SettingsPages(stack, settings);
     }
@@ -93,6 +96,16 @@ public final class ScreenNavigation {
         return stack.open(TextPage.of(stack, Words.of("menu.about"), about));
     }
 
+    /** Asks for the code that the SIM demands. */
+    public KeyIntent askForPin(PinLock.Status card) {
+        return pins.ask(card);
+    }
+
+    /** The SIM has answered a code. */
+    public void cardAnswered(PinLock.Result result, PinLock.Status card) {
+        pins.answered(result, card);
+    }
+
     /** Shows the equipment's identity. */
     public void showImei(String imei) {
         stack.open(TextPage.of(stack, Words.plain("IMEI"), () -> List.of(Words.plain(imei))));
@@ -112,8 +125,12 @@ public final class ScreenNavigation {
         ussd.sent(text);
     }
 
-    public void accept(StationEvent.OfUssd event) {
-        ussd.accept(event);
+    public void accept(StationEvent event, PinLock.Status card) {
+        if (event instanceof StationEvent.OfUssd ofUssd) {
+            ussd.accept(ofUssd);
+        } else if (event instanceof StationEvent.SimStateChanged) {
+            pins.ask(card);
+        }
     }
 
     /** The text is in the outbox: shows its progress. */

@@ -104,6 +104,9 @@ final class LcdHome {
     }
 
     private String reason(HandsetSnapshot phone) {
+        if (!phone.station().card().isReady()) {
+            return texts.of("lcd.sim." + phone.station().card().state().name().toLowerCase(Locale.ROOT));
+        }
         return phone.station()
                 .rejectCause()
                 .map(cause -> CauseText.ofRefusal(texts, cause, phone.station().cardRefused(), phone.own()))

@@ -4,12 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import simgsm.air.Cause;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
+import simgsm.sim.PinLock;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationCommands;
@@ -28,6 +30,9 @@ public final class FakeStation implements StationCommands {
 
     /** Whether a message fails before its submission returns. */
     public boolean failsAtOnce;
+
+    /** The card's lock. */
+    public PinLock card = PinLock.none();
 
     private boolean powered = true;
     private boolean inCall;
@@ -51,6 +56,11 @@ public final class FakeStation implements StationCommands {
         inCall = false;
         ringing = false;
         listener.accept(new StationEvent.Released(cause));
+    }
+
+    @Override
+    public PinLock.Result useCard(Function<PinLock, PinLock.Result> command) {
+        return command.apply(card);
     }
 
     @Override
@@ -183,6 +193,7 @@ public final class FakeStation implements StationCommands {
                 Optional.empty(),
                 Optional.of(SpeechCodec.Kind.A_LAW),
                 heardCodec,
-                Optional.empty());
+                Optional.empty(),
+                card.status());
     }
 }

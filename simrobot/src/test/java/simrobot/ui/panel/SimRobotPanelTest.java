@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.air.RejectCause;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
+import simgsm.sim.PinLock;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationSnapshot;
 import simgsm.station.call.MobileCallTable.MobileCallState;
@@ -282,7 +283,8 @@ class SimRobotPanelTest {
                 Optional.empty(),
                 Optional.of(SpeechCodec.Kind.A_LAW),
                 Optional.empty(),
-                Optional.empty());
+                Optional.empty(),
+                PinLock.none().status());
         WindowBench bench = bench(new TelephoneSnapshot(
                 line.robot(), line.number(), refused, line.heard(), line.orders(), line.tones(), line.audible()));
         assertEquals(words, bench.spoken("modem.network"));
@@ -307,7 +309,8 @@ class SimRobotPanelTest {
                 line.modem().peer(),
                 Optional.of(SpeechCodec.Kind.A_LAW),
                 Optional.empty(),
-                Optional.empty());
+                Optional.empty(),
+                PinLock.none().status());
         WindowBench bench = bench(new TelephoneSnapshot(
                 line.robot(), line.number(), ringing, line.heard(), line.orders(), line.tones(), line.audible()));
         assertEquals("Call: ringing, call from", bench.spoken("modem.call"));

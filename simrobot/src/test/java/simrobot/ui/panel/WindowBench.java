@@ -22,6 +22,7 @@ import javax.swing.SwingUtilities;
 import simgsm.air.Msisdn;
 import simgsm.draw.Ink;
 import simgsm.dtmf.ToneTrace;
+import simgsm.sim.PinLock;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationSnapshot;
 import simgsm.station.call.MobileCallTable.MobileCallState;
@@ -220,7 +221,8 @@ public final class WindowBench implements OperatorActions {
                 inCall ? Optional.of(new Msisdn("5550100")) : Optional.empty(),
                 Optional.of(SpeechCodec.Kind.A_LAW),
                 heardCodec,
-                Optional.empty());
+                Optional.empty(),
+                PinLock.none().status());
         return new TelephoneSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones, false);
     }
 

@@ -8,7 +8,6 @@ import simgsm.air.MobilityManagement;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.octets.OctetString;
-import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
 import simgsm.timer.Timer;
 
@@ -61,7 +60,7 @@ public final class CardAuthentication {
      */
     void begin(SimCard card, OctetString rand, Consumer<Boolean> outcome) {
         cancel();
-        expected = GsmVector.of(card.functions(), rand).sres();
+        expected = card.vector(rand).sres();
         ended = outcome;
         challengeSequence = (challengeSequence + 1) % MobilityManagement.NO_KEY;
         guard = link.timers().start(NetworkTimer.T3260.nanos(), this::unanswered);

@@ -19,8 +19,7 @@ public enum AtProfile {
             "0,100,4200",
             ",\"\",0,\"\",",
             "RDY",
-            "+CFUN: 1",
-            "+CPIN: READY");
+            "+CFUN: 1");
 
     public final String manufacturer;
     public final String revision;
@@ -28,7 +27,7 @@ public enum AtProfile {
     public final String battery;
     /** Fields of +CLIP between the number's type and its validity. */
     public final String callerFields;
-    /** Codes after power-on, before registration. */
+    /** Codes after power-on, before +CPIN and registration. */
     public final List<String> bootCodes;
 
     private final String model;

@@ -4,6 +4,10 @@ package simgsm.modem.at;
 public enum CmeError {
     OPERATION_NOT_ALLOWED(3, "operation not allowed"),
     OPERATION_NOT_SUPPORTED(4, "operation not supported"),
+    SIM_PIN_REQUIRED(11, "SIM PIN required"),
+    SIM_PUK_REQUIRED(12, "SIM PUK required"),
+    SIM_FAILURE(13, "SIM failure"),
+    INCORRECT_PASSWORD(16, "incorrect password"),
     MEMORY_FULL(20, "memory full"),
     INVALID_INDEX(21, "invalid index"),
     NOT_FOUND(22, "not found"),

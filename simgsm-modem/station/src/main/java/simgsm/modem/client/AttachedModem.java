@@ -19,6 +19,7 @@ import simgsm.modem.client.AttachedCallTable.AttachedCallPhase;
 import simgsm.modem.client.ModemServiceTable.ServiceAction;
 import simgsm.modem.client.ModemServiceTable.ServiceEvent;
 import simgsm.modem.client.ModemServiceTable.ServiceState;
+import simgsm.sim.PinLock;
 import simgsm.state.StateMachine;
 import simgsm.station.StationSnapshot;
 import simgsm.station.context.StationEvent;
@@ -389,7 +390,8 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
                 call.caller(),
                 Optional.empty(),
                 Optional.empty(),
-                Optional.empty());
+                Optional.empty(),
+                PinLock.none().status());
     }
 
     private String operatorName() {

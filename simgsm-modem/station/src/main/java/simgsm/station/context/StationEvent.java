@@ -10,6 +10,7 @@ import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.event.EventLine;
 import simgsm.octets.OctetString;
+import simgsm.sim.PinLock;
 import simgsm.sms.DeliveryStatus;
 import simgsm.ss.ServiceStatus;
 import simgsm.ss.SsError;
@@ -30,6 +31,13 @@ public sealed interface StationEvent {
     /** Registration is refused or lost; once for each cause. @param cause if the network refused */
     @EventLine("unregistered [cause=]")
     record StationUnregistered(Optional<RejectCause> cause) implements StationEvent {}
+
+    /**
+     * What the card demands of its user has changed, or its tries. @param tries left for the PIN, or in the state puk for
+     * the PUK
+     */
+    @EventLine("sim state= tries=")
+    record SimStateChanged(PinLock.State state, int tries) implements StationEvent {}
 
     /** The snapshot has changed. */
     record StationChanged() implements StationEvent {}

@@ -4,31 +4,41 @@ import java.util.Optional;
 import simgsm.air.RejectCause;
 import simgsm.octets.OctetString;
 import simgsm.octets.Octets;
-import simgsm.sim.GsmVector;
 import simgsm.sim.Milenage;
+import simgsm.sim.PinLock;
 import simgsm.sim.SimCard;
 
 /**
- * A SIM with a key. It answers every GSM challenge; a challenge with AUTN only if the MAC is right and SQN is higher than
- * all before (TS 33.102, 6.3.3).
+ * A SIM with a key. It answers every GSM challenge. With Milenage it answers a challenge with AUTN only if the MAC is
+ * right and SQN is higher than all before (TS 33.102, 6.3.3); other cards are no USIM, and AUTN is ignored.
  */
 final class KeyedSim implements Sim {
     /** AMF in the MAC-S of a resynchronisation (TS 33.102, 6.3.3). */
     private static final OctetString RESYNCHRONISATION_AMF = OctetString.ofHex("0000");
 
+    private final SimCard card;
+    private final PinLock lock;
+    /** Null without Milenage. */
     private final Milenage functions;
     /** The highest SQN so far, at first 0. */
     private long sequence;
 
-    KeyedSim(SimCard card) {
-        functions = card.functions();
+    KeyedSim(SimCard card, PinLock lock) {
+        this.card = card;
+        this.lock = lock;
+        functions = card.functions().orElse(null);
+    }
+
+    @Override
+    public PinLock lock() {
+        return lock;
     }
 
     @Override
     public AuthenticationResult authenticate(OctetString rand, Optional<OctetString> autn) {
-        return autn.isPresent()
+        return autn.isPresent() && functions != null
                 ? answer(rand, autn.get().toArray())
-                : AuthenticationResult.response(GsmVector.of(functions, rand).sres());
+                : AuthenticationResult.response(card.vector(rand).sres());
     }
 
     /** AUTN: SQN xor AK (6 octets), AMF (2), MAC-A (8). */

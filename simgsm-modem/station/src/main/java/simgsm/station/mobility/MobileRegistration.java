@@ -15,6 +15,7 @@ import simgsm.air.MobilityManagement.LocationUpdatingType;
 import simgsm.air.MobilityManagement.TmsiReallocationComplete;
 import simgsm.air.RejectCause;
 import simgsm.air.Tmsi;
+import simgsm.sim.PinLock;
 import simgsm.state.StateMachine;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
@@ -56,6 +57,7 @@ public final class MobileRegistration {
             EnumSet.of(RejectCause.IMSI_UNKNOWN_IN_HLR, RejectCause.ILLEGAL_MS, RejectCause.ILLEGAL_ME);
 
     private final StationContext context;
+    private final PinLock lock;
     private final StateMachine<MobileRegistrationState, MobileRegistrationEvent, MobileRegistrationAction> machine;
     private boolean cellFound;
     private int keySequence = NO_KEY;
@@ -77,10 +79,12 @@ public final class MobileRegistration {
     /**
      * Switched on, without a cell.
      *
+     * @param lock the card's: without its PIN the station does not register
      * @param random spreads the first periodic updates of many mobiles
      */
-    public MobileRegistration(StationContext context, RandomGenerator random) {
+    public MobileRegistration(StationContext context, PinLock lock, RandomGenerator random) {
         this.context = context;
+        this.lock = lock;
         periodic = new PeriodicUpdating(context.timers(), random);
         machine = new StateMachine<>(
                 MobileRegistrationTable.TABLE, context.identity().number(), this::perform);
@@ -217,6 +221,18 @@ public final class MobileRegistration {
         fire(MobileRegistrationEvent.LINK_LOST);
     }
 
+    public void powerOn() {
+        lock.reset();
+        fire(MobileRegistrationEvent.POWER_ON);
+    }
+
+    /** The card has answered its user; with the PIN the station registers. */
+    public void cardAnswered() {
+        if (state() == MobileRegistrationState.NO_CELL_AVAILABLE) {
+            searchCell();
+        }
+    }
+
     public void powerOff() {
         isSimInvalid = false;
         clearRefusal();
@@ -269,7 +285,7 @@ public final class MobileRegistration {
 
     private void searchCell() {
         context.radio().release();
-        if (cellFound && !isSimInvalid) {
+        if (cellFound && !isSimInvalid && lock.status().isReady()) {
             fire(MobileRegistrationEvent.CELL_FOUND);
         }
     }

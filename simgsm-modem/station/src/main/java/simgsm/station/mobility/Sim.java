@@ -3,17 +3,32 @@ package simgsm.station.mobility;
 import java.util.Optional;
 import simgsm.air.RejectCause;
 import simgsm.octets.OctetString;
+import simgsm.sim.InsertedCard;
+import simgsm.sim.PinLock;
 import simgsm.sim.SimCard;
 
 /** Answers the network's challenges (TS 24.008, 4.3.2). */
 @FunctionalInterface
 public interface Sim {
+    /** The lock of a card without a PIN. */
+    PinLock OPEN = PinLock.none();
+
     /** A SIM without a key: every authentication fails. */
     Sim WITHOUT_KEY = (rand, autn) -> AuthenticationResult.failure(RejectCause.MAC_FAILURE, Optional.empty());
 
-    /** A SIM with a key. */
+    /** A SIM with a key and without a PIN. */
     static Sim of(SimCard card) {
-        return new KeyedSim(card);
+        return of(new InsertedCard(card, OPEN));
+    }
+
+    /** A SIM with a key. */
+    static Sim of(InsertedCard card) {
+        return new KeyedSim(card.card(), card.lock());
+    }
+
+    /** The check of the card's user, the same at each call. */
+    default PinLock lock() {
+        return OPEN;
     }
 
     /**

@@ -61,6 +61,9 @@ public final class AtClient {
     void boot() {
         modem.profile().bootCodes.forEach(this::report);
         isBooting = modem.profile().boots();
+        if (isBooting) {
+            report("+CPIN: " + SimCommands.demand(SimCommands.status(this)));
+        }
         modem.network().check();
     }
 

@@ -1,13 +1,15 @@
 package simgsm.modem.at.command;
 
+import java.util.function.Function;
 import simgsm.modem.at.AddressType;
 import simgsm.modem.at.AtCommandTable;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
-import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmeError;
 import simgsm.modem.at.state.SimFiles;
+import simgsm.sim.CardPin;
+import simgsm.sim.PinLock;
 
 /** The SIM (TS 27.007, 5, 7 and 8). */
 final class SimCommands {
@@ -15,12 +17,19 @@ final class SimCommands {
 
     static void addTo(AtCommandTable<AtClient> table) {
         table.row("+CPIN")
-                .read((client, request) -> request.answer("READY"))
-                .setFor((client, request) -> new AtResult.EquipmentError(CmeError.OPERATION_NOT_ALLOWED));
-        table.row("+CIMI")
-                .execute((client, request) -> request.line(
-                        client.modem().terminal().station().identity().imsi().digits()));
+                .read((client, request) -> {
+                    if (status(client).state() == PinLock.State.BLOCKED) {
+                        throw new AtException(CmeError.SIM_FAILURE);
+                    }
+                    request.answer(demand(status(client)));
+                })
+                .set(SimCommands::enterCode);
+        table.row("+CIMI").execute((client, request) -> {
+            requireReady(client);
+            request.line(client.modem().terminal().station().identity().imsi().digits());
+        });
         table.row("+CNUM").execute((client, request) -> {
+            requireReady(client);
             String number =
                     client.modem().terminal().station().identity().number().toString();
             request.answer("\"\"", AtRequest.quoted(number), AddressType.of(number));
@@ -28,11 +37,15 @@ final class SimCommands {
         table.row("+CCID")
                 .execute((client, request) -> request.line(
                         client.modem().profile().cardNumber(files(client).iccid())));
-        table.row("+SPIC").execute((client, request) -> request.answer(3, 10, 3, 10));
-        table.row("+CPINR").execute((client, request) -> {
-            request.answer("SIM PIN", 3, 3);
-            request.answer("SIM PUK", 10, 10);
+        table.row("+SPIC").execute((client, request) -> {
+            PinLock.Status card = status(client);
+            request.answer(card.pinTries(), card.pukTries(), 0, 0);
         });
+        table.row("+CPINR").execute((client, request) -> {
+            request.answer("SIM PIN", status(client).pinTries(), CardPin.TRIES);
+            request.answer("SIM PUK", status(client).pukTries(), CardPin.PUK_TRIES);
+        });
+        table.row("+CPWD").set(SimCommands::changePin);
         table.row("+CLCK").set(SimCommands::lock);
         table.row("+CRSM").set(SimCommands::restrictedAccess);
     }
@@ -43,13 +56,82 @@ final class SimCommands {
                 client.modem().network().operatorName());
     }
 
+    static PinLock.Status status(AtClient client) {
+        return client.modem().terminal().station().snapshot().card();
+    }
+
+    /** The code that the card demands (TS 27.007, 8.3); of a blocked one the SIM800's word. */
+    static String demand(PinLock.Status card) {
+        return switch (card.state()) {
+            case READY -> "READY";
+            case PIN -> "SIM PIN";
+            case PUK -> "SIM PUK";
+            case BLOCKED -> "NOT READY";
+        };
+    }
+
+    /** What the card answers without its PIN. */
+    static void requireReady(AtClient client) throws AtException {
+        switch (status(client).state()) {
+            case READY -> {}
+            case PIN -> throw new AtException(CmeError.SIM_PIN_REQUIRED);
+            case PUK -> throw new AtException(CmeError.SIM_PUK_REQUIRED);
+            case BLOCKED -> throw new AtException(CmeError.SIM_FAILURE);
+        }
+    }
+
+    /** Gives the card a command of its user. */
+    static void useCard(AtClient client, Function<PinLock, PinLock.Result> command) throws AtException {
+        switch (client.modem().terminal().station().useCard(command)) {
+            case DONE -> {}
+            case WRONG ->
+                throw new AtException(
+                        status(client).pinTries() == 0 ? CmeError.SIM_PUK_REQUIRED : CmeError.INCORRECT_PASSWORD);
+            case REFUSED -> throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
+        }
+    }
+
+    private static void enterCode(AtClient client, AtRequest request) throws AtException {
+        AtParameters codes = request.parameters().atMost(2);
+        switch (status(client).state()) {
+            case PIN -> useCard(client, card -> card.verify(codes.text(0)));
+            case PUK -> {
+                String next = pin(codes, 1);
+                useCard(client, card -> card.unblock(codes.text(0), next));
+            }
+            case READY, BLOCKED -> throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
+        }
+    }
+
+    private static String pin(AtParameters parameters, int index) throws AtException {
+        if (!CardPin.isPin(parameters.text(index))) {
+            throw parameters.refused();
+        }
+        return parameters.text(index);
+    }
+
+    private static void changePin(AtClient client, AtRequest request) throws AtException {
+        AtParameters parameters = request.parameters().atMost(3);
+        requireSimLock(parameters);
+        String next = pin(parameters, 2);
+        useCard(client, card -> card.change(parameters.text(1), next));
+    }
+
+    private static void requireSimLock(AtParameters parameters) throws AtException {
+        if (!parameters.text(0).equalsIgnoreCase("SC")) {
+            throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
+        }
+    }
+
     private static void lock(AtClient client, AtRequest request) throws AtException {
         AtParameters parameters = request.parameters().atMost(4);
         int mode = parameters.number(1, 0, 2);
-        if (!parameters.text(0).equalsIgnoreCase("SC") || mode != 2) {
-            throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
+        requireSimLock(parameters);
+        if (mode == 2) {
+            request.answer(status(client).isEnabled() ? 1 : 0);
+        } else {
+            useCard(client, card -> card.enable(mode == 1, parameters.text(2)));
         }
-        request.answer(0);
     }
 
     private static void restrictedAccess(AtClient client, AtRequest request) throws AtException {

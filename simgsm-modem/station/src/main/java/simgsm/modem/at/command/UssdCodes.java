@@ -5,6 +5,7 @@ import java.util.Optional;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.CmeError;
+import simgsm.sim.PinLock;
 import simgsm.sms.GsmAlphabet;
 import simgsm.ss.ServiceCode;
 import simgsm.ss.ServiceStatus;
@@ -41,6 +42,10 @@ final class UssdCodes {
                                 OVER,
                                 modem.terminal().station().identity().imei().digits()));
             }
+            return;
+        }
+        if (PinLock.isCode(text)) {
+            SimCommands.useCard(client, card -> card.perform(text));
             return;
         }
         try {
