@@ -125,4 +125,53 @@ class SimPinTest {
             program.expect("registered");
         }
     }
+
+    @Test
+    void aRobotBehindAModemThatAsksForAPinSaysSoAndEntersItFromItsFileOnce() throws Exception {
+        String list = list("milenage", "pin=1234 puk=" + PUK);
+        Path wrong = Files.writeString(cards.resolve("wrong"), "0000\n");
+        Path right = Files.writeString(cards.resolve("right"), "1234\n");
+        try (Scenario scenario = new Scenario("--pin-file")) {
+            scenario.center("--hlr", list);
+            RunningProgram phone = scenario.unregisteredPhone(Scenario.PHONE, "--sim", list, "--at", "0");
+            phone.expect("sim", "state", "pin", "tries", "3");
+            RunningProgram robot = behind(scenario, phone, wrong);
+            robot.expect("modem", "state", "sim-pin");
+            phone.expect("sim", "state", "pin", "tries", "2");
+            scenario.tell("started again: now 2 tries are left, so the PIN is tried, and after that never again");
+            robot.kill();
+            robot = behind(scenario, phone, wrong);
+            phone.expect("sim", "state", "pin", "tries", "1");
+            robot.kill();
+            robot = behind(scenario, phone, right);
+            robot.expect("modem", "state", "sim-pin");
+            robot.say("wait modem state=ready 3");
+            robot.expect("error");
+            phone.say("pin 1234");
+            robot.expect("modem", "state", "ready");
+        }
+    }
+
+    private static RunningProgram behind(Scenario scenario, RunningProgram phone, Path pin) {
+        return scenario.start(
+                "robot",
+                "simrobot",
+                "--headless",
+                "--world",
+                Scenario.world("empty.map").toString(),
+                "--modem",
+                "127.0.0.1:" + phone.said("ready").field("at"),
+                "--pin-file",
+                pin.toString());
+    }
+
+    @Test
+    void aSimulatedModemTakesItsPinFromTheFileToo() throws Exception {
+        String list = list("comp128v3", "pin=1234 puk=" + PUK);
+        Path right = Files.writeString(cards.resolve("right"), "1234\n");
+        try (Scenario scenario = new Scenario("--pin-file for M2")) {
+            scenario.center("--hlr", list);
+            scenario.robot("empty.map", "--sim", list, "--pin-file", right.toString());
+        }
+    }
 }

@@ -40,6 +40,7 @@ import simrobot.app.window.SessionModel;
 import simrobot.app.window.WindowModel;
 import simrobot.control.FileExports;
 import simrobot.control.Fleet;
+import simrobot.control.RealModem;
 import simrobot.control.RobotConsole;
 import simrobot.control.RobotName;
 import simrobot.control.SimRobot;
@@ -224,7 +225,7 @@ public final class SimRobotMain {
         simRobot.simulation().onFailure(fault -> FatalError.end(NAME, fault));
         Fleet fleet = new Fleet(simRobot, kit);
         Optional<LineAddress> real = RequestedRobots.real(arguments, names);
-        Optional<LineAddress> modem = RequestedRobots.modem(arguments, names);
+        Optional<RealModem> modem = RequestedRobots.modem(arguments, names);
         if (real.isPresent()) {
             fleet.addReal(names.get(0), real.get(), RequestedRobots.parameters(arguments), simulation, modem);
         } else {

@@ -13,8 +13,12 @@ import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
+import simgsm.file.SecretFile;
+import simgsm.file.Utf8Text;
 import simgsm.net.LineAddress;
+import simgsm.sim.CardPin;
 import simgsm.sim.SimSlot;
+import simrobot.control.RealModem;
 import simrobot.control.RobotName;
 import simrobot.pioneer.RobotParameters;
 import simrobot.world.Home;
@@ -108,8 +112,9 @@ public final class RequestedRobots {
         return file.isEmpty() ? Optional.empty() : Optional.of(RobotParameters.read(file.get()));
     }
 
-    /** The address of a real modem; empty if the robots have M2. */
-    public static Optional<LineAddress> modem(Arguments arguments, List<RobotName> robots) throws UsageException {
+    /** A real modem; empty if the robots have M2. */
+    public static Optional<RealModem> modem(Arguments arguments, List<RobotName> robots)
+            throws UsageException, IOException {
         Optional<LineAddress> address = arguments.value("modem", LineAddress::parse);
         if (address.isPresent()) {
             if (robots.size() > 1) {
@@ -121,7 +126,22 @@ public final class RequestedRobots {
                 }
             }
         }
-        return address;
+        Optional<String> pin = pin(arguments);
+        return address.map(line -> new RealModem(line, pin));
+    }
+
+    /** The PIN in the file of {@code --pin-file}. */
+    static Optional<String> pin(Arguments arguments) throws UsageException, IOException {
+        Optional<Path> file = arguments.path("pin-file");
+        if (file.isEmpty()) {
+            return Optional.empty();
+        }
+        String pin = Utf8Text.read(file.get()).strip();
+        if (!CardPin.isPin(pin)) {
+            throw new IOException(file.get() + ": expected a PIN of 4 to 8 digits and nothing else");
+        }
+        SecretFile.check(file.get());
+        return Optional.of(pin);
     }
 
     private static void requireDifferent(List<RobotName> robots) throws UsageException {

@@ -1,5 +1,6 @@
 package simrobot.app;
 
+import java.io.IOException;
 import java.util.HashSet;
 import java.util.Locale;
 import java.util.Optional;
@@ -11,6 +12,7 @@ import simgsm.console.Arguments;
 import simgsm.console.Options;
 import simgsm.console.UsageException;
 import simgsm.modem.ModemOptions;
+import simgsm.sim.InsertedCard;
 import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
@@ -40,7 +42,8 @@ public final class SimRobotOptions {
 
     /** @param single true if there is one robot; its calls are recorded in the named file itself */
     public static Fleet.Kit kit(Arguments arguments, SimSlot slot, boolean single, long seed, BehaviourKind behaviour)
-            throws UsageException {
+            throws UsageException, IOException {
+        Optional<String> pin = RequestedRobots.pin(arguments);
         boolean power = arguments.choice("power", "on", "off").equals("on");
         boolean motors = arguments.choice("motors", "on", "off").equals("on");
         CallRecordings recordings = new CallRecordings(arguments.path("record-audio"), single);
@@ -56,7 +59,11 @@ public final class SimRobotOptions {
                         0,
                         ModemOptions.MAX_ANSWER_AFTER_MILLIS),
                 recordings,
-                number -> Arguments.checked(() -> slot.card(Optional.of(number))));
+                number -> {
+                    Optional<InsertedCard> card = Arguments.checked(() -> slot.card(Optional.of(number)));
+                    card.ifPresent(inserted -> pin.ifPresent(inserted::enter));
+                    return card;
+                });
     }
 
     /** Settings of the processes of {@code --behaviours}. */

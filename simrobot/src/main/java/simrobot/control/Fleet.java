@@ -124,7 +124,7 @@ public final class Fleet {
      *
      * @param modem the real modem that replaces M2
      */
-    public TelephoneRobot addFirst(RobotName name, Simulation simulation, Optional<LineAddress> modem)
+    public TelephoneRobot addFirst(RobotName name, Simulation simulation, Optional<RealModem> modem)
             throws IOException, UsageException {
         SimulatedRobot robot = placed(name, simulation, Optional.empty());
         return modem.isPresent() ? join(robot, name, modem.get()) : join(robot, name);
@@ -140,7 +140,7 @@ public final class Fleet {
             LineAddress address,
             Optional<RobotParameters> parameters,
             Simulation simulation,
-            Optional<LineAddress> modem)
+            Optional<RealModem> modem)
             throws IOException, UsageException {
         PioneerCall call = new PioneerCall(name.name(), address, simRobot.simulation());
         Pose start = simulation.world().items(Home.class).stream()
@@ -257,7 +257,7 @@ public final class Fleet {
         return join(robot, name, kit.cards().of(name.number()), kit.recording().of(name.name()));
     }
 
-    private TelephoneRobot join(Pioneer robot, RobotName name, LineAddress modem) {
+    private TelephoneRobot join(Pioneer robot, RobotName name, RealModem modem) {
         return simRobot.addBehind(modem, robot, name.number(), kit.answerAfterMillis());
     }
 

@@ -29,7 +29,6 @@ import simgsm.modem.at.command.ModemTerminal;
 import simgsm.modem.at.port.AtPort;
 import simgsm.modem.client.AttachedModem;
 import simgsm.modem.client.ModemLine;
-import simgsm.net.LineAddress;
 import simgsm.sim.InsertedCard;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
@@ -156,14 +155,19 @@ public final class SimRobot implements AutoCloseable {
      * @param number the SIM's
      * @throws IllegalArgumentException if another robot has the number
      */
-    TelephoneRobot addBehind(LineAddress modem, Pioneer robot, Msisdn number, int answerAfterMillis) {
+    TelephoneRobot addBehind(RealModem modem, Pioneer robot, Msisdn number, int answerAfterMillis) {
         requireFree(number);
-        ModemLine line = new ModemLine("modem of " + robot.name(), modem, cause -> FatalError.end("simrobot", cause));
+        ModemLine line =
+                new ModemLine("modem of " + robot.name(), modem.address(), cause -> FatalError.end("simrobot", cause));
         TelephoneRobot added = new TelephoneRobot(
                 robot,
                 number,
-                (admission, listener) -> line.attach(
-                        new AttachedModem(number, answerAfterMillis, Instant.now(), line::send, admission, listener)),
+                (admission, listener) -> {
+                    AttachedModem core = new AttachedModem(
+                            number, answerAfterMillis, Instant.now(), line::send, admission, listener);
+                    modem.pin().ifPresent(core::setPin);
+                    return line.attach(core);
+                },
                 settings,
                 new ControlThreads(line::execute, simulationThread, System::nanoTime));
         join(added, new ModemConnection(line::start, line::end, line::close));

@@ -32,7 +32,11 @@ public interface AnsweringModem {
     /** The newest state in words; callable on any thread. */
     default ModemEvent.StateChanged state() {
         StationSnapshot newest = snapshot();
-        ModemState state = newest.registered() ? ModemState.READY : ModemState.NO_NETWORK;
+        ModemState state = switch (newest.card().state()) {
+            case READY -> newest.registered() ? ModemState.READY : ModemState.NO_NETWORK;
+            case PIN -> ModemState.SIM_PIN;
+            case PUK, BLOCKED -> ModemState.SIM_PUK;
+        };
         return new ModemEvent.StateChanged(state, newest.networkName());
     }
 

@@ -68,6 +68,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private UnsolicitedCode bodyOf = UnsolicitedCode.NEWS;
     private volatile StationSnapshot snapshot;
     private final ReportedState state;
+    private PinEntry pin = PinEntry.NONE;
 
     /**
      * A modem with its line down.
@@ -95,6 +96,11 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         messages = new AttachedMessages(dialogue, timers, start, listener);
         service = new StateMachine<>(ModemServiceTable.TABLE, number, this::perform);
         snapshot = current();
+    }
+
+    /** Sets the PIN of the modem's SIM, before the start. */
+    public void setPin(String code) {
+        pin = new PinEntry(code);
     }
 
     // ---- line and time ---------------------------------------------------------------------------------------------
@@ -282,7 +288,12 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
 
     private void logged(SetupStep step, ModemCommand command, ModemAnswer answer, SetupVerdict verdict) {
         LOG.log(Level.DEBUG, command.text() + ": " + verdict.word() + ", " + answer.text());
-        step.obstacle(answer).ifPresent(obstacle -> setState(obstacle, answer.content()));
+        step.obstacle(answer).ifPresent(obstacle -> {
+            setState(obstacle, answer.content());
+            if (obstacle == ModemState.SIM_PIN) {
+                pin.asked(dialogue);
+            }
+        });
     }
 
     // ---- unsolicited codes

@@ -77,6 +77,32 @@ class AttachedModemTest {
         assertEquals(ModemState.READY, bench.modem.state().state());
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "+CPINR: SIM PIN,3,3|+CPINR: SIM PUK,10,10|OK; OK; 1",
+                "+CPINR: SIM PIN,2,3|OK; OK; 1",
+                "+CPINR: SIM PIN,1,3|OK; OK; 0",
+                "ERROR; +SPIC: 3,10,3,10|OK; 1",
+                "ERROR; +SPIC: 1,10,3,10|OK; 0",
+                "ERROR; ERROR; 0",
+            })
+    void aPinIsEnteredOnceAndNeverAsTheLastTry(String named, String counted, int entered) {
+        bench.modem.setPin("1234");
+        bench.answers.put("AT+CPIN?", "+CPIN: SIM PIN|OK");
+        bench.answers.put("AT+CPINR", named);
+        bench.answers.put("AT+SPIC", counted);
+        bench.answers.put("AT+CPIN=\"1234\"", "+CME ERROR: 16");
+        bench.ready();
+        bench.millis(5000);
+        assertEquals(
+                entered, bench.sent.stream().filter("AT+CPIN=\"1234\""::equals).count());
+        bench.answers.put("AT+CPIN?", "+CPIN: READY|OK");
+        bench.millis(1500);
+        assertEquals(List.of("sim-pin +CPIN: SIM PIN", "ready TestNet"), bench.states);
+    }
+
     @Test
     void aBusySimIsAskedAgainWithoutAWord() {
         bench.answers.put("AT+CPIN?", "+CME ERROR: 14");
