@@ -198,6 +198,7 @@ public final class Center implements AutoCloseable {
                         settings.language(),
                         settings.speaksUdp(),
                         TimeUnit.SECONDS.toNanos(settings.setupSeconds()),
+                        settings.emergencyNumber(),
                         settings.handover()),
                 store,
                 smpp.routes(),

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
+import simgsm.air.Msisdn;
 import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.capture.CapturePlan;
 import simgsm.center.net.PortLimits;
@@ -31,6 +32,7 @@ import simgsm.tone.ToneSet;
  * @param callWaiting true to offer a second call to a busy phone
  * @param speaksUdp true to send speech as RTP over UDP
  * @param setupSeconds T303: time for a called phone to answer SETUP
+ * @param emergencyNumber who answers 112 and 911; empty for a notice
  * @param handover decides on handovers of calls over towers
  */
 public record CenterSettings(
@@ -49,6 +51,7 @@ public record CenterSettings(
         boolean callWaiting,
         boolean speaksUdp,
         int setupSeconds,
+        Optional<Msisdn> emergencyNumber,
         HandoverAlgorithm handover) {
     private static final int T303_SECONDS = 30;
     private static final int LONGEST_T303_SECONDS = 300;
@@ -73,6 +76,7 @@ public record CenterSettings(
                 arguments.choice("call-waiting", "off", "on").equals("on"),
                 arguments.choice("rtp", "tcp", "udp").equals("udp"),
                 (int) arguments.integer("t303", T303_SECONDS, 1, LONGEST_T303_SECONDS),
+                arguments.value("emergency", Msisdn::new),
                 arguments.value("handover", HandoverAlgorithm::of).orElse(HandoverAlgorithm.STANDARD));
     }
 

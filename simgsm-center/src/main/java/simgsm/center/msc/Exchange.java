@@ -101,7 +101,12 @@ public final class Exchange {
                 civil, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);
         calls = new CallSwitch(
-                mobility, settings.tones(), settings.callWaiting(), settings.setupNanos(), this::callChanged);
+                mobility,
+                settings.tones(),
+                settings.emergencyNumber(),
+                settings.callWaiting(),
+                settings.setupNanos(),
+                this::callChanged);
         broadcaster = new Broadcaster(mobility, timers, random);
         signalling = new SignallingDispatcher(mobility, calls, mobiles, services, ladder);
         links = new Link.Context(

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
+import simgsm.air.Msisdn;
 import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.subscriber.HomeRegister;
@@ -22,6 +23,7 @@ import simgsm.tone.ToneSet;
  * @param language of the USSD texts
  * @param speaksUdp true to ask terminals for speech as RTP over UDP
  * @param setupNanos T303: time for a called mobile to answer SETUP
+ * @param emergencyNumber who answers 112 and 911; empty for a notice
  * @param handover decides when a call over towers moves to another cell
  */
 public record ExchangeSettings(
@@ -34,6 +36,7 @@ public record ExchangeSettings(
         Locale language,
         boolean speaksUdp,
         long setupNanos,
+        Optional<Msisdn> emergencyNumber,
         HandoverAlgorithm handover) {
     public static final String DEFAULT_NETWORK_NAME = "SimGSM";
 
@@ -69,6 +72,7 @@ public record ExchangeSettings(
                 language,
                 speaksUdp,
                 NetworkTimer.T303.nanos(),
+                Optional.empty(),
                 handover);
     }
 }

@@ -130,6 +130,10 @@ final class SignallingDispatcher implements MobileUplink {
         return violation.header().flatMap(Layer3Header::type).equals(Optional.of(type));
     }
 
+    private static boolean isEmergencyCall(Link link, Layer3Message message) {
+        return message instanceof CallControl && link.radio().emergencyCaller().isPresent();
+    }
+
     private void dispatch(Link link, Layer3Message message) {
         if (message instanceof MobilityManagement mobilityMessage) {
             mobility.receive(link, mobilityMessage);
@@ -137,7 +141,7 @@ final class SignallingDispatcher implements MobileUplink {
             mobility.receivePagingResponse(link, response);
         } else if (message instanceof RadioResource) {
             return;
-        } else if (!link.hasSubscriber()) {
+        } else if (!link.hasSubscriber() && !isEmergencyCall(link, message)) {
             link.violated("sent " + MessageText.nameOf(message, Direction.UPLINK) + " without being registered");
         } else if (message instanceof CallControl callControl) {
             calls.receive(link, callControl);

@@ -33,6 +33,9 @@ public sealed interface CallControl extends Layer3Message.OfTransaction {
         }
     }
 
+    /** Opens an emergency call, without a number. The speech bearer capability is written by the codec. */
+    record EmergencySetup(TransactionIdentifier transaction) implements CallControl {}
+
     /** A tone played by the mobile to its user (TS 24.008, 10.5.4.23); only the codes in use. */
     enum Signal implements Coded {
         /** Another call arrives during a call. */

@@ -99,6 +99,8 @@ public enum Layer3Type {
     CALL_CONFIRMED(up(3, 0x08, CallConfirmed.class, "Call Confirmed", "9.3.2")
             .with(row(0x04, BEARER_CAPABILITY, O, TLV, 3, 16))
             .with(row(0x08, CAUSE, O, TLV, 4, 32).to("cause"))),
+    EMERGENCY_SETUP(up(3, 0x0e, EmergencySetup.class, "Emergency Setup", "9.3.8")
+            .with(row(0x04, BEARER_CAPABILITY, O, TLV, 3, 11).sends("600402000581"))),
     CONNECT_ACKNOWLEDGE(both(3, 0x0f, ConnectAcknowledge.class, "Connect Acknowledge", "9.3.6")),
     HOLD(up(3, 0x18, Hold.class, "Hold", "9.3.10")),
     HOLD_ACKNOWLEDGE(down(3, 0x19, HoldAcknowledge.class, "Hold Acknowledge", "9.3.11")),

@@ -25,6 +25,11 @@ public record Msisdn(String digits, boolean international) {
         return international ? new Msisdn(digits) : this;
     }
 
+    /** True for 112 and 911, which a mobile calls by EMERGENCY SETUP (TS 22.101, 10.1). */
+    public boolean isEmergency() {
+        return digits.equals("112") || digits.equals("911");
+    }
+
     /** Without a regular expression: some 10 000 numbers are made per second under load. */
     private static boolean isDigits(String text) {
         for (int i = 0; i < text.length(); i++) {

@@ -8,6 +8,7 @@ import simgsm.air.CallControl.CallProceeding;
 import simgsm.air.CallControl.Connect;
 import simgsm.air.CallControl.ConnectAcknowledge;
 import simgsm.air.CallControl.Disconnect;
+import simgsm.air.CallControl.EmergencySetup;
 import simgsm.air.CallControl.Hold;
 import simgsm.air.CallControl.HoldAcknowledge;
 import simgsm.air.CallControl.HoldReject;
@@ -136,6 +137,7 @@ public final class Examples {
                     new Setup(ours(0), Optional.of(new Msisdn("5550100")), Optional.empty()),
                     "03050401a05c060183550501f0"),
             down(new Connect(theirs(0), Optional.of(new Msisdn("5550100"))), "83074c060183550501f0"),
+            up(new EmergencySetup(ours(0)), "030e0406600402000581"),
             up(new CallConfirmed(theirs(0)), "8308"),
             down(new CallProceeding(theirs(0)), "8302"),
             down(new Progress(theirs(0)), "830302e288"),

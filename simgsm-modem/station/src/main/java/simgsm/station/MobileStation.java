@@ -95,6 +95,7 @@ public final class MobileStation implements StationCommands {
         call = new MobileCall(context, services, this.speech, keys, options.callWaiting(), options.ignoresSetup());
         messages = new ShortMessages(context, services, random.nextInt(256));
         services.setUser(ServiceType.MOBILE_ORIGINATED_CALL, call);
+        services.setUser(ServiceType.EMERGENCY_CALL, call);
         media = new MediaControl(context);
         ussd = new MobileUssd(context, services);
         services.setUser(ServiceType.SHORT_MESSAGE, messages.sender());
@@ -183,7 +184,6 @@ public final class MobileStation implements StationCommands {
     @Override
     public PinLock.Result useCard(Function<PinLock, PinLock.Result> command) {
         PinLock.Result result = registration.isPowered() ? command.apply(lock) : PinLock.Result.REFUSED;
-        registration.cardAnswered();
         settle();
         return result;
     }

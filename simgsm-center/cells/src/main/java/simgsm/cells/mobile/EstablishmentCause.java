@@ -38,8 +38,10 @@ final class EstablishmentCause {
         return LOCATION_UPDATING;
     }
 
-    static boolean isLocationUpdating(OctetString firstMessage) {
-        return of(firstMessage) == LOCATION_UPDATING;
+    /** True for a registration, and for an emergency call, which may be a mobile's first message. */
+    static boolean waitsForCell(OctetString firstMessage) {
+        int cause = of(firstMessage);
+        return cause == LOCATION_UPDATING || cause == EMERGENCY_CALL;
     }
 
     /** The number of values of the lower bits. */

@@ -48,7 +48,7 @@ final class MeasurementCycle {
             mobile.link().measure();
             report();
             mobile.measured();
-        } else if (mobile.channel().isEmpty() && mobile.isIdentified()) {
+        } else if (mobile.channel().isEmpty() && mobile.isSwitchedOn()) {
             chooseCell(now);
         }
         tellCell();

@@ -269,10 +269,10 @@ public final class Mobile {
         int tower = selection.serving();
         if (tower == IdleSelection.NONE || !network.towers().get(tower).isInService()) {
             boolean isNetworkGone = network.towers().stream().noneMatch(BaseStation::isInService);
-            if (isNetworkGone || !EstablishmentCause.isLocationUpdating(firstMessage)) {
+            if (isNetworkGone || !EstablishmentCause.waitsForCell(firstMessage)) {
                 machine.fire(MobileRadioEvent.ACCESS_FAILED);
             }
-            // out of coverage a mobile that wants to register waits for a cell, until its terminal gives up
+            // out of coverage a mobile that wants to register, or calls for help, waits for a cell, until its terminal gives up
             return;
         }
         passed(PassingStep.Kind.CHANNEL_REQUEST, cell(), "", 0);
@@ -377,9 +377,9 @@ public final class Mobile {
         held.pass();
     }
 
-    /** True if the number is known: the terminal has sent its first message. */
-    boolean isIdentified() {
-        return identity.number().isPresent();
+    /** True if the terminal has sent its first message, so that it searches cells. */
+    boolean isSwitchedOn() {
+        return identity.number().isPresent() || firstMessage != null;
     }
 
     /** Begins an access that waited for a cell, after its selection. */

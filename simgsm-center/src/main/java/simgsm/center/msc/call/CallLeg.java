@@ -26,6 +26,7 @@ import simgsm.tone.ToneSet;
 public final class CallLeg implements PagedTransaction {
     private static final Map<Class<? extends CallControl>, NetworkCallEvent> EVENTS = Map.of(
             CallControl.Setup.class, NetworkCallEvent.SETUP_RECEIVED,
+            CallControl.EmergencySetup.class, NetworkCallEvent.SETUP_RECEIVED,
             CallControl.CallConfirmed.class, NetworkCallEvent.CALL_CONFIRMED_RECEIVED,
             CallControl.Alerting.class, NetworkCallEvent.ALERTING_RECEIVED,
             CallControl.Connect.class, NetworkCallEvent.CONNECT_RECEIVED,
@@ -230,6 +231,10 @@ public final class CallLeg implements PagedTransaction {
         }
     }
 
+    void playNotice() {
+        networkTones.playNotice();
+    }
+
     private void endKeys() {
         if (keyTones != null) {
             keyTones.end();
@@ -340,7 +345,7 @@ public final class CallLeg implements PagedTransaction {
                 link.send(new CallControl.Setup(transaction, waitingSignal(), calling, Optional.empty()));
             case SEND_CALL_PROCEEDING -> link.send(new CallControl.CallProceeding(transaction));
             case SEND_ALERTING -> link.send(new CallControl.Alerting(transaction, announcesTone));
-            case SEND_CONNECT -> link.send(new CallControl.Connect(transaction, Optional.of(call.connected())));
+            case SEND_CONNECT -> link.send(new CallControl.Connect(transaction, call.connected()));
             case SEND_CONNECT_ACKNOWLEDGE -> link.send(new CallControl.ConnectAcknowledge(transaction));
             case SEND_DISCONNECT ->
                 link.send(new CallControl.Disconnect(transaction, sentCause.orElse(cause), location, announcesTone));

@@ -1,5 +1,6 @@
 package simgsm.center.msc.call;
 
+import java.lang.System.Logger.Level;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.HashMap;
@@ -27,6 +28,10 @@ public final class CallSwitch implements LinkUser {
     /** Maximum of simultaneous calls; further ones are refused with cause 42. */
     static final int MAX_CALLS = 5_000;
 
+    private static final System.Logger LOG = System.getLogger(CallSwitch.class.getName());
+    /** The number of an emergency call, whose setup has none. */
+    private static final Msisdn EMERGENCY = new Msisdn("112");
+
     /** RTP version 2 in bits 8-7 of the first octet (RFC 3550, 5.1). */
     private static final int RTP_VERSION_MASK = 0xc0;
 
@@ -40,12 +45,14 @@ public final class CallSwitch implements LinkUser {
     private final Set<NetworkCall> calls = new LinkedHashSet<>();
     private final Map<Link, LinkCalls> links = new HashMap<>();
     private final Optional<ToneSet> tones;
+    private final Optional<Msisdn> emergencyNumber;
     private final KeyTap keyTap = new KeyTap();
     private long lastCallId;
     private long speechFramesSwitched;
 
     /**
      * @param tones of the network to callers, if any
+     * @param emergencyNumber who answers emergency calls; empty for a notice
      * @param callWaiting default of offering a second call to a mobile in a call
      * @param setupNanos T303
      * @param changes receives each call that enters a state
@@ -53,11 +60,13 @@ public final class CallSwitch implements LinkUser {
     public CallSwitch(
             MobilityProcedures mobility,
             Optional<ToneSet> tones,
+            Optional<Msisdn> emergencyNumber,
             boolean callWaiting,
             long setupNanos,
             Consumer<NetworkCall> changes) {
         this.setupNanos = setupNanos;
         this.tones = tones;
+        this.emergencyNumber = emergencyNumber;
         this.mobility = mobility;
         this.changes = changes;
         this.callWaiting = callWaiting;
@@ -113,9 +122,10 @@ public final class CallSwitch implements LinkUser {
     /** Passes a message to its leg; without one it is answered by TS 24.008, 8.3. */
     public void receive(Link link, CallControl message) {
         Optional<CallLeg> leg = leg(link, message.transaction());
-        if (message instanceof CallControl.Setup setup) {
-            if (leg.isEmpty() && !setup.transaction().fromOtherSide()) {
-                open(link, setup);
+        boolean isEmergency = message instanceof CallControl.EmergencySetup;
+        if (isEmergency || message instanceof CallControl.Setup) {
+            if (leg.isEmpty() && !message.transaction().fromOtherSide()) {
+                open(link, message);
             }
         } else if (leg.isPresent()) {
             leg.get().receive(message);
@@ -134,13 +144,22 @@ public final class CallSwitch implements LinkUser {
                 transaction.answered(), Optional.of(cause), Optional.of(CauseLocation.PUBLIC_NETWORK_OF_LOCAL_USER)));
     }
 
-    private void open(Link link, CallControl.Setup setup) {
-        if (link.radio().takeService()) {
-            NetworkCall call = new NetworkCall(
-                    this,
-                    on(link),
-                    setup.transaction().answered(),
-                    setup.called().map(Msisdn::plain));
+    private void open(Link link, CallControl setup) {
+        Optional<Msisdn> called =
+                setup instanceof CallControl.Setup normal ? normal.called().map(Msisdn::plain) : Optional.of(EMERGENCY);
+        boolean isEmergency = setup instanceof CallControl.EmergencySetup;
+        if (link.radio().takeService() && (isEmergency || link.hasSubscriber())) {
+            NetworkCall call =
+                    new NetworkCall(this, on(link), setup.transaction().answered(), called);
+            if (isEmergency) {
+                LOG.log(
+                        Level.WARNING,
+                        "{0}: emergency call, {1}",
+                        call.from(),
+                        emergencyNumber
+                                .map(number -> "to " + number)
+                                .orElse("answered by a notice, because --emergency names no number"));
+            }
             call.originating().receive(setup);
         } else {
             refuse(link, setup.transaction(), Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE);
@@ -149,11 +168,19 @@ public final class CallSwitch implements LinkUser {
 
     /** Connects a call to the called mobile, or refuses it. */
     void route(NetworkCall call) {
-        if (tones.isPresent()) {
+        if (tones.isPresent() || call.to().equals(Optional.of(EMERGENCY))) {
             // a tone for a refused call first needs a channel (TS 24.008, 5.2.1.2)
             call.originating().proceed();
         }
-        if (call.to().isEmpty()) {
+        if (call.to().equals(Optional.of(EMERGENCY))) {
+            // 112 dialled by an ordinary SETUP is an emergency call, too
+            emergencyNumber.ifPresentOrElse(
+                    number -> {
+                        call.turn(number);
+                        reach(call);
+                    },
+                    call::announce);
+        } else if (call.to().isEmpty()) {
             call.refuse(Cause.INVALID_NUMBER_FORMAT);
         } else if (!mobility.register().isAssigned(call.to().get())) {
             call.refuse(Cause.UNASSIGNED_NUMBER);

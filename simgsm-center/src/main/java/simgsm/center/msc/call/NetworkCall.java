@@ -5,6 +5,7 @@ import java.util.concurrent.TimeUnit;
 import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
+import simgsm.center.msc.link.NetworkTimer;
 import simgsm.ss.SsCode;
 import simgsm.timer.Timer;
 
@@ -36,7 +37,9 @@ public final class NetworkCall {
     NetworkCall(CallSwitch exchange, LinkCalls caller, TransactionIdentifier transaction, Optional<Msisdn> to) {
         this.exchange = exchange;
         this.id = exchange.nextCallId();
-        this.from = caller.link().subscriber().number();
+        this.from = caller.link().hasSubscriber()
+                ? caller.link().subscriber().number()
+                : caller.link().radio().emergencyCaller().orElseThrow();
         this.to = to;
         this.target = to;
         this.originating = new CallLeg(this, caller, transaction, Optional.empty(), exchange.tones());
@@ -84,9 +87,15 @@ public final class NetworkCall {
         return originating;
     }
 
-    /** The subscriber who answers, possibly after forwarding. */
-    Msisdn connected() {
-        return terminating.link().subscriber().number();
+    /** The subscriber who answers, possibly after forwarding; empty if the network does. */
+    Optional<Msisdn> connected() {
+        return Optional.ofNullable(terminating)
+                .map(leg -> leg.link().subscriber().number());
+    }
+
+    /** Answers the call with a notice, in place of a subscriber. */
+    void announce() {
+        answered();
     }
 
     /** Null until the called mobile is paged. */
@@ -186,6 +195,13 @@ public final class NetworkCall {
     void active() {
         activeSinceNanos = nowNanos();
         enter(CallProgress.ACTIVE);
+        if (terminating == null) {
+            originating.playNotice();
+            noReply = originating
+                    .link()
+                    .timers()
+                    .start(NetworkTimer.NOTICE.nanos(), () -> refuse(Cause.NORMAL_CALL_CLEARING));
+        }
     }
 
     /** Handles the clearing of a leg by its mobile, a timer or the loss of its link. */

@@ -78,6 +78,12 @@ final class NetworkTones {
         frameDue();
     }
 
+    /** Plays the special information tone, until {@link #stop}: nobody answers emergency calls here. */
+    void playNotice() {
+        player.start(set.orElse(ToneSet.EUROPEAN).cadence(ProgressTone.SPECIAL_INFORMATION));
+        frameDue();
+    }
+
     void stop() {
         link.timers().cancel(next);
         player.stop();

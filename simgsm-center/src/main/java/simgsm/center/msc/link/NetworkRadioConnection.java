@@ -1,5 +1,7 @@
 package simgsm.center.msc.link;
 
+import java.util.Optional;
+import simgsm.air.Msisdn;
 import simgsm.timer.Timer;
 
 /**
@@ -21,6 +23,8 @@ public final class NetworkRadioConnection {
     private Timer leaving;
     /** Runs while a mobile-originated transaction is granted and not yet begun. */
     private Timer service;
+
+    private Optional<Msisdn> emergencyCaller = Optional.empty();
 
     NetworkRadioConnection(Link link) {
         this.link = link;
@@ -44,6 +48,7 @@ public final class NetworkRadioConnection {
         link.timers().cancel(leaving);
         usedNanos = link.timers().nowNanos();
         state = State.ESTABLISHED;
+        emergencyCaller = Optional.empty();
         expectedSequence = 0;
     }
 
@@ -60,6 +65,17 @@ public final class NetworkRadioConnection {
         }
         expectedSequence ^= 1;
         return true;
+    }
+
+    /** Grants an emergency call. @param caller shown to its receiver if the mobile is not registered */
+    public void awaitEmergencyCall(Msisdn caller) {
+        emergencyCaller = Optional.of(caller);
+        awaitService();
+    }
+
+    /** The caller's number if an emergency call was granted on this connection. */
+    public Optional<Msisdn> emergencyCaller() {
+        return emergencyCaller;
     }
 
     /** Grants one mobile-originated transaction. */

@@ -50,6 +50,8 @@ public enum NetworkTimer {
     USSD_REPLY(60),
     /** The mobile does not begin the transaction that CM SERVICE ACCEPT allows. */
     SERVICE(10),
+    /** Length of the notice that answers an emergency call. */
+    NOTICE(5),
     /** A called mobile does not finish clearing its last call. */
     HELD_CALL(5),
     /** A peer, such as a port scanner, neither identifies itself nor registers. */

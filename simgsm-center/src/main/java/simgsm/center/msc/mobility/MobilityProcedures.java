@@ -260,6 +260,11 @@ public final class MobilityProcedures implements LinkUser {
     }
 
     private void serve(Link link, MobilityManagement.CmServiceRequest request) {
+        if (EmergencyCalls.isAskedBy(request)
+                && namedBy(link, request.identity()).isEmpty()) {
+            EmergencyCalls.admit(link, request.identity());
+            return;
+        }
         Optional<RejectCause> refusal = refusalOf(link, request);
         if (refusal.isPresent()) {
             link.send(new MobilityManagement.CmServiceReject(refusal.get()));
@@ -294,8 +299,12 @@ public final class MobilityProcedures implements LinkUser {
             link.send(new MobilityManagement.CmServiceReject(RejectCause.CONGESTION));
             return;
         }
-        link.send(new MobilityManagement.CmServiceAccept());
-        link.radio().awaitService();
+        if (EmergencyCalls.isAskedBy(request)) {
+            EmergencyCalls.admit(link, request.identity());
+        } else {
+            link.send(new MobilityManagement.CmServiceAccept());
+            link.radio().awaitService();
+        }
         heard(link);
     }
 

@@ -21,7 +21,6 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private static final int TRANSACTIONS = 7;
 
     private final StationContext context;
-    private final ServiceRequests services;
     private final CallSpeech speech;
     private final KeySignalling keys;
     private final boolean callWaiting;
@@ -39,7 +38,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     private Cause reportedCause = Cause.NORMAL_CALL_CLEARING;
     private final PeerHolds peerHolds;
-    private final ServiceWait serviceWait;
+    private final CallConnection connection;
     /** True while a message is processed that announces tones of the network. */
     private boolean tonesAnnounced;
 
@@ -58,13 +57,12 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
             boolean callWaiting,
             boolean ignoresSetup) {
         this.context = context;
-        this.services = services;
         this.speech = new CallSpeech(context, speech, keys, this::farEndSilent);
         this.keys = keys;
         this.callWaiting = callWaiting;
         this.ignoresSetup = ignoresSetup;
         this.peerHolds = new PeerHolds(context);
-        this.serviceWait = new ServiceWait(context, services, () -> refused(RejectCause.NETWORK_FAILURE));
+        this.connection = new CallConnection(context, services, () -> refused(RejectCause.NETWORK_FAILURE));
         this.second = new SecondCall(context, this::heldEnded, peerHolds::ended);
         hold = new CallHold(context, this, second);
         machine = new StateMachine<>(MobileCallTable.TABLE, context.identity().number(), this::perform);
@@ -101,8 +99,9 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private boolean begin(Msisdn number) {
         peer = Optional.of(number);
         transaction = freeTransaction();
+        connection.use(number.isEmergency() ? ServiceType.EMERGENCY_CALL : ServiceType.MOBILE_ORIGINATED_CALL);
         fire(MobileCallEvent.DIAL);
-        serviceWait.begin();
+        connection.begin();
         return true;
     }
 
@@ -114,7 +113,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     /** Continues or ends a call that waits for service once registration has succeeded or was refused. */
     public void checkService() {
-        serviceWait.check();
+        connection.check();
     }
 
     public boolean answer() {
@@ -204,7 +203,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private void heldEnded() {
         hold.heldEnded();
         if (state() == MobileCallState.NULL) {
-            services.release(ServiceType.MOBILE_ORIGINATED_CALL);
+            connection.release();
         }
     }
 
@@ -238,8 +237,8 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     /** A call that waits for service requests it again; any other ends. */
     @Override
     public void lost() {
-        if (serviceWait.isRunning()) {
-            services.request(ServiceType.MOBILE_ORIGINATED_CALL);
+        if (connection.isRunning()) {
+            connection.request();
             return;
         }
         second.end(Cause.TEMPORARY_FAILURE);
@@ -268,7 +267,8 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     private void ring(TransactionIdentifier received, Optional<Msisdn> caller, MobileCallEvent event) {
         transaction = received.answered();
         peer = caller;
-        services.adopt(ServiceType.MOBILE_ORIGINATED_CALL);
+        connection.use(ServiceType.MOBILE_ORIGINATED_CALL);
+        connection.adopt();
         fire(event);
     }
 
@@ -341,9 +341,13 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     private void perform(MobileCallAction action) {
         switch (action) {
-            case REQUEST_CONNECTION -> services.request(ServiceType.MOBILE_ORIGINATED_CALL);
+            case REQUEST_CONNECTION -> connection.request();
             case RELEASE_CONNECTION -> releaseConnection();
-            case SEND_SETUP -> send(new CallControl.Setup(transaction, Optional.empty(), peer));
+            case SEND_SETUP ->
+                send(
+                        connection.isEmergency()
+                                ? new CallControl.EmergencySetup(transaction)
+                                : new CallControl.Setup(transaction, Optional.empty(), peer));
             case SEND_CALL_CONFIRMED -> send(new CallControl.CallConfirmed(transaction));
             case SEND_ALERTING -> send(new CallControl.Alerting(transaction));
             case SEND_CONNECT -> send(new CallControl.Connect(transaction));
@@ -380,9 +384,9 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     /** The radio connection is kept while a call is held. */
     private void releaseConnection() {
         if (second.isHeld()) {
-            services.withdraw(ServiceType.MOBILE_ORIGINATED_CALL);
+            connection.withdraw();
         } else {
-            services.release(ServiceType.MOBILE_ORIGINATED_CALL);
+            connection.release();
         }
     }
 

@@ -64,9 +64,14 @@ public sealed interface StationEvent {
     /** The progress of a call. */
     sealed interface OfCall extends StationEvent {}
 
-    /** An outgoing call begins. */
-    @EventLine("calling number=")
-    record Calling(Msisdn number) implements OfCall {}
+    /** An outgoing call begins; {@code service=emergency} with 112 and 911. */
+    @EventLine("calling number= [service=]")
+    record Calling(Msisdn number) implements OfCall {
+        /** The word {@code emergency}, or nothing. */
+        public Optional<String> service() {
+            return number.isEmergency() ? Optional.of("emergency") : Optional.empty();
+        }
+    }
 
     /** The called terminal rings. */
     @EventLine("alerting")

@@ -144,6 +144,16 @@ public final class MobileRegistration {
         return tmsi.<MobileIdentity>map(t -> t).orElse(context.identity().imsi());
     }
 
+    /** The identity for a service: without registration the equipment's, for an emergency call (TS 24.008, 4.5.1.5). */
+    MobileIdentity serviceIdentity() {
+        return isRegistered() ? identity() : context.identity().imei();
+    }
+
+    /** True in a cell, without a location update under way. */
+    boolean permitsEmergencyCall() {
+        return cellFound && isPowered() && !needsRadio();
+    }
+
     public boolean isOwn(MobileIdentity identity) {
         return identity.equals(context.identity().imsi())
                 || tmsi.isPresent() && tmsi.get().equals(identity);
@@ -190,6 +200,8 @@ public final class MobileRegistration {
      */
     public void keepLocation() {
         if (!isRegistered()) {
+            // the card has been given its PIN
+            seekService();
             return;
         }
         periodic.idle();
@@ -224,13 +236,6 @@ public final class MobileRegistration {
     public void powerOn() {
         lock.reset();
         fire(MobileRegistrationEvent.POWER_ON);
-    }
-
-    /** The card has answered its user; with the PIN the station registers. */
-    public void cardAnswered() {
-        if (state() == MobileRegistrationState.NO_CELL_AVAILABLE) {
-            searchCell();
-        }
     }
 
     public void powerOff() {
@@ -285,7 +290,14 @@ public final class MobileRegistration {
 
     private void searchCell() {
         context.radio().release();
-        if (cellFound && !isSimInvalid && lock.status().isReady()) {
+        seekService();
+    }
+
+    private void seekService() {
+        if (state() == MobileRegistrationState.NO_CELL_AVAILABLE
+                && cellFound
+                && !isSimInvalid
+                && lock.status().isReady()) {
             fire(MobileRegistrationEvent.CELL_FOUND);
         }
     }
@@ -330,7 +342,18 @@ public final class MobileRegistration {
         if (isOverTowers()) {
             nanos = failures < ATTEMPTS ? StationTimer.T3211.nanos() : periodic.nanos();
         }
-        start(StationTimer.T3211, nanos, MobileRegistrationEvent.T3211_EXPIRED);
+        updateAfter(nanos);
+    }
+
+    /** An emergency call keeps its radio connection. */
+    private void updateAfter(long nanos) {
+        context.timers().start(StationTimer.T3211, nanos, () -> {
+            if (context.radio().isOpen()) {
+                updateAfter(QUICK_NANOS);
+            } else {
+                fire(MobileRegistrationEvent.T3211_EXPIRED);
+            }
+        });
     }
 
     /** True if a cell has sent its identity; the centre sends none on its direct links. */

@@ -58,6 +58,9 @@ public final class ServiceRequests {
     public void request(ServiceType service) {
         if (service == pending) {
             pendingReleased = false;
+        } else if (service == ServiceType.EMERGENCY_CALL) {
+            waiting.remove(service);
+            waiting.addFirst(service);
         } else if (!waiting.contains(service)) {
             waiting.add(service);
         }
@@ -102,9 +105,10 @@ public final class ServiceRequests {
         active.add(service);
     }
 
-    /** True if the station is registered; until then requests wait. */
-    public boolean isAvailable() {
-        return registration.isRegistered();
+    /** True if the station is registered, or, for an emergency call, has a cell; until then requests wait. */
+    public boolean isAvailable(ServiceType service) {
+        return registration.isRegistered()
+                || service == ServiceType.EMERGENCY_CALL && registration.permitsEmergencyCall();
     }
 
     /** True if the network has refused the station, so that a request would wait in vain. */
@@ -122,12 +126,13 @@ public final class ServiceRequests {
     }
 
     /** Sends the next request if none is pending. */
-    void serve() {
-        if (registration.isRegistered() && pending == null && !aborting && !waiting.isEmpty()) {
+    public void serve() {
+        if (pending == null && !aborting && !waiting.isEmpty() && isAvailable(waiting.peek())) {
             pending = waiting.poll();
             pendingReleased = false;
             context.timers().start(StationTimer.T3230, () -> refused(RejectCause.NETWORK_FAILURE));
-            context.radio().send(new CmServiceRequest(pending, registration.keySequence(), registration.identity()));
+            context.radio()
+                    .send(new CmServiceRequest(pending, registration.keySequence(), registration.serviceIdentity()));
         }
     }
 
