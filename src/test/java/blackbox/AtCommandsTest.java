@@ -104,9 +104,9 @@ class AtCommandsTest {
                 AT+CCWA?                   -> +CCWA: 1|OK
                 AT+CCWA=1,2                -> +CCWA: 0,7|OK
                 AT+CCWA=1,1                -> +CME ERROR: 4
-                AT+CLIR?                   -> +CLIR: 0,0|OK
+                AT+CLIR?                   -> +CLIR: 0,4|OK
                 AT+CLIR=0                  -> OK
-                AT+CLIR=1                  -> +CME ERROR: 4
+                AT+CLIR=1                  -> OK
                 """);
     }
 
@@ -615,13 +615,18 @@ class AtCommandsTest {
     }
 
     @Test
-    void theCodeThatShowsTheOwnNumberPrecedesACallAndTheOneThatHidesItIsRefused() {
+    void theCodesThatShowAndHideTheOwnNumberPrecedeACall() {
         VirtualModem other = suite.modem(OTHER).connect();
         assertEquals("OK", modem.say("ATD*31#" + OTHER + ";"));
         suite.seconds(0.2);
         assertEquals("RING", VirtualModem.lines(other.heard()));
-        modem.say("ATH;+CMEE=1");
-        assertEquals("+CME ERROR: 4", modem.say("ATD#31#" + OTHER + ";"));
+        modem.say("ATH");
+        suite.seconds(1);
+        other.heard();
+        other.say("AT+CLIP=1");
+        assertEquals("OK", modem.say("ATD#31#" + OTHER + ";"));
+        suite.seconds(0.2);
+        assertEquals("RING|+CLIP: \"\",129,,,,1", VirtualModem.lines(other.heard()));
     }
 
     @Test

@@ -47,7 +47,7 @@ class AtReadBackTest {
             "+COLP=1 -> 1,1",
             "+GSMBUSY=1 -> 1",
             "+CCWA=1 -> 1",
-            "+CLIR=2 -> 2,0",
+            "+CLIR=2 -> 2,4",
             "+VTD=7 -> 7",
             "+DDET=1,20,1 -> 1,20,1,0",
             "+CREG=1 -> 1,1",

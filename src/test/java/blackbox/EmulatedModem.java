@@ -10,10 +10,10 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import simgsm.octets.OctetString;
+import simgsm.octets.Timestamp;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.MessageSplitter;
 import simgsm.sms.SmsAddress;
-import simgsm.sms.Timestamp;
 import simgsm.sms.TpduCodec;
 
 /**

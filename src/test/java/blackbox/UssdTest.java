@@ -104,8 +104,8 @@ public class UssdTest {
         phone.say("dial *#43#").expect("service", "code", "43");
         phone.say("dial *31#" + Scenario.ROBOT).expect("calling", "number", Scenario.ROBOT);
         phone.say("hangup").expect("released");
-        String refused = "dial: the network hides no number; leave #31# out";
-        phone.say("dial #31#" + Scenario.ROBOT).expect("error", "text", refused);
+        phone.say("dial #31#" + Scenario.ROBOT).expect("calling", "number", Scenario.ROBOT);
+        phone.say("hangup").expect("released");
         phone.say("dial *31#abc").expect("error");
     }
 

@@ -74,7 +74,7 @@ final class PhoneCommands implements Console.Commands {
 
     private void dial(ConsoleCommand command) throws CommandException {
         String typed = command.words(1, "dial NUMBER").get(0);
-        if (!ServiceCode.isCode(typed) && !ServiceCode.isHidingCall(typed)) {
+        if (!ServiceCode.isCode(typed)) {
             number(command, ServiceCode.called(typed));
         }
         perform(command, handset -> handset.dial(typed));

@@ -15,6 +15,7 @@ import java.util.function.Function;
 import java.util.random.RandomGenerator;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
+import simgsm.air.MobilityManagement.MmInformation;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.center.bsc.BaseStationController;
@@ -91,7 +92,12 @@ public final class Exchange {
                 first -> store.commit(
                         MessageStore.NO_TICKET, List.of(new StoreEntry.Known(first.number(), first.imsi()))));
         mobility = new MobilityProcedures(
-                register, random, settings.networkName(), this::attached, this::detached, this::reachable);
+                register,
+                random,
+                () -> new MmInformation(settings.networkName(), Optional.of(civil.local())),
+                this::attached,
+                this::detached,
+                this::reachable);
         Function<Msisdn, Optional<Link>> locations =
                 number -> register.ofNumber(number).flatMap(mobility::locationOf);
         MobileMessages mobiles = new MobileMessages(locations);

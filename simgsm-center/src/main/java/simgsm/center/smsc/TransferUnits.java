@@ -8,11 +8,11 @@ import simgsm.air.Direction;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
+import simgsm.octets.Timestamp;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.DeliveryStatus;
 import simgsm.sms.StatusReportTpdu;
 import simgsm.sms.SubmitTpdu;
-import simgsm.sms.Timestamp;
 import simgsm.sms.TpduCodec;
 
 /** Converts accepted messages to transfer protocol data units and back (TS 23.040, 9.2.2). */

@@ -59,6 +59,7 @@ class CenterConsoleTest {
                 false,
                 false,
                 30,
+                Optional.empty(),
                 HandoverAlgorithm.STANDARD);
         center = Center.open(settings, temporary, 0);
     }

@@ -311,6 +311,7 @@ class CallTest {
                 Locale.ENGLISH,
                 false,
                 TimeUnit.SECONDS.toNanos(8),
+                Optional.empty(),
                 HandoverAlgorithm.STANDARD));
         TestMobile caller = patient.attach("5550100");
         TestMobile called = patient.attach("5550200");

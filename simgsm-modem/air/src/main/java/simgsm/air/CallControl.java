@@ -21,15 +21,19 @@ public sealed interface CallControl extends Layer3Message.OfTransaction {
      * has the speech bearer capability, written by the codec and not part of this record.
      *
      * @param signal tone that the called mobile plays
+     * @param redirecting who has forwarded the call to the called mobile, the last of several
+     * @param hidesNumber true to hide the caller's number in this call (CLIR invocation)
      */
     record Setup(
             TransactionIdentifier transaction,
             Optional<Signal> signal,
             Optional<Msisdn> calling,
-            Optional<Msisdn> called)
+            Optional<Msisdn> called,
+            Optional<Msisdn> redirecting,
+            boolean hidesNumber)
             implements CallControl {
         public Setup(TransactionIdentifier transaction, Optional<Msisdn> calling, Optional<Msisdn> called) {
-            this(transaction, Optional.empty(), calling, called);
+            this(transaction, Optional.empty(), calling, called, Optional.empty(), false);
         }
     }
 

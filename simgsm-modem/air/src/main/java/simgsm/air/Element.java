@@ -17,16 +17,17 @@ public final class Element {
         O
     }
 
-    /** Value, with identifier and length before it as the letters say; HALF is a value of half an octet, "V 1/2". */
+    /** Value, with identifier and length before it as the letters say; T has no value; HALF is a value of half an octet, "V 1/2". */
     public enum Format {
         HALF,
         V,
         LV,
+        T,
         TV,
         TLV;
 
         boolean hasIdentifier() {
-            return this == TV || this == TLV;
+            return this == T || this == TV || this == TLV;
         }
 
         boolean hasLength() {
@@ -140,7 +141,7 @@ public final class Element {
     }
 
     int fixedLength() {
-        return mostLength - (format == Format.TV ? 1 : 0);
+        return mostLength - (format == Format.TV || format == Format.T ? 1 : 0);
     }
 
     boolean isMandatory() {

@@ -230,10 +230,13 @@ public final class ElementTable {
     private void addTagged(List<Part> parts, MessageReader in, Direction direction) throws ProtocolViolation {
         int from = in.position();
         int identifier = in.octet("element identifier");
+        Element row = find(identifier, direction);
         if (identifier >= 0x80) {
+            if (row != null) {
+                parts.add(new Part(row, new MessageReader(new byte[0]), from, in.position()));
+            }
             return;
         }
-        Element row = find(identifier, direction);
         if (row == null && identifier < 0x10) {
             throw ProtocolViolation.invalid(
                     String.format("element 0x%02x must be understood and is not known here", identifier));

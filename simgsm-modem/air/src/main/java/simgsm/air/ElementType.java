@@ -1,9 +1,11 @@
 package simgsm.air;
 
+import java.time.OffsetDateTime;
 import java.util.function.BiConsumer;
 import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
+import simgsm.octets.Timestamp;
 
 /**
  * A type of information element: its name and clause in the standard, and the codec of its value, without identifier
@@ -31,7 +33,11 @@ public final class ElementType<V> {
     public static final ElementType<Void> CLASSMARK_2 = unread("Mobile station classmark 2", "10.5.1.6");
     static final ElementType<Void> SPARE = unread("Spare half octet", "10.5.1.8");
     static final ElementType<Void> TIME_ZONE = unread("Time zone", "10.5.3.8");
-    static final ElementType<Void> TIME = unread("Time zone and time", "10.5.3.9");
+    static final ElementType<OffsetDateTime> TIME = plain(
+            "Time zone and time",
+            "10.5.3.9",
+            (out, time) -> out.string(Timestamp.ofUniversal(time).octets()),
+            in -> new Timestamp(in.rest()).fromUniversal());
     static final ElementType<Void> MULTI_RATE = unread("MultiRate configuration", "10.5.2.21aa");
     static final ElementType<Void> FREQUENCY_LIST = unread("Frequency list", "10.5.2.13");
 
@@ -65,6 +71,12 @@ public final class ElementType<V> {
     static final ElementType<Msisdn> CALLING_NUMBER = CONNECTED_NUMBER.renamed("Calling party BCD number", "10.5.4.9");
     static final ElementType<Msisdn> CALLED_NUMBER =
             plain("Called party BCD number", "10.5.4.7", NumberElements::writeCalled, NumberElements::read);
+    static final ElementType<Msisdn> REDIRECTING_NUMBER =
+            CONNECTED_NUMBER.renamed("Redirecting party BCD number", "10.5.4.21b");
+    /** Without a value: its presence is one. */
+    static final ElementType<Boolean> CLIR_INVOCATION =
+            plain("CLIR invocation", "10.5.4.11b", (out, isPresent) -> {}, in -> true);
+
     public static final ElementType<OctetString> FACILITY = octets("Facility", "10.5.4.15");
     static final ElementType<Integer> SS_VERSION = number("SS version indicator", "10.5.4.24", 0xff);
 

@@ -1,6 +1,7 @@
 package simgsm.air;
 
 import static simgsm.air.Element.Format.LV;
+import static simgsm.air.Element.Format.T;
 import static simgsm.air.Element.Format.TLV;
 import static simgsm.air.Element.Format.TV;
 import static simgsm.air.Element.Format.V;
@@ -77,7 +78,9 @@ public enum Layer3Type {
                     .to("networkName")
                     .absentAs(""))
             .with(row(0x46, TIME_ZONE, O, TV, 2).named("Local time zone"))
-            .with(row(0x47, TIME, O, TV, 8).named("Universal time and local time zone"))),
+            .with(row(0x47, TIME, O, TV, 8)
+                    .named("Universal time and local time zone")
+                    .to("time"))),
 
     ALERTING(both(3, 0x01, Alerting.class, "Alerting", "9.3.1")
             .with(row(0x1e, PROGRESS_INDICATOR, O, TLV, 4).to("inBand").down())),
@@ -93,7 +96,9 @@ public enum Layer3Type {
             .with(row(0x34, SIGNAL, O, TV, 2).to("signal").down())
             .with(row(0x5c, CALLING_NUMBER, O, TLV, 3, 14).to("calling").down())
             .with(row(0x5e, CALLED_NUMBER, M, TLV, 3, 43).to("called").up())
-            .with(row(0x5e, CALLED_NUMBER, O, TLV, 3, 19).to("called").down())),
+            .with(row(0x5e, CALLED_NUMBER, O, TLV, 3, 19).to("called").down())
+            .with(row(0x74, REDIRECTING_NUMBER, O, TLV, 3, 19).to("redirecting").down())
+            .with(row(0xa2, CLIR_INVOCATION, O, T, 1).to("hidesNumber").up())),
     CONNECT(both(3, 0x07, Connect.class, "Connect", "9.3.5")
             .with(row(0x4c, CONNECTED_NUMBER, O, TLV, 3, 14).to("connected").down())),
     CALL_CONFIRMED(up(3, 0x08, CallConfirmed.class, "Call Confirmed", "9.3.2")

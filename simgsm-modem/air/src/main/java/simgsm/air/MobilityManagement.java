@@ -1,5 +1,6 @@
 package simgsm.air;
 
+import java.time.OffsetDateTime;
 import java.util.Optional;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
@@ -90,9 +91,13 @@ public sealed interface MobilityManagement extends Layer3Message {
 
     record TmsiReallocationComplete() implements MobilityManagement {}
 
-    /** @param networkName for the phone's display, at most 64 characters */
-    record MmInformation(String networkName) implements MobilityManagement {
+    /** @param networkName for the phone's display, at most 64 characters; @param time with the local time zone */
+    record MmInformation(String networkName, Optional<OffsetDateTime> time) implements MobilityManagement {
         public static final int MAX_NAME_LENGTH = 64;
+
+        public MmInformation(String networkName) {
+            this(networkName, Optional.empty());
+        }
 
         public MmInformation {
             if (networkName.length() > MAX_NAME_LENGTH) {

@@ -1,6 +1,7 @@
 package simgsm.sms;
 
 import simgsm.octets.Bounds;
+import simgsm.octets.Timestamp;
 
 /**
  * SMS-DELIVER, from the centre to a mobile.

@@ -1,6 +1,7 @@
 package simgsm.sms;
 
 import simgsm.octets.Bounds;
+import simgsm.octets.Timestamp;
 
 /**
  * SMS-STATUS-REPORT, from the centre to the mobile that sent a message.

@@ -7,6 +7,7 @@ import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
+import simgsm.octets.Timestamp;
 
 /** Converts transfer units to the octets of an RP-DATA and back (TS 23.040, 9.2.2). */
 public final class TpduCodec {

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import simgsm.octets.Bounds;
 import simgsm.octets.OctetString;
+import simgsm.octets.Timestamp;
 
 /** TP-VP: the time for which the centre attempts delivery (TS 23.040, 9.2.3.12). */
 public sealed interface ValidityPeriod {

@@ -60,7 +60,7 @@ public final class ServiceCode {
 
     /** The number called by a typed text. */
     public static String called(String typed) {
-        return typed.startsWith(SHOWING) ? typed.substring(SHOWING.length()) : typed;
+        return typed.startsWith(SHOWING) || typed.startsWith(HIDING) ? typed.substring(SHOWING.length()) : typed;
     }
 
     /**

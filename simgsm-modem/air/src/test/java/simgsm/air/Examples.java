@@ -1,5 +1,6 @@
 package simgsm.air;
 
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Optional;
 import simgsm.air.CallControl.Alerting;
@@ -107,6 +108,12 @@ public final class Examples {
             down(new LocationUpdatingReject(RejectCause.IMSI_UNKNOWN_IN_HLR), "050402"),
             new Example(new TmsiReallocationComplete(), UP, 1, "055b"),
             down(new MmInformation("SimGSM"), "0532430786d374fb386d02"),
+            down(
+                    new MmInformation("SimGSM", Optional.of(OffsetDateTime.parse("2026-11-21T12:00:30+01:00"))),
+                    "0532430786d374fb386d024762111211000340"),
+            down(
+                    new MmInformation("SimGSM", Optional.of(OffsetDateTime.parse("2026-11-21T22:00:30-03:30"))),
+                    "0532430786d374fb386d024762112210030349"),
             up(
                     new CmServiceRequest(ServiceType.MOBILE_ORIGINATED_CALL, 7, new Tmsi(0x1234abcd)),
                     "0524710333198105f41234abcd"),
@@ -137,6 +144,24 @@ public final class Examples {
                     new Setup(ours(0), Optional.of(new Msisdn("5550100")), Optional.empty()),
                     "03050401a05c060183550501f0"),
             down(new Connect(theirs(0), Optional.of(new Msisdn("5550100"))), "83074c060183550501f0"),
+            up(
+                    new Setup(
+                            ours(0),
+                            Optional.empty(),
+                            Optional.empty(),
+                            Optional.of(new Msisdn("5550200")),
+                            Optional.empty(),
+                            true),
+                    "030504066004020005815e0581550502f0a2"),
+            down(
+                    new Setup(
+                            ours(0),
+                            Optional.empty(),
+                            Optional.of(new Msisdn("5550100")),
+                            Optional.empty(),
+                            Optional.of(new Msisdn("5550101")),
+                            false),
+                    "03050401a05c060183550501f074060183550501f1"),
             up(new EmergencySetup(ours(0)), "030e0406600402000581"),
             up(new CallConfirmed(theirs(0)), "8308"),
             down(new CallProceeding(theirs(0)), "8302"),

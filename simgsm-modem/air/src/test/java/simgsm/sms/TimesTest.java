@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.octets.OctetString;
+import simgsm.octets.Timestamp;
 
 class TimesTest {
     private static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");

@@ -6,6 +6,7 @@ import java.util.Optional;
 import simgsm.air.Direction;
 import simgsm.air.Msisdn;
 import simgsm.octets.OctetString;
+import simgsm.octets.Timestamp;
 
 /** Transfer units with their octets. */
 final class TpduExamples {

@@ -2,6 +2,8 @@ package simgsm.timer;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.time.OffsetDateTime;
+import java.time.ZoneId;
 
 /**
  * Civil time. Timers use a monotonic clock; civil time follows the wall clock, which may be set and advances while
@@ -41,5 +43,10 @@ public final class CivilTime {
             reportedZero = zero;
         }
         return hasJumped;
+    }
+
+    /** The present time in this machine's time zone. */
+    public OffsetDateTime local() {
+        return now().atZone(ZoneId.systemDefault()).toOffsetDateTime();
     }
 }

@@ -194,6 +194,11 @@ public final class MobileStation implements StationCommands {
     }
 
     @Override
+    public void hideNumber(boolean hides) {
+        call.hideNumber(hides);
+    }
+
+    @Override
     public boolean answer() {
         return settled(call.answer());
     }

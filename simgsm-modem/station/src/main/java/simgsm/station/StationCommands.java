@@ -26,6 +26,9 @@ public interface StationCommands {
      */
     boolean dial(Msisdn number);
 
+    /** Hides the own number in the next dialled call, or shows it (CLIR, TS 24.081, 2). */
+    void hideNumber(boolean hides);
+
     /** Answers the ringing call. @return false if there is none */
     boolean answer();
 

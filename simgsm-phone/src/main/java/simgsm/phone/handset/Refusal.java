@@ -3,7 +3,6 @@ package simgsm.phone.handset;
 /** The reasons for which the handset refuses a command. */
 public enum Refusal {
     CALL_UNDER_WAY("a call is under way; hang up first"),
-    NUMBER_IS_SHOWN("the network hides no number; leave #31# out"),
     SIM_REFUSES("the SIM does not take this code now, or the two new PINs differ"),
     NO_CALL("there is no call; dial or answer first"),
     NOTHING_RINGS("no call rings"),

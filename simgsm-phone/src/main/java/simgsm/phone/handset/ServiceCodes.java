@@ -20,9 +20,9 @@ public final class ServiceCodes {
         if (ServiceCode.isCode(typed)) {
             return send(typed);
         }
-        return ServiceCode.isHidingCall(typed)
-                ? Optional.of(Refusal.NUMBER_IS_SHOWN)
-                : handset.dial(Msisdn.parse(ServiceCode.called(typed)));
+        Msisdn number = Msisdn.parse(ServiceCode.called(typed));
+        handset.station().hideNumber(ServiceCode.isHidingCall(typed));
+        return handset.dial(number);
     }
 
     /** Sends a USSD code, or the reply awaited by the network. */

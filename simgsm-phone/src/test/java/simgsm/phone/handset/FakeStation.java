@@ -80,6 +80,13 @@ public final class FakeStation implements StationCommands {
     }
 
     @Override
+    public void hideNumber(boolean hides) {
+        if (hides) {
+            asked.add("hide number");
+        }
+    }
+
+    @Override
     public boolean answer() {
         asked.add("answer");
         if (!ringing) {

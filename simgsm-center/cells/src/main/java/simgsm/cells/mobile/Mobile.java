@@ -272,7 +272,8 @@ public final class Mobile {
             if (isNetworkGone || !EstablishmentCause.waitsForCell(firstMessage)) {
                 machine.fire(MobileRadioEvent.ACCESS_FAILED);
             }
-            // out of coverage a mobile that wants to register, or calls for help, waits for a cell, until its terminal gives up
+            // out of coverage a mobile that wants to register, or calls for help, waits for a cell, until its terminal
+            // gives up
             return;
         }
         passed(PassingStep.Kind.CHANNEL_REQUEST, cell(), "", 0);

@@ -18,6 +18,7 @@ import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.msc.link.PagedTransaction;
 import simgsm.center.msc.link.RadioAccess.SpeechNeed;
 import simgsm.ss.HoldNotification;
+import simgsm.ss.SsCode;
 import simgsm.state.StateMachine;
 import simgsm.timer.Timer;
 import simgsm.tone.ToneSet;
@@ -145,7 +146,7 @@ public final class CallLeg implements PagedTransaction {
     }
 
     void linkLost() {
-        boolean isUnreachable = calling.isPresent() && !state().speaks();
+        boolean isUnreachable = this != call.originating() && !state().speaks();
         Cause why = isUnreachable ? Cause.DESTINATION_OUT_OF_ORDER : Cause.TEMPORARY_FAILURE;
         fire(NetworkCallEvent.LINK_LOST, why, Optional.empty());
     }
@@ -219,6 +220,13 @@ public final class CallLeg implements PagedTransaction {
     void notifyHold(boolean onHold) {
         if (state().speaks()) {
             link.send(new CallControl.Facility(transaction, HoldNotification.encode(onHold)));
+        }
+    }
+
+    /** Notifies the caller of a forwarding, once the network has accepted the call. */
+    void notifyForwarding(SsCode condition) {
+        if (state() == NetworkCallState.CALL_PROCEEDING || state() == NetworkCallState.CALL_DELIVERED) {
+            link.send(new CallControl.Facility(transaction, HoldNotification.encodeForwarded(condition)));
         }
     }
 
@@ -342,7 +350,8 @@ public final class CallLeg implements PagedTransaction {
     private void perform(NetworkCallAction action) {
         switch (action) {
             case SEND_SETUP ->
-                link.send(new CallControl.Setup(transaction, waitingSignal(), calling, Optional.empty()));
+                link.send(new CallControl.Setup(
+                        transaction, waitingSignal(), calling, Optional.empty(), call.redirecting(), false));
             case SEND_CALL_PROCEEDING -> link.send(new CallControl.CallProceeding(transaction));
             case SEND_ALERTING -> link.send(new CallControl.Alerting(transaction, announcesTone));
             case SEND_CONNECT -> link.send(new CallControl.Connect(transaction, call.connected()));

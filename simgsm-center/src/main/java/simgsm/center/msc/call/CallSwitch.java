@@ -149,8 +149,9 @@ public final class CallSwitch implements LinkUser {
                 setup instanceof CallControl.Setup normal ? normal.called().map(Msisdn::plain) : Optional.of(EMERGENCY);
         boolean isEmergency = setup instanceof CallControl.EmergencySetup;
         if (link.radio().takeService() && (isEmergency || link.hasSubscriber())) {
+            boolean isHidden = setup instanceof CallControl.Setup normal && normal.hidesNumber();
             NetworkCall call =
-                    new NetworkCall(this, on(link), setup.transaction().answered(), called);
+                    new NetworkCall(this, on(link), setup.transaction().answered(), called, isHidden);
             if (isEmergency) {
                 LOG.log(
                         Level.WARNING,
@@ -250,7 +251,7 @@ public final class CallSwitch implements LinkUser {
      */
     boolean divert(NetworkCall call, SsCode condition) {
         Optional<Msisdn> next = forwarding(call, condition);
-        if (next.isEmpty() || !call.turn(next.get())) {
+        if (next.isEmpty() || !call.forward(next.get(), condition)) {
             return false;
         }
         if (mobility.register().isAssigned(next.get())) {

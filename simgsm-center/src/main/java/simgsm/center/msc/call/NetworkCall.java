@@ -18,6 +18,9 @@ public final class NetworkCall {
     private final long id;
     private final Msisdn from;
     private final Optional<Msisdn> to;
+    /** True if the caller hides its number from the called mobile. */
+    private final boolean isHidden;
+
     private final CallLeg originating;
     private CallLeg terminating;
     /** The called link while this call is held; null otherwise. */
@@ -25,6 +28,9 @@ public final class NetworkCall {
 
     /** The current destination: the dialled number, or the last one of a forwarding. */
     private Optional<Msisdn> target;
+
+    /** The subscriber who has forwarded the call last. */
+    private Optional<Msisdn> redirecting = Optional.empty();
 
     private int forwardings;
     private boolean isAnswered;
@@ -34,13 +40,19 @@ public final class NetworkCall {
     private long activeSinceNanos;
     private long endedActiveSeconds;
 
-    NetworkCall(CallSwitch exchange, LinkCalls caller, TransactionIdentifier transaction, Optional<Msisdn> to) {
+    NetworkCall(
+            CallSwitch exchange,
+            LinkCalls caller,
+            TransactionIdentifier transaction,
+            Optional<Msisdn> to,
+            boolean isHidden) {
         this.exchange = exchange;
         this.id = exchange.nextCallId();
         this.from = caller.link().hasSubscriber()
                 ? caller.link().subscriber().number()
                 : caller.link().radio().emergencyCaller().orElseThrow();
         this.to = to;
+        this.isHidden = isHidden;
         this.target = to;
         this.originating = new CallLeg(this, caller, transaction, Optional.empty(), exchange.tones());
     }
@@ -129,6 +141,21 @@ public final class NetworkCall {
         return true;
     }
 
+    /** As {@link #turn}, for a subscriber's forwarding, of which the caller is told (TS 24.082). */
+    boolean forward(Msisdn next, SsCode condition) {
+        Optional<Msisdn> subscriber = target;
+        if (!turn(next)) {
+            return false;
+        }
+        redirecting = subscriber;
+        originating.notifyForwarding(condition);
+        return true;
+    }
+
+    Optional<Msisdn> redirecting() {
+        return redirecting;
+    }
+
     private void stopNoReply() {
         originating.link().timers().cancel(noReply);
     }
@@ -136,7 +163,8 @@ public final class NetworkCall {
     /** Calls the mobile on this link. */
     void extend(LinkCalls called, TransactionIdentifier transaction) {
         originating.proceed();
-        terminating = new CallLeg(this, called, transaction, Optional.of(from), Optional.empty());
+        terminating =
+                new CallLeg(this, called, transaction, Optional.of(from).filter(number -> !isHidden), Optional.empty());
         terminating.page();
     }
 

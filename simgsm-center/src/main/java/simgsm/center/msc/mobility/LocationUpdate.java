@@ -177,7 +177,7 @@ final class LocationUpdate {
                 mobility.attached(admitted, equipment, link);
             }
             case CONFIRM_TMSI -> mobility.register().confirmTmsi(admitted);
-            case SEND_MM_INFORMATION -> link.send(new MobilityManagement.MmInformation(mobility.networkName()));
+            case SEND_MM_INFORMATION -> link.send(mobility.information());
             case SEND_REJECT -> {
                 log(rejectCause.title());
                 link.send(new MobilityManagement.LocationUpdatingReject(rejectCause));

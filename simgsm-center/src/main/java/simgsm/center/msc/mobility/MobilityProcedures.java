@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
@@ -25,7 +26,7 @@ import simgsm.timer.Timer;
 public final class MobilityProcedures implements LinkUser {
     private final SubscriberRegister register;
     private final RandomGenerator random;
-    private final String networkName;
+    private final Supplier<MobilityManagement.MmInformation> information;
     private final Consumer<Subscriber> attached;
     private final Consumer<Subscriber> detached;
     private final Consumer<Subscriber> reachable;
@@ -38,6 +39,7 @@ public final class MobilityProcedures implements LinkUser {
     private long silenceNanos;
 
     /**
+     * @param information name and time for a newly registered mobile
      * @param attached called when a subscriber attaches
      * @param detached called when a subscriber is detached
      * @param reachable called when an attached subscriber sends a message after an unanswered paging
@@ -45,13 +47,13 @@ public final class MobilityProcedures implements LinkUser {
     public MobilityProcedures(
             SubscriberRegister register,
             RandomGenerator random,
-            String networkName,
+            Supplier<MobilityManagement.MmInformation> information,
             Consumer<Subscriber> attached,
             Consumer<Subscriber> detached,
             Consumer<Subscriber> reachable) {
         this.register = register;
         this.random = random;
-        this.networkName = networkName;
+        this.information = information;
         this.attached = attached;
         this.detached = detached;
         this.reachable = reachable;
@@ -61,8 +63,8 @@ public final class MobilityProcedures implements LinkUser {
         return register;
     }
 
-    String networkName() {
-        return networkName;
+    MobilityManagement.MmInformation information() {
+        return information.get();
     }
 
     /** The link of an attached subscriber. */
@@ -294,13 +296,12 @@ public final class MobilityProcedures implements LinkUser {
     }
 
     private void admit(Link link, MobilityManagement.CmServiceRequest request) {
-        if (request.service() == MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL
-                && !link.rateLimits().admitCall()) {
-            link.send(new MobilityManagement.CmServiceReject(RejectCause.CONGESTION));
-            return;
-        }
+        boolean isCall = request.service() == MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL;
         if (EmergencyCalls.isAskedBy(request)) {
             EmergencyCalls.admit(link, request.identity());
+        } else if (isCall && !link.rateLimits().admitCall()) {
+            link.send(new MobilityManagement.CmServiceReject(RejectCause.CONGESTION));
+            return;
         } else {
             link.send(new MobilityManagement.CmServiceAccept());
             link.radio().awaitService();
@@ -337,12 +338,10 @@ public final class MobilityProcedures implements LinkUser {
     }
 
     private static boolean isSubscriberOf(Link link, MobileIdentity identity) {
-        if (!link.hasSubscriber()) {
-            return false;
-        }
-        return identity instanceof Tmsi tmsi
-                ? link.subscriber().answersTo(tmsi)
-                : link.subscriber().imsi().equals(identity);
+        return link.hasSubscriber()
+                && (identity instanceof Tmsi tmsi
+                        ? link.subscriber().answersTo(tmsi)
+                        : link.subscriber().imsi().equals(identity));
     }
 
     /**

@@ -1,6 +1,10 @@
 package simgsm.station.call;
 
+import java.util.Optional;
+import simgsm.air.CallControl;
 import simgsm.air.MobilityManagement.ServiceType;
+import simgsm.air.Msisdn;
+import simgsm.air.TransactionIdentifier;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationTimer;
 import simgsm.station.mobility.ServiceRequests;
@@ -10,9 +14,13 @@ import simgsm.station.mobility.ServiceRequests;
  * on; an emergency call needs a cell only.
  */
 final class CallConnection {
+    private static final int TRANSACTIONS = 7;
+
     private final StationContext context;
     private final ServiceRequests services;
     private final Runnable refused;
+    private int nextTransaction;
+    private boolean hidesNumber;
     private ServiceType service = ServiceType.MOBILE_ORIGINATED_CALL;
 
     /** @param refused runs when the wait ends without service */
@@ -27,7 +35,26 @@ final class CallConnection {
         service = next;
     }
 
-    boolean isEmergency() {
+    void hideNumber(boolean hides) {
+        hidesNumber = hides;
+    }
+
+    /** A transaction identifier that the second call does not use. */
+    TransactionIdentifier freeTransaction(SecondCall second) {
+        TransactionIdentifier free = new TransactionIdentifier(nextTransaction, false);
+        nextTransaction = (nextTransaction + 1) % TRANSACTIONS;
+        return second.has(free.answered()) ? freeTransaction(second) : free;
+    }
+
+    /** The first message of the dialled call. */
+    CallControl setup(TransactionIdentifier transaction, Optional<Msisdn> called) {
+        return isEmergency()
+                ? new CallControl.EmergencySetup(transaction)
+                : new CallControl.Setup(
+                        transaction, Optional.empty(), Optional.empty(), called, Optional.empty(), hidesNumber);
+    }
+
+    private boolean isEmergency() {
         return service == ServiceType.EMERGENCY_CALL;
     }
 

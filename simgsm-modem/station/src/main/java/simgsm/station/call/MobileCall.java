@@ -18,8 +18,6 @@ import simgsm.station.mobility.ServiceRequests;
 
 /** The current call of a station, run by {@link MobileCallTable}, with its waiting or held second call. */
 public final class MobileCall implements ServiceRequests.ServiceUser {
-    private static final int TRANSACTIONS = 7;
-
     private final StationContext context;
     private final CallSpeech speech;
     private final KeySignalling keys;
@@ -31,7 +29,6 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
     /** As in the messages sent; null in state NULL. */
     private TransactionIdentifier transaction;
 
-    private int nextTransaction;
     private Optional<Msisdn> peer = Optional.empty();
     /** For the clearing message. */
     private Cause sentCause = Cause.NORMAL_CALL_CLEARING;
@@ -98,17 +95,16 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
 
     private boolean begin(Msisdn number) {
         peer = Optional.of(number);
-        transaction = freeTransaction();
+        transaction = connection.freeTransaction(second);
         connection.use(number.isEmergency() ? ServiceType.EMERGENCY_CALL : ServiceType.MOBILE_ORIGINATED_CALL);
         fire(MobileCallEvent.DIAL);
         connection.begin();
         return true;
     }
 
-    private TransactionIdentifier freeTransaction() {
-        TransactionIdentifier free = new TransactionIdentifier(nextTransaction, false);
-        nextTransaction = (nextTransaction + 1) % TRANSACTIONS;
-        return second.has(free.answered()) ? freeTransaction() : free;
+    /** Hides the own number in the next dialled call. */
+    public void hideNumber(boolean hides) {
+        connection.hideNumber(hides);
     }
 
     /** Continues or ends a call that waits for service once registration has succeeded or was refused. */
@@ -343,11 +339,7 @@ public final class MobileCall implements ServiceRequests.ServiceUser {
         switch (action) {
             case REQUEST_CONNECTION -> connection.request();
             case RELEASE_CONNECTION -> releaseConnection();
-            case SEND_SETUP ->
-                send(
-                        connection.isEmergency()
-                                ? new CallControl.EmergencySetup(transaction)
-                                : new CallControl.Setup(transaction, Optional.empty(), peer));
+            case SEND_SETUP -> send(connection.setup(transaction, peer));
             case SEND_CALL_CONFIRMED -> send(new CallControl.CallConfirmed(transaction));
             case SEND_ALERTING -> send(new CallControl.Alerting(transaction));
             case SEND_CONNECT -> send(new CallControl.Connect(transaction));

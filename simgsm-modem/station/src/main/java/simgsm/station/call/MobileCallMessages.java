@@ -14,6 +14,7 @@ import simgsm.ss.HoldNotification;
 import simgsm.station.call.MobileCallTable.MobileCallEvent;
 import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationContext;
+import simgsm.station.context.StationEvent;
 
 /** Passes the network's call control messages to the call or the waiting call; answers those of other transactions. */
 public final class MobileCallMessages {
@@ -44,6 +45,9 @@ public final class MobileCallMessages {
         } else if (message instanceof CallControl.Facility facility && isKnown(message)) {
             HoldNotification.decode(facility.facility())
                     .ifPresent(onHold -> call.heldByPeer(facility.transaction(), onHold));
+            if (HoldNotification.isForwarded(facility.facility())) {
+                context.events().add(new StationEvent.CallForwarded());
+            }
         } else if (isKnown(message) && call.callHold().answered(message)) {
             context.log().trace(Level.DEBUG, "{0} answers a request to hold or retrieve", message);
         } else if (call.has(message.transaction())) {
@@ -96,6 +100,7 @@ public final class MobileCallMessages {
             refuse(setup.transaction(), Cause.USER_BUSY);
         } else {
             call.offered(setup.transaction(), setup.calling());
+            setup.redirecting().ifPresent(number -> context.events().add(new StationEvent.ForwardedBy(number)));
         }
     }
 

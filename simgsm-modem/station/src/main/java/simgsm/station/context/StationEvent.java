@@ -1,5 +1,6 @@
 package simgsm.station.context;
 
+import java.time.OffsetDateTime;
 import java.util.Optional;
 import simgsm.air.Cause;
 import simgsm.air.Direction;
@@ -39,6 +40,10 @@ public sealed interface StationEvent {
     @EventLine("sim state= tries=")
     record SimStateChanged(PinLock.State state, int tries) implements StationEvent {}
 
+    /** The network has told the time (MM INFORMATION). @param time with the local time zone */
+    @EventLine("network-time time=")
+    record NetworkTimeReceived(OffsetDateTime time) implements StationEvent {}
+
     /** The snapshot has changed. */
     record StationChanged() implements StationEvent {}
 
@@ -73,6 +78,10 @@ public sealed interface StationEvent {
         }
     }
 
+    /** The network forwards the call to another number (TS 24.082). */
+    @EventLine("forwarded")
+    record CallForwarded() implements OfCall {}
+
     /** The called terminal rings. */
     @EventLine("alerting")
     record CalledPartyAlerted() implements OfCall {}
@@ -80,6 +89,10 @@ public sealed interface StationEvent {
     /** A call rings. @param from empty if the network does not give it */
     @EventLine("ringing from=")
     record Ringing(Optional<Msisdn> from) implements OfCall {}
+
+    /** The ringing call was dialled to this number and forwarded by it (Redirecting Number). */
+    @EventLine("forwarded-by number=")
+    record ForwardedBy(Msisdn number) implements OfCall {}
 
     /** A time requested by {@link simgsm.station.MobileStation#remindToAnswer} is over; the call still rings. */
     record AnswerDue() implements OfCall {}

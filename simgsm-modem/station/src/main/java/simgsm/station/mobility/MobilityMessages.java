@@ -17,6 +17,7 @@ import simgsm.air.MobilityManagement.MmInformation;
 import simgsm.air.MobilityManagement.MmStatus;
 import simgsm.air.RejectCause;
 import simgsm.station.context.StationContext;
+import simgsm.station.context.StationEvent;
 
 /** Passes the network's mobility management messages on; answers those that only need an answer. */
 public final class MobilityMessages {
@@ -60,6 +61,7 @@ public final class MobilityMessages {
             registration.authenticationRejected();
         } else if (message instanceof MmInformation information) {
             networkName = information.networkName();
+            information.time().ifPresent(time -> context.events().add(new StationEvent.NetworkTimeReceived(time)));
         } else if (message instanceof MmStatus status) {
             context.log().trace(Level.INFO, "MM STATUS {0}", status.cause().title());
         } else {

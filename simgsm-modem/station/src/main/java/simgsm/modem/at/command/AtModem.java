@@ -65,7 +65,9 @@ public final class AtModem {
             keys.hear(speech.samples());
             return;
         }
-        if (event instanceof StationEvent.OfCall ofCall) {
+        if (event instanceof StationEvent.NetworkTimeReceived received) {
+            clock.set(received.time());
+        } else if (event instanceof StationEvent.OfCall ofCall) {
             calls.accept(ofCall);
         } else if (event instanceof StationEvent.KeysRefused) {
             calls.keysRefused();

@@ -101,19 +101,28 @@ final class CallCommands {
             client.modem().ussd().send(client, dialled, true);
             return AtResult.OK;
         }
-        if (ServiceCode.isHidingCall(dialled)) {
-            throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
-        }
         Msisdn to;
         try {
             to = Msisdn.parse(ServiceCode.called(dialled));
         } catch (IllegalArgumentException notANumber) {
             throw new AtException(CmeError.INVALID_DIAL_STRING);
         }
+        client.modem().terminal().station().hideNumber(hides(client, text, dialled));
         if (!client.modem().calls().dial(dialled, to)) {
             throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
         }
         return AtResult.OK;
+    }
+
+    /** The code #31#, or the modifier I, or +CLIR=1; *31# and i show the number (TS 27.007, 6.2 and 7.7). */
+    private static boolean hides(AtClient client, String typed, String dialled) {
+        if (ServiceCode.called(dialled).equals(dialled)) {
+            String modifiers = typed.replaceFirst("(?s)^.*?([IiGg]*);$", "$1");
+            return modifiers.contains("I")
+                    || !modifiers.contains("i")
+                            && KeptSettings.kept(client, "+CLIR").equals("1");
+        }
+        return ServiceCode.isHidingCall(dialled);
     }
 
     private static String number(AtClient client, String text) throws AtException {

@@ -54,7 +54,7 @@ final class NetworkCodes {
 
     /** 0 off, 1 registered at home, 2 searching, 3 denied (TS 27.007, 7.2). */
     int registration() {
-        if (!station().powered()) {
+        if (!station().powered() || !station().card().isReady()) {
             return 0;
         }
         if (station().registered()) {

@@ -36,8 +36,8 @@ final class ServiceCommands {
     private static final int MOST_TYPE = 255;
     private static final int MOST_PARAMETERS = 8;
     private static final int MOST_SECONDS = 30;
-    /** The number is hidden in the next calls. */
-    private static final int INVOKED = 1;
+    /** Temporary mode, shown unless hidden (TS 27.007, 7.7). */
+    private static final int CLIR_PER_CALL = 4;
 
     private ServiceCommands() {}
 
@@ -47,11 +47,9 @@ final class ServiceCommands {
                 .read((client, request) -> request.answer(client.settings().showsWaiting ? 1 : 0))
                 .setFor(ServiceCommands::callWaiting);
         table.row("+CLIR")
-                .read((client, request) -> request.answer(KeptSettings.kept(client, "+CLIR"), 0))
+                .read((client, request) -> request.answer(KeptSettings.kept(client, "+CLIR"), CLIR_PER_CALL))
                 .set((client, request) -> {
-                    if (request.parameters().number(0, 0, 2) == INVOKED) {
-                        throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
-                    }
+                    request.parameters().atMost(1).number(0, 0, 2);
                     KeptSettings.keep(client, request);
                 });
     }

@@ -29,6 +29,12 @@ public final class ModemClock {
         return wallClock.instant().plus(ahead).atOffset(zone);
     }
 
+    /** Sets time and zone. */
+    public void set(OffsetDateTime time) {
+        zone = time.getOffset();
+        ahead = Duration.between(wallClock.instant(), time);
+    }
+
     /** IllegalArgumentException for anything but {@code yy/MM/dd,hh:mm:ss} with or without quarters of an hour. */
     public void set(String text) {
         Matcher stamp = STAMP.matcher(text);
@@ -48,8 +54,7 @@ public final class ModemClock {
                     number(stamp, 6),
                     0,
                     newZone);
-            zone = newZone;
-            ahead = Duration.between(wallClock.instant(), time);
+            set(time);
         } catch (DateTimeException impossible) {
             throw new IllegalArgumentException(impossible.getMessage(), impossible);
         }

@@ -1,10 +1,8 @@
-package simgsm.sms;
+package simgsm.octets;
 
 import java.time.OffsetDateTime;
 import java.time.YearMonth;
 import java.time.ZoneOffset;
-import simgsm.octets.OctetString;
-import simgsm.octets.OctetWriter;
 
 /**
  * TP-SCTS, TP-DT, TP-VP: local time to the second and its zone in quarters of an hour (TS 23.040, 9.2.3.11). The octets
@@ -35,6 +33,17 @@ public record Timestamp(OctetString octets) {
         int quarters = time.getOffset().getTotalSeconds() / QUARTER_SECONDS;
         out.octet(swapped(Math.abs(quarters)) | (quarters < 0 ? WEST : 0));
         return new Timestamp(out.toOctetString());
+    }
+
+    /** The stamp of MM INFORMATION (TS 24.008, 10.5.3.9): universal time with the local zone. */
+    public static Timestamp ofUniversal(OffsetDateTime time) {
+        return of(time.withOffsetSameInstant(ZoneOffset.UTC).withOffsetSameLocal(time.getOffset()));
+    }
+
+    /** The local time of such a stamp. */
+    public OffsetDateTime fromUniversal() {
+        OffsetDateTime stamped = toOffsetDateTime();
+        return stamped.withOffsetSameLocal(ZoneOffset.UTC).withOffsetSameInstant(stamped.getOffset());
     }
 
     /** The time; an invalid digit is read as 0, a field out of range as the nearest valid value. */
