@@ -6,7 +6,8 @@
 # The command finds osmo-bsc's RSL port at 127.0.0.1:3003; VTYs: home register 4258, exchange 4254, controller 4242. Where it is
 # allowed, everything runs in a network namespace of its own, so no port of the machine is taken. Needs the packages osmo-stp,
 # osmo-hlr, osmo-mgw, osmo-msc, osmo-bsc and osmo-bts; gcc too where the kernel has no SCTP. Root is not needed.
-# Logs stay in $OSMOCOM_LOGS, if that is set.
+# Logs stay in $OSMOCOM_LOGS, if that is set. With $OSMOCOM_SIMS, a file of SIMs as of --sim, those subscribers have its keys, and
+# the core authenticates. Emergency calls go to 5550200.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../../.." && pwd)
@@ -83,13 +84,17 @@ vty() {
 
 java=${JAVA_HOME:+$JAVA_HOME/bin/}java
 "$java" -jar "$root/target/dist/simgsm-cells.jar" --town "$town" --print-osmo-bsc >"$run/bsc.cfg" || exit
+cp "$here/msc.cfg" "$run/msc.cfg"
+if [ -n "${OSMOCOM_SIMS:-}" ]; then
+    sed -i "s/authentication optional/authentication required/" "$run/msc.cfg"
+fi
 start osmo-stp -c "$here/stp.cfg"
 listens 4239
 start osmo-hlr -c "$here/hlr.cfg" -l "$run/hlr.db"
 start osmo-mgw -c "$here/mgw.cfg"
 listens 4258
 listens 4243
-start osmo-msc -c "$here/msc.cfg"
+start osmo-msc -c "$run/msc.cfg"
 listens 4254
 start osmo-bsc -c "$run/bsc.cfg"
 listens 4242
@@ -102,6 +107,11 @@ done | while read -r number; do
     echo "subscriber imsi $imsi create"
     echo "subscriber imsi $imsi update msisdn $number"
 done | vty 4258
+if [ -n "${OSMOCOM_SIMS:-}" ]; then
+    sed -n -e 's/^sim number=[0-9]* imsi=\([0-9]*\) k=\([0-9a-f]*\) opc=\([0-9a-f]*\).*/subscriber imsi \1 update aud3g milenage k \2 opc \3/p' \
+        -e 's/^sim number=[0-9]* imsi=\([0-9]*\) k=\([0-9a-f]*\) algorithm=\([a-z0-9]*\).*/subscriber imsi \1 update aud2g \3 ki \2/p' \
+        "$OSMOCOM_SIMS" | vty 4258
+fi
 
 # OML, by which the controller starts each base station; it ends with the tower's RSL link and begins anew.
 sed -n 's/^  ipa unit-id \([0-9]*\) 0$/\1/p' "$run/bsc.cfg" >"$run/sites"

@@ -44,6 +44,7 @@ final class OsmocomSession extends Scenario {
                 case "calls" -> session.calls();
                 case "halves" -> session.halves();
                 case "browser" -> session.browser();
+                case "cards" -> session.cardsRegister();
                 default -> session.play();
             }
         }
@@ -227,6 +228,85 @@ final class OsmocomSession extends Scenario {
         assertEquals(0, gateway.quit());
         assertEquals(0, robot.quit());
         assertEquals(0, cells.quit());
+    }
+
+    /** A card of each algorithm from 5550100 on, one with a PIN, and the robot's. */
+    static String cards() {
+        String keys = " k=465b5ce8b199b49faa5f0a2ee238a6bc ";
+        String opc = "opc=cd63cb71954a9f4e48a5994e37a02baf";
+        StringBuilder file = new StringBuilder();
+        String[] words = {
+            "algorithm=comp128v1",
+            "algorithm=comp128v2",
+            "algorithm=comp128v3",
+            opc,
+            "algorithm=comp128v3",
+            "algorithm=comp128v2 pin=1234 puk=12345678"
+        };
+        for (int i = 0; i < words.length; i++) {
+            file.append("sim number=555010" + i + " imsi=00101000555010" + i + keys + words[i] + "\n");
+        }
+        return file + "sim number=" + ROBOT + " imsi=001010005550200" + keys + opc + "\n";
+    }
+
+    /** The cards register; one with a wrong key does not; one without its PIN makes an emergency call. */
+    private void cardsRegister() throws IOException, InterruptedException {
+        Path file = capture.resolveSibling("cards.sim");
+        Process tshark = capture();
+        try {
+            openCells(world("village.town"));
+            for (int i = 0; i < 4; i++) {
+                RunningProgram phone = terminal("phone " + i, "simgsm-phone", "555010" + i, "--sim", file.toString());
+                phone.expect("network-time");
+                phone.quit();
+            }
+            tell("comp128v1, comp128v2, comp128v3 and milenage are authenticated, and told the time");
+            Path wrong =
+                    Files.writeString(capture.resolveSibling("wrong.sim"), cards().replace("k=465b5ce8", "k=00000000"));
+            RunningProgram liar = locked("5550104", wrong);
+            liar.expect("unregistered", "cause", "3");
+            RunningProgram robot = terminal(
+                    "robot",
+                    "simrobot",
+                    ROBOT,
+                    "--sim",
+                    file.toString(),
+                    "--world",
+                    world("empty.map").toString());
+            RunningProgram phone = locked("5550105", file);
+            phone.expect("sim", "state", "pin", "tries", "3");
+            phone.say("dial 112");
+            tell("an emergency call without a PIN: " + phone.expect("released").fields());
+            phone.say("pin 1234");
+            phone.expect("registered");
+            phone.say("dial 112");
+            robot.expect("call");
+            phone.expect("connected");
+            phone.expect("tone", "key", "1");
+            phone.say("hangup");
+            robot.expect("released", "cause", "16");
+            tell("an emergency call was answered by the robot");
+        } finally {
+            tshark.destroy();
+            tshark.waitFor(RunningProgram.PATIENCE_SECONDS, TimeUnit.SECONDS);
+        }
+        soundAs("osmo-bsc's side", "tcp.port==3003,gsm_ipa");
+    }
+
+    private RunningProgram locked(String number, Path cards) {
+        return start(
+                "phone-" + number,
+                "simgsm-phone",
+                "--headless",
+                "--lang",
+                "en",
+                "--no-sound",
+                "--center",
+                cellsAddress,
+                "--number",
+                number,
+                "--sim",
+                cards.toString());
     }
 
     /** The village's town file with one of its towers only. */

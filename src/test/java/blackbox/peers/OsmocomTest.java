@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -75,8 +76,24 @@ class OsmocomTest {
         assertTrue(told.contains("a browser's orders by short message and by tones"), told);
     }
 
-    /** Runs {@link OsmocomSession} beside a core for a town's towers. */
+    /** Its home register has the keys of cards with COMP128 versions 1 to 3 and Milenage. */
+    @Test
+    void cardsOfEachAlgorithmAreAuthenticatedAndOneWithoutPinCallsForHelp(@TempDir Path folder) throws Exception {
+        Path cards = Files.writeString(folder.resolve("cards.sim"), OsmocomSession.cards());
+        Path town = Dist.root().resolve("worlds").resolve("village.town");
+        String told =
+                session(folder, "cards", town, "5550100-5550105,5550200", Map.of("OSMOCOM_SIMS", cards.toString()));
+        assertTrue(told.contains("comp128v1, comp128v2, comp128v3 and milenage are authenticated"), told);
+        assertTrue(told.contains("an emergency call was answered by the robot"), told);
+    }
+
     private static String session(Path folder, String kind, Path town, String numbers)
+            throws IOException, InterruptedException {
+        return session(folder, kind, town, numbers, Map.of());
+    }
+
+    /** Runs {@link OsmocomSession} beside a core for a town's towers. */
+    private static String session(Path folder, String kind, Path town, String numbers, Map<String, String> environment)
             throws IOException, InterruptedException {
         String command = String.join(
                 " ",
@@ -88,6 +105,7 @@ class OsmocomTest {
                 kind,
                 quoted(folder.resolve("osmocom.pcapng").toString()));
         ProcessBuilder core = Peer.BASH.process(Peer.source("osmocom/core.sh"), town.toString(), numbers, command);
+        core.environment().putAll(environment);
         core.environment().put("OSMOCOM_LOGS", folder.resolve("logs").toString());
         core.environment().put("JAVA_HOME", System.getProperty("java.home"));
         Path output = folder.resolve("told.txt");

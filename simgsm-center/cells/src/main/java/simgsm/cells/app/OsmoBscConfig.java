@@ -65,6 +65,7 @@ final class OsmoBscConfig {
         line(text, "  channel allocator ascending");
         line(text, "  rach tx integer 9");
         line(text, "  rach max transmission 7");
+        line(text, "  rach emergency call allowed 1");
         line(text, "  channel-description attach 1");
         line(text, "  channel-description bs-pa-mfrms 2");
         line(text, "  channel-description bs-ag-blks-res 1");
