@@ -103,6 +103,7 @@ class SimPinTest {
                     {"AT+CPIN=\"0000\"", "+CME ERROR: 16"},
                     {"AT+CPINR", "+CPINR: SIM PIN,2,3|+CPINR: SIM PUK,10,10|OK"},
                     {"AT+CPIN=\"1234\"", "OK"},
+                    {"AT+CFUN=1", "OK"},
                     {"AT+CPIN?", "+CPIN: READY|OK"},
                     {"AT+CPWD=\"SC\",\"1234\",\"5678\"", "OK"},
                     {"AT+CLCK=\"SC\",0,\"1234\"", "+CME ERROR: 16"},

@@ -179,6 +179,32 @@ class AtClientsTest {
     }
 
     @Test
+    void gammuEntersThePin() throws Exception {
+        Peer.GAMMU.require();
+        Peer.SOCAT.require();
+        scenario = new Scenario("gammu and a card that asks for its PIN");
+        try {
+            Path card = Files.writeString(
+                    scenario.folder().resolve("ana.sim"),
+                    "sim number=5550100 imsi=001010005550100 k=465b5ce8b199b49faa5f0a2ee238a6bc algorithm=comp128v1"
+                            + " pin=1234 puk=12345678\n");
+            scenario.center("--hlr", card.toString());
+            RunningProgram phone = scenario.unregisteredPhone(Scenario.PHONE, "--sim", card.toString(), "--at", "0");
+            phonePort = phone.said("ready").field("at");
+            run(blocks("A terminal device").get(0));
+            run(blocks("gammu").get(0));
+            String locked = run("gammu -c gammurc getsecuritystatus");
+            assertTrue(locked.contains("Waiting for PIN"), locked);
+            run("gammu -c gammurc entersecuritycode PIN 1234");
+            phone.expect("registered", "number", Scenario.PHONE);
+            String open = run("gammu -c gammurc getsecuritystatus");
+            assertTrue(open.contains("Nothing to enter"), open);
+        } finally {
+            end();
+        }
+    }
+
+    @Test
     void smstoolsSendsAnOrderAndReceivesTheReply() throws Exception {
         Peer.SMSD.require();
         try {

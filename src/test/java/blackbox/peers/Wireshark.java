@@ -39,6 +39,11 @@ final class Wireshark {
         return tshark(file, "-Y", filter, "-T", "fields", "-e", field);
     }
 
+    /** All that tshark says of the frames that pass the filter. */
+    static String words(Path file, String filter) throws IOException {
+        return String.join("\n", tshark(file, "-V", "-Y", filter));
+    }
+
     /**
      * A stream that tshark's analysis of RTP has found.
      *

@@ -134,6 +134,39 @@ class WiresharkTest {
         }
     }
 
+    @Test
+    void emergencyForwardingHiddenNumberAndTimeAreNamedAndSound() throws Exception {
+        try (Scenario scenario = new Scenario("emergency call, forwarding, time, read by Wireshark")) {
+            Path capture = scenario.folder().resolve("network.pcap");
+            RunningProgram center = scenario.center("--capture", capture.toString());
+            RunningProgram caller = scenario.phone(Scenario.PHONE);
+            RunningProgram forwarding = scenario.phone("5550101");
+            RunningProgram receiver = scenario.phone("5550102");
+            forwarding.say("dial **21*5550102#");
+            forwarding.expect("service", "state", "active");
+            caller.say("dial #31#5550101");
+            receiver.expect("forwarded-by", "number", "5550101");
+            caller.say("hangup");
+            receiver.expect("released");
+            caller.say("dial 112");
+            caller.expect("released", "cause", "16");
+            caller.expectNext("released", "cause", "16");
+            assertEquals(0, center.quit());
+            Wireshark.requireSound(
+                    capture,
+                    "(CC) Emergency Setup",
+                    "(MM) MM Information",
+                    "(CC) Setup",
+                    "(CC) Facility (GSM MAP) invoke notifySS");
+            String words = Wireshark.words(capture, "gsm_a.dtap");
+            for (String word : new String[] {
+                "Redirecting Party BCD Number", "CLIR Invocation", "Time Zone and Time", "Emergency call establishment"
+            }) {
+                assertTrue(words.contains(word), word + " is not named");
+            }
+        }
+    }
+
     private static void refused(Scenario scenario, String cause, String number, String... options) throws Exception {
         RunningProgram phone = scenario.unregisteredPhone(number, options);
         phone.expect("unregistered", "cause", cause);

@@ -234,7 +234,9 @@ public final class MobileRegistration {
     }
 
     public void powerOn() {
-        lock.reset();
+        if (!isPowered()) {
+            lock.reset();
+        }
         fire(MobileRegistrationEvent.POWER_ON);
     }
 
