@@ -1,6 +1,7 @@
 package simgsm.phone.screen;
 
 import java.util.function.Function;
+import simgsm.air.Msisdn;
 import simgsm.phone.screen.KeyIntent.Simple;
 import simgsm.phone.screen.Screen.Note;
 import simgsm.sim.CardPin;
@@ -48,8 +49,11 @@ final class PinPages {
                         : note(Note.Kind.PIN_DIFFERS, ""));
     }
 
+    /** In place of a code, 112 and 911 are called (TS 22.101, 10.1). */
     private KeyIntent open(Words title, Function<String, KeyIntent> done) {
-        return stack.open(new EntryPage(stack, title, EntryPage.Kind.PIN, MAX_DIGITS, "soft.ok", done));
+        Function<String, KeyIntent> callOrCode =
+                text -> new Msisdn(text).isEmergency() ? new KeyIntent.DialText(text) : done.apply(text);
+        return stack.open(new EntryPage(stack, title, EntryPage.Kind.PIN, MAX_DIGITS, "soft.ok", callOrCode));
     }
 
     private KeyIntent wrongLength() {

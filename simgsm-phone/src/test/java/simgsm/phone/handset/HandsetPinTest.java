@@ -1,0 +1,108 @@
+package simgsm.phone.handset;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import simgsm.phone.screen.PhoneKey;
+import simgsm.phone.screen.Screen;
+import simgsm.phone.screen.Screen.Note;
+import simgsm.phone.screen.Words;
+import simgsm.sim.CardPin;
+import simgsm.sim.PinLock;
+
+/** The questions of a SIM on the display. */
+class HandsetPinTest {
+    private static final Screen HOME = new Screen.HomeView();
+
+    private final Bench bench = new Bench();
+
+    @BeforeEach
+    void aCardWithAPin() {
+        insert(new CardPin("1234", "12345678", true, 3, 10));
+    }
+
+    private void insert(CardPin pin) {
+        bench.station.card = new PinLock(Optional.of(pin), kept -> {});
+        bench.handset.powerOn();
+    }
+
+    private void key(String symbols) {
+        symbols.chars()
+                .forEach(symbol -> bench.tap(PhoneKey.ofSymbol((char) symbol).orElseThrow()));
+    }
+
+    private Screen screen() {
+        return bench.snapshot().screen();
+    }
+
+    private static Screen entry(Words title, String text) {
+        return new Screen.Entry(title, text, text.length(), "", Optional.empty());
+    }
+
+    @Test
+    void thePinIsAskedForAtPowerOnAndShownAsStars() {
+        assertEquals(entry(Words.of("pin.enter", 3), ""), screen());
+        key("1234");
+        assertEquals(entry(Words.of("pin.enter", 3), "****"), screen());
+        bench.tap(PhoneKey.OK);
+        assertEquals(new Note(Note.Kind.SAVED, ""), screen());
+        bench.tap(PhoneKey.OK);
+        assertEquals(HOME, screen());
+    }
+
+    @Test
+    void aWrongPinNamesTheTriesThatAreLeft() {
+        key("12");
+        bench.tap(PhoneKey.OK);
+        assertEquals(new Note(Note.Kind.PIN_LENGTH, ""), screen());
+        bench.tap(PhoneKey.OK);
+        key("34");
+        key("5");
+        bench.tap(PhoneKey.OK);
+        assertEquals(new Note(Note.Kind.PIN_WRONG, "2"), screen());
+        bench.tap(PhoneKey.OK);
+        assertEquals(entry(Words.of("pin.enter", 2), ""), screen());
+    }
+
+    @Test
+    void thePukIsAskedForWithTwiceTheSameNewPin() {
+        insert(new CardPin("1234", "12345678", true, 0, 10));
+        key("12345678");
+        bench.tap(PhoneKey.OK);
+        key("4321");
+        bench.tap(PhoneKey.OK);
+        key("4322");
+        bench.tap(PhoneKey.OK);
+        assertEquals(new Note(Note.Kind.PIN_DIFFERS, ""), screen());
+        bench.tap(PhoneKey.OK);
+        bench.tap(PhoneKey.CLEAR);
+        key("1");
+        bench.tap(PhoneKey.OK);
+        assertEquals(new Note(Note.Kind.SAVED, ""), screen());
+        assertEquals(PinLock.State.READY, bench.station.card.status().state());
+    }
+
+    @Test
+    void theRedKeyLeavesTheQuestionForAnEmergencyCallAndOkOpensItAgain() {
+        bench.tap(PhoneKey.END);
+        assertEquals(HOME, screen());
+        bench.tap(PhoneKey.OK);
+        assertEquals(entry(Words.of("pin.enter", 3), ""), screen());
+        key("112");
+        bench.tap(PhoneKey.CALL);
+        assertEquals(List.of("dial 112"), bench.station.asked);
+    }
+
+    @Test
+    void aCodeForTheCardIsPerformedWithItsLastKey() {
+        bench.station.card.verify("1234");
+        bench.tap(PhoneKey.END);
+        key("**04*1234*4321*4321#");
+        assertEquals(new Note(Note.Kind.SAVED, ""), screen());
+        assertEquals(PinLock.Result.DONE, bench.station.card.verify("4321"));
+        assertEquals(List.of(), bench.station.asked);
+    }
+}
