@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
+import java.time.OffsetDateTime;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -182,6 +183,7 @@ class EventReferenceTest {
             "123456789012345",
             Instant.EPOCH,
             Duration.ofMinutes(1),
+            OffsetDateTime.parse("2026-11-21T12:00:00Z"),
             Path.of("file"),
             OptionalInt.of(1),
             OctetString.of(new byte[0]),
