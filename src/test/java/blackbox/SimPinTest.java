@@ -117,7 +117,7 @@ class SimPinTest {
                     {"AT+CLCK=\"SC\",1,\"0000\"", "+CME ERROR: 12"},
                     {"AT+CPIN?", "+CPIN: SIM PUK|OK"},
                     {"AT+CPIN=\"12345678\",\"1234\"", "OK"},
-                    {"AT+SPIC", "+SPIC: 3,10,0,0|OK"},
+                    {"AT+SPIC", "+SPIC: 3,10,3,10|OK"},
                 };
                 for (String[] step : dialogue) {
                     assertEquals(step[1], port.ask(step[0]), step[0]);

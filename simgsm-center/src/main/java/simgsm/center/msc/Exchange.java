@@ -12,6 +12,7 @@ import java.util.OptionalLong;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
@@ -91,13 +92,10 @@ public final class Exchange {
                 random,
                 first -> store.commit(
                         MessageStore.NO_TICKET, List.of(new StoreEntry.Known(first.number(), first.imsi()))));
-        mobility = new MobilityProcedures(
-                register,
-                random,
-                () -> new MmInformation(settings.networkName(), Optional.of(civil.local())),
-                this::attached,
-                this::detached,
-                this::reachable);
+        Supplier<MmInformation> information =
+                () -> new MmInformation(settings.networkName(), Optional.of(civil.local()));
+        mobility =
+                new MobilityProcedures(register, random, information, this::attached, this::detached, this::reachable);
         Function<Msisdn, Optional<Link>> locations =
                 number -> register.ofNumber(number).flatMap(mobility::locationOf);
         MobileMessages mobiles = new MobileMessages(locations);
@@ -107,12 +105,8 @@ public final class Exchange {
                 civil, timers, store, new DeliverySelector(mobiles, applications, register), this::messageChanged);
         mobiles.serve(shortMessages);
         calls = new CallSwitch(
-                mobility,
-                settings.tones(),
-                settings.emergencyNumber(),
-                settings.callWaiting(),
-                settings.setupNanos(),
-                this::callChanged);
+                mobility, settings.tones(), settings.callWaiting(), settings.setupNanos(), this::callChanged);
+        calls.setEmergencyNumber(settings.emergencyNumber());
         broadcaster = new Broadcaster(mobility, timers, random);
         signalling = new SignallingDispatcher(mobility, calls, mobiles, services, ladder);
         links = new Link.Context(

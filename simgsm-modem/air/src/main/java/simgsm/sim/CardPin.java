@@ -34,20 +34,12 @@ public record CardPin(String pin, String puk, boolean isEnabled, int tries, int 
         return text.matches("[0-9]{8}");
     }
 
-    CardPin withTries(int left) {
-        return new CardPin(pin, puk, isEnabled, left, pukTries);
+    CardPin withTries(int left, int pukLeft) {
+        return new CardPin(pin, puk, isEnabled, left, pukLeft);
     }
 
-    CardPin withPukTries(int left) {
-        return new CardPin(pin, puk, isEnabled, tries, left);
-    }
-
-    CardPin enabled(boolean enabled) {
-        return new CardPin(pin, puk, enabled, tries, pukTries);
-    }
-
-    CardPin changed(String newPin) {
-        return new CardPin(newPin, puk, isEnabled, tries, pukTries);
+    CardPin with(String newPin, boolean enabled) {
+        return new CardPin(newPin, puk, enabled, tries, pukTries);
     }
 
     /** Without the codes, because logs may contain it. */

@@ -90,7 +90,7 @@ public final class PinLock {
     public Result change(String old, String next) {
         Result result = verify(old);
         if (result == Result.DONE) {
-            keep(pin.changed(next));
+            keep(pin.with(next, true));
         }
         return result;
     }
@@ -99,7 +99,7 @@ public final class PinLock {
     public Result enable(boolean enabled, String code) {
         Result result = check(code);
         if (result == Result.DONE) {
-            keep(pin.enabled(enabled));
+            keep(pin.with(pin.pin(), enabled));
         }
         return result;
     }
@@ -110,11 +110,11 @@ public final class PinLock {
             return Result.REFUSED;
         }
         if (!code.equals(pin.puk())) {
-            keep(pin.withPukTries(pin.pukTries() - 1));
+            keep(pin.withTries(pin.tries(), pin.pukTries() - 1));
             return Result.WRONG;
         }
         isVerified = true;
-        keep(pin.changed(next).enabled(true).withTries(CardPin.TRIES).withPukTries(CardPin.PUK_TRIES));
+        keep(pin.with(next, true).withTries(CardPin.TRIES, CardPin.PUK_TRIES));
         return Result.DONE;
     }
 
@@ -142,12 +142,12 @@ public final class PinLock {
             return Result.REFUSED;
         }
         if (!code.equals(pin.pin())) {
-            keep(pin.withTries(pin.tries() - 1));
+            keep(pin.withTries(pin.tries() - 1, pin.pukTries()));
             return Result.WRONG;
         }
         isVerified = true;
         if (pin.tries() < CardPin.TRIES) {
-            keep(pin.withTries(CardPin.TRIES));
+            keep(pin.withTries(CardPin.TRIES, pin.pukTries()));
         }
         return Result.DONE;
     }

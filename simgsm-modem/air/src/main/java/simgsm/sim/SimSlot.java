@@ -2,6 +2,7 @@ package simgsm.sim;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import simgsm.air.Msisdn;
@@ -47,6 +48,10 @@ public final class SimSlot {
         if (found.isEmpty()) {
             throw new IllegalArgumentException("--sim: " + path.get() + " holds " + holdings() + ", "
                     + number.map(wanted -> "not that of " + wanted).orElse("choose one with --number"));
+        }
+        if (found.get().pin().isPresent() && !Files.isWritable(path.get())) {
+            throw new IllegalArgumentException(
+                    "--sim: " + path.get() + " is write-protected, but keeps the tries of the PIN");
         }
         return found.map(card -> new InsertedCard(card, lock(card)));
     }

@@ -31,17 +31,17 @@ public final class HoldNotification {
 
     /** The facility of the message. */
     public static OctetString encode(boolean onHold) {
-        OctetWriter body = BerElement.write(new OctetWriter(), SERVICE, CALL_HOLD);
-        BerElement.write(body, INDICATOR, onHold ? 1 : 0);
-        OctetString argument = BerElement.write(new OctetWriter(), BerElement.SEQUENCE, body.toOctetString())
-                .toOctetString();
-        return ComponentCodec.encode(new Invoke(INVOKE_ID, SsOperation.NOTIFY_SS, argument));
+        return encode(CALL_HOLD, INDICATOR, onHold ? 1 : 0);
     }
 
     /** The facility for a caller whose call is forwarded (TS 24.082, 2 to 5). */
     public static OctetString encodeForwarded(SsCode condition) {
-        OctetWriter body = BerElement.write(new OctetWriter(), SERVICE, condition.code());
-        BerElement.write(body, NOTIFICATION, OUTGOING_CALL_FORWARDED);
+        return encode(condition.code(), NOTIFICATION, OUTGOING_CALL_FORWARDED);
+    }
+
+    private static OctetString encode(int service, int tag, int value) {
+        OctetWriter body = BerElement.write(new OctetWriter(), SERVICE, service);
+        BerElement.write(body, tag, value);
         OctetString argument = BerElement.write(new OctetWriter(), BerElement.SEQUENCE, body.toOctetString())
                 .toOctetString();
         return ComponentCodec.encode(new Invoke(INVOKE_ID, SsOperation.NOTIFY_SS, argument));

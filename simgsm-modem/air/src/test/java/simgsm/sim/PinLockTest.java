@@ -62,7 +62,7 @@ class PinLockTest {
         for (int tries = 0; tries < 10; tries++) {
             assertEquals(Result.WRONG, lock.unblock("00000000", PIN));
         }
-        PinLock restarted = lock(kept.get(kept.size() - 1).withTries(0));
+        PinLock restarted = lock(kept.get(kept.size() - 1).withTries(0, 0));
         is(restarted, State.BLOCKED, 0);
         assertEquals(Result.REFUSED, restarted.unblock(PUK, PIN));
         assertEquals(Result.REFUSED, restarted.verify(PIN));

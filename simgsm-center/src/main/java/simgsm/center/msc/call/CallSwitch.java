@@ -45,14 +45,13 @@ public final class CallSwitch implements LinkUser {
     private final Set<NetworkCall> calls = new LinkedHashSet<>();
     private final Map<Link, LinkCalls> links = new HashMap<>();
     private final Optional<ToneSet> tones;
-    private final Optional<Msisdn> emergencyNumber;
+    private Optional<Msisdn> emergencyNumber = Optional.empty();
     private final KeyTap keyTap = new KeyTap();
     private long lastCallId;
     private long speechFramesSwitched;
 
     /**
      * @param tones of the network to callers, if any
-     * @param emergencyNumber who answers emergency calls; empty for a notice
      * @param callWaiting default of offering a second call to a mobile in a call
      * @param setupNanos T303
      * @param changes receives each call that enters a state
@@ -60,16 +59,19 @@ public final class CallSwitch implements LinkUser {
     public CallSwitch(
             MobilityProcedures mobility,
             Optional<ToneSet> tones,
-            Optional<Msisdn> emergencyNumber,
             boolean callWaiting,
             long setupNanos,
             Consumer<NetworkCall> changes) {
         this.setupNanos = setupNanos;
         this.tones = tones;
-        this.emergencyNumber = emergencyNumber;
         this.mobility = mobility;
         this.changes = changes;
         this.callWaiting = callWaiting;
+    }
+
+    /** Sets who answers emergency calls; empty for a notice. */
+    public void setEmergencyNumber(Optional<Msisdn> number) {
+        emergencyNumber = number;
     }
 
     /** Calls from SETUP to the first clearing message, oldest first. */
@@ -169,12 +171,13 @@ public final class CallSwitch implements LinkUser {
 
     /** Connects a call to the called mobile, or refuses it. */
     void route(NetworkCall call) {
-        if (tones.isPresent() || call.to().equals(Optional.of(EMERGENCY))) {
+        boolean isEmergency = call.to().filter(Msisdn::isEmergency).isPresent();
+        if (tones.isPresent() || isEmergency) {
             // a tone for a refused call first needs a channel (TS 24.008, 5.2.1.2)
             call.originating().proceed();
         }
-        if (call.to().equals(Optional.of(EMERGENCY))) {
-            // 112 dialled by an ordinary SETUP is an emergency call, too
+        if (isEmergency) {
+            // also 112 and 911 in an ordinary SETUP
             emergencyNumber.ifPresentOrElse(
                     number -> {
                         call.turn(number);

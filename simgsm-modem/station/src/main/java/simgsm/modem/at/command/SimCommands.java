@@ -18,9 +18,7 @@ final class SimCommands {
     static void addTo(AtCommandTable<AtClient> table) {
         table.row("+CPIN")
                 .read((client, request) -> {
-                    if (status(client).state() == PinLock.State.BLOCKED) {
-                        throw new AtException(CmeError.SIM_FAILURE);
-                    }
+                    requireReadable(client);
                     request.answer(demand(status(client)));
                 })
                 .set(SimCommands::enterCode);
@@ -39,7 +37,7 @@ final class SimCommands {
                         client.modem().profile().cardNumber(files(client).iccid())));
         table.row("+SPIC").execute((client, request) -> {
             PinLock.Status card = status(client);
-            request.answer(card.pinTries(), card.pukTries(), 0, 0);
+            request.answer(card.pinTries(), card.pukTries(), CardPin.TRIES, CardPin.PUK_TRIES);
         });
         table.row("+CPINR").execute((client, request) -> {
             request.answer("SIM PIN", status(client).pinTries(), CardPin.TRIES);
@@ -70,13 +68,17 @@ final class SimCommands {
         };
     }
 
-    /** What the card answers without its PIN. */
-    static void requireReady(AtClient client) throws AtException {
-        switch (status(client).state()) {
-            case READY -> {}
-            case PIN -> throw new AtException(CmeError.SIM_PIN_REQUIRED);
-            case PUK -> throw new AtException(CmeError.SIM_PUK_REQUIRED);
-            case BLOCKED -> throw new AtException(CmeError.SIM_FAILURE);
+    private static void requireReadable(AtClient client) throws AtException {
+        if (status(client).state() == PinLock.State.BLOCKED) {
+            throw new AtException(CmeError.SIM_FAILURE);
+        }
+    }
+
+    private static void requireReady(AtClient client) throws AtException {
+        requireReadable(client);
+        if (!status(client).isReady()) {
+            boolean asksForPin = status(client).state() == PinLock.State.PIN;
+            throw new AtException(asksForPin ? CmeError.SIM_PIN_REQUIRED : CmeError.SIM_PUK_REQUIRED);
         }
     }
 
