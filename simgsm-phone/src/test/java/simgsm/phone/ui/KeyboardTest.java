@@ -55,7 +55,8 @@ class KeyboardTest {
                 .filter(UserAction.class::isInstance)
                 .map(UserAction.class::cast)
                 .filter(action -> action.group().isPresent() && !action.name().isBlank())
-                .sorted(Comparator.comparing((UserAction action) -> action.group().orElseThrow())
+                .sorted(Comparator.comparing(
+                                (UserAction action) -> action.group().orElseThrow())
                         .thenComparing(UserAction::number))
                 .map(UserAction::name)
                 .toList();

@@ -51,6 +51,7 @@ final class TraceEvents implements Consumer<ExchangeSnapshot> {
 
     private static boolean isReleased(String address, List<LadderEntry> messages) {
         return messages.stream()
-                .anyMatch(entry -> entry.name().equals(LAST_MESSAGE) && entry.to().equals(address));
+                .anyMatch(
+                        entry -> entry.name().equals(LAST_MESSAGE) && entry.to().equals(address));
     }
 }

@@ -16,8 +16,8 @@ class TraceEventsTest {
     private static final Instant START = Instant.parse("2026-11-28T12:00:00Z");
 
     private final List<String> told = new ArrayList<>();
-    private final TraceEvents events =
-            new TraceEvents(event -> told.add(event.fields().get("from") + " " + event.fields().get("name")));
+    private final TraceEvents events = new TraceEvents(
+            event -> told.add(event.fields().get("from") + " " + event.fields().get("name")));
 
     private static LadderEntry up(String from, String name) {
         return new LadderEntry(START, from, LadderEntry.CENTER, name, OctetString.of(new byte[2]));
@@ -54,8 +54,7 @@ class TraceEventsTest {
                 up("5550200", "CP-ACK"),
                 up("5550100", "Authentication Response"),
                 down("5550100", "Location Updating Accept"));
-        assertEquals(
-                List.of("5550200 CP-ACK", "5550100 Authentication Response", "M3 Location Updating Accept"), told);
+        assertEquals(List.of("5550200 CP-ACK", "5550100 Authentication Response", "M3 Location Updating Accept"), told);
     }
 
     @Test
