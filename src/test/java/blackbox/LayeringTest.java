@@ -115,7 +115,9 @@ class LayeringTest {
             simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.town simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
             simgsm.cells.app         : simgsm.event simgsm.console simgsm.air simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
-            simgsm.gateway           : simgsm.event simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
+            simgsm.gateway.speech    : simgsm.speech simgsm.station.call
+            simgsm.gateway.sip       : simgsm.state simgsm.timer simgsm.air simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.gateway.speech
+            simgsm.gateway           : simgsm.event simgsm.file simgsm.net simgsm.timer simgsm.gateway.speech simgsm.gateway.sip simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
             simrobot.behaviour       :
             simrobot.world           : simgsm.file
             simrobot.bitmap          : simgsm.file simgsm.octets simrobot.world
@@ -329,6 +331,8 @@ class LayeringTest {
         "simgsm.phone.screen",
         "simgsm.phone.handset",
         "simgsm.lesson",
+        "simgsm.gateway.sip",
+        "simgsm.gateway.speech",
         "simrobot.behaviour",
         "simrobot.robot",
         "simrobot.simulation"

@@ -3,18 +3,24 @@ package simgsm.gateway;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
+import simgsm.air.Msisdn;
+import simgsm.console.Event;
 import simgsm.console.FatalError;
+import simgsm.gateway.sip.SipUser;
 import simgsm.station.StationThread;
 import simgsm.web.WebPort;
 import simgsm.web.WebSocketPath;
 
-/** A running gateway: the users, the thread that owns them, and the port of their pages. */
+/** A running gateway: the users, the thread that owns them, and their ports. */
 final class Gateway implements AutoCloseable {
     private final StationThread thread = new StationThread("gateway", cause -> FatalError.end(GatewayMain.NAME, cause));
     private final WebUsers users;
-    private final WebPort port;
+    private final Optional<WebPort> port;
+    private final Optional<SipPort> sip;
     private final String key;
 
     /** @throws IOException if the port cannot be opened */
@@ -27,7 +33,12 @@ final class Gateway implements AutoCloseable {
                 false,
                 PhoneSocket.MOST_OCTETS,
                 socket -> new PhoneSocket(socket, users));
-        port = new WebPort(
+        port = settings.hasWeb() ? Optional.of(webPort(settings, phone)) : Optional.empty();
+        sip = settings.sip().isPresent() ? Optional.of(new SipPort(thread, settings, listener)) : Optional.empty();
+    }
+
+    private WebPort webPort(GatewaySettings settings, WebSocketPath phone) throws IOException {
+        return new WebPort(
                 thread::listen,
                 new InetSocketAddress(settings.bind(), settings.web()),
                 new GatewayPages(this, new RobotPages(settings.robots())),
@@ -37,16 +48,36 @@ final class Gateway implements AutoCloseable {
 
     void start() {
         thread.start();
-        port.start();
+        port.ifPresent(WebPort::start);
     }
 
-    int webPort() {
-        return port.port();
+    /** What {@code ready} says: the open ports. */
+    Event ready() {
+        Event ready = Event.of("ready");
+        if (port.isPresent()) {
+            ready = ready.with("web", port.get().port()).with("link", link());
+        }
+        return sip.isPresent() ? ready.with("sip", sip.get().port()) : ready;
     }
 
     /** The link for pupils. */
     String link() {
-        return port.url() + "#" + key;
+        return port.orElseThrow().url() + "#" + key;
+    }
+
+    /** Rows of all users. */
+    List<Event> rows() {
+        Stream<GatewayEvent> pages = users.all().stream().map(GatewayEvent.UserRow::new);
+        Stream<GatewayEvent> phones = sip.stream()
+                .flatMap(it -> it.server().users().stream())
+                .filter(SipUser::isRegistered)
+                .map(GatewayEvent.UserRow::new);
+        return Stream.concat(pages, phones).map(Event::from).toList();
+    }
+
+    /** Ends a user at once. @return false if the number is unused */
+    boolean drop(Msisdn number) {
+        return users.drop(number) || sip.filter(it -> it.server().drop(number)).isPresent();
     }
 
     WebUsers users() {
@@ -61,8 +92,11 @@ final class Gateway implements AutoCloseable {
     /** Ends the calls, detaches the users and ends the thread. */
     @Override
     public void close() {
-        thread.execute(() -> users.all().forEach(user -> user.end(CloseCode.GOING_AWAY, "the gateway ends")));
-        port.close();
+        thread.execute(() -> {
+            users.all().forEach(user -> user.end(CloseCode.GOING_AWAY, "the gateway ends"));
+            sip.ifPresent(it -> it.server().close());
+        });
+        port.ifPresent(WebPort::close);
         thread.close();
     }
 }

@@ -1,12 +1,10 @@
 package simgsm.gateway;
 
-import java.util.List;
 import simgsm.air.Msisdn;
 import simgsm.console.CommandException;
 import simgsm.console.CommandTable;
 import simgsm.console.Console;
 import simgsm.console.ConsoleCommand;
-import simgsm.console.Event;
 
 /** The console's commands. */
 final class GatewayCommands implements Console.Commands {
@@ -30,10 +28,7 @@ final class GatewayCommands implements Console.Commands {
     }
 
     private void users() {
-        List<Event> rows = gateway.ask(() -> gateway.users().all().stream()
-                .map(user -> Event.from(new GatewayEvent.UserRow(user)))
-                .toList());
-        console.emitList("users", rows);
+        console.emitList("users", gateway.ask(gateway::rows));
     }
 
     private void drop(ConsoleCommand command) throws CommandException {
@@ -44,7 +39,7 @@ final class GatewayCommands implements Console.Commands {
         } catch (IllegalArgumentException e) {
             throw new CommandException("drop: " + e.getMessage());
         }
-        if (!gateway.ask(() -> gateway.users().drop(number))) {
+        if (!gateway.ask(() -> gateway.drop(number))) {
             throw new CommandException("drop: no user has the number " + number);
         }
     }

@@ -3,13 +3,17 @@ package simgsm.gateway;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.event.EventLine;
+import simgsm.gateway.sip.SipUser;
 
 /** An event of the gateway's console. */
 sealed interface GatewayEvent {
     /** Users of pages. */
     String WEB = "web";
 
-    /** A page has connected. */
+    /** Users of SIP phones. */
+    String SIP = "sip";
+
+    /** A page has connected, or a SIP phone has registered. */
     @EventLine("joined kind= number= from= [name=]")
     record Joined(String kind, Msisdn number, String from, Optional<String> name) implements GatewayEvent {
         Joined(WebUser user) {
@@ -17,7 +21,7 @@ sealed interface GatewayEvent {
         }
     }
 
-    /** A page has disconnected. */
+    /** A page has disconnected, or a SIP phone has gone. */
     @EventLine("left kind= number=")
     record Left(String kind, Msisdn number) implements GatewayEvent {
         Left(WebUser user) {
@@ -25,7 +29,7 @@ sealed interface GatewayEvent {
         }
     }
 
-    /** A page was closed; the cause is its close code. */
+    /** A page was closed, or a SIP request refused; the cause is the close code or the response. */
     @EventLine("refused kind= from= cause= text=")
     record Refused(String kind, String from, int cause, String text) implements GatewayEvent {}
 
@@ -34,7 +38,15 @@ sealed interface GatewayEvent {
     record UserRow(String kind, Msisdn number, String from, String state, Optional<String> name)
             implements GatewayEvent {
         UserRow(WebUser user) {
-            this(WEB, user.number(), user.from(), user.isCalling() ? "call" : "idle", nameOf(user));
+            this(WEB, user.number(), user.from(), state(user.isCalling()), nameOf(user));
+        }
+
+        UserRow(SipUser user) {
+            this(SIP, user.number(), user.from(), state(user.isCalling()), Optional.empty());
+        }
+
+        private static String state(boolean isCalling) {
+            return isCalling ? "call" : "idle";
         }
     }
 

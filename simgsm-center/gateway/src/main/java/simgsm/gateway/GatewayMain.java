@@ -3,7 +3,6 @@ package simgsm.gateway;
 import java.io.IOException;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
-import simgsm.console.Event;
 import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UsageException;
@@ -29,7 +28,7 @@ public final class GatewayMain {
                 Gateway gateway = new Gateway(settings, console::tell)) {
             Runtime.getRuntime().addShutdownHook(new Thread(gateway::close, "detach"));
             gateway.start();
-            console.ready(Event.of("ready").with("web", gateway.webPort()).with("link", gateway.link()));
+            console.ready(gateway.ready());
             Program.runConsole(console, arguments, new GatewayCommands(console, gateway));
             return console.exitStatus();
         }

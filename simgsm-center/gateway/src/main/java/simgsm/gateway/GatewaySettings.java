@@ -1,13 +1,17 @@
 package simgsm.gateway;
 
+import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.URI;
+import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalInt;
 import simgsm.console.Arguments;
 import simgsm.console.HostPort;
 import simgsm.console.UsageException;
@@ -16,37 +20,49 @@ import simgsm.console.UsageException;
  * The gateway's settings, from the command line.
  *
  * @param bind the address of the ports
+ * @param hasWeb false if there are only SIP phones
  * @param web the port of the pages; 0 for any free one
  * @param firstNumber of the browsers' numbers
  * @param lastNumber not below the first
  * @param key in the link
  * @param robots addresses of SimRobots' web servers
+ * @param sip the port of SIP; 0 for any free one
+ * @param sipUsers passwords by number
  */
 record GatewaySettings(
         InetSocketAddress center,
         InetAddress bind,
+        boolean hasWeb,
         int web,
         long firstNumber,
         long lastNumber,
         String key,
         List<URI> robots,
+        OptionalInt sip,
+        Map<String, String> sipUsers,
         Locale language) {
     private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
     private static final int MAX_PORT = 0xffff;
     private static final int KEY_OCTETS = 8;
+    private static final Path DEFAULT_DATA = Path.of("gateway-data");
     private static final String DEFAULT_NUMBERS = "5550110-5550159";
 
-    static GatewaySettings of(Arguments arguments) throws UsageException {
+    static GatewaySettings of(Arguments arguments) throws UsageException, IOException {
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         long[] numbers = arguments.value("numbers", GatewaySettings::numbers).orElseGet(() -> numbers(DEFAULT_NUMBERS));
         return new GatewaySettings(
                 new InetSocketAddress(center.host(), center.port()),
                 arguments.bindAddress(),
+                arguments.has("web") || !arguments.has("sip"),
                 (int) arguments.integer("web", 0, 0, MAX_PORT),
                 numbers[0],
                 numbers[1],
                 arguments.value("key", GatewaySettings::key).orElseGet(GatewaySettings::randomKey),
                 arguments.value("robots", GatewaySettings::robots).orElse(List.of()),
+                arguments.has("sip")
+                        ? OptionalInt.of((int) arguments.integer("sip", 0, 0, MAX_PORT))
+                        : OptionalInt.empty(),
+                arguments.has("sip") ? SipUserFile.read(arguments.path("data").orElse(DEFAULT_DATA)) : Map.of(),
                 arguments.language());
     }
 

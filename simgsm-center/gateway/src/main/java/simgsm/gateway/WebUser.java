@@ -10,6 +10,7 @@ import simgsm.air.Msisdn;
 import simgsm.console.Event;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.event.EventForm;
+import simgsm.gateway.speech.SpeechBuffer;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
@@ -38,7 +39,7 @@ final class WebUser {
 
     private final String token;
     private final PageWords texts;
-    private final PageSpeech speech = new PageSpeech();
+    private final SpeechBuffer speech = new SpeechBuffer();
     private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
     private final DtmfReceiver receiver =
             new DtmfReceiver(digit -> keyHeard(digit.key().symbol()));

@@ -19,6 +19,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
@@ -174,6 +175,20 @@ public final class SelectorLoop implements AutoCloseable {
         Acceptor acceptor = new Acceptor(this, address, limits, factory);
         selector.wakeup();
         return acceptor;
+    }
+
+    /**
+     * Opens a UDP socket for any number of peers.
+     *
+     * @param local port 0 for any free even one
+     * @param received takes each datagram with its source, on this thread
+     * @throws IOException naming address and port
+     */
+    public Datagrams datagrams(InetSocketAddress local, BiConsumer<byte[], InetSocketAddress> received)
+            throws IOException {
+        Datagrams socket = Datagrams.open(this, local, received);
+        selector.wakeup();
+        return socket;
     }
 
     /** Runs an action once, at the earliest in the next iteration. */

@@ -6,9 +6,11 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import simgsm.net.Acceptor;
 import simgsm.net.ConnectionLimits;
+import simgsm.net.Datagrams;
 import simgsm.net.SelectorLoop;
 
 /**
@@ -94,6 +96,16 @@ public final class StationThread implements AutoCloseable {
     public Acceptor listen(InetSocketAddress address, ConnectionLimits limits, Acceptor.Factory factory)
             throws IOException {
         return loop.listen(address, limits, factory);
+    }
+
+    /**
+     * Opens a UDP socket owned by this thread; see {@link SelectorLoop#datagrams}.
+     *
+     * @throws IOException naming address and port
+     */
+    public Datagrams datagrams(InetSocketAddress local, BiConsumer<byte[], InetSocketAddress> received)
+            throws IOException {
+        return loop.datagrams(local, received);
     }
 
     private void advanceStations() {

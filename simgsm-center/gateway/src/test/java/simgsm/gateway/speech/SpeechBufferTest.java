@@ -1,4 +1,4 @@
-package simgsm.gateway;
+package simgsm.gateway.speech;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -13,8 +13,8 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.dtmf.ToneShape;
 
-class PageSpeechTest {
-    private final PageSpeech speech = new PageSpeech();
+class SpeechBufferTest {
+    private final SpeechBuffer speech = new SpeechBuffer();
 
     private static short[] frame(int value) {
         short[] samples = new short[160];
@@ -29,7 +29,7 @@ class PageSpeechTest {
     }
 
     private void accept(int... values) {
-        Arrays.stream(values).mapToObj(PageSpeechTest::frame).forEach(speech::accept);
+        Arrays.stream(values).mapToObj(SpeechBufferTest::frame).forEach(speech::accept);
     }
 
     @Test
@@ -47,7 +47,7 @@ class PageSpeechTest {
     void aLateFrameIsReplacedByTheOneBeforeItForAtMost100Millis() {
         accept(100, 200);
         assertEquals(100, read());
-        for (int i = 0; i <= PageSpeech.MOST_SUBSTITUTES; i++) {
+        for (int i = 0; i <= SpeechBuffer.MOST_SUBSTITUTES; i++) {
             assertEquals(200, read());
         }
         assertEquals(0, read());
@@ -65,7 +65,7 @@ class PageSpeechTest {
 
     @Test
     void beyond2SecondsTheOldestFrameIsDropped() {
-        for (int i = 1; i <= PageSpeech.MOST_FRAMES + 2; i++) {
+        for (int i = 1; i <= SpeechBuffer.MOST_FRAMES + 2; i++) {
             accept(100 * i);
         }
         assertEquals(300, read());

@@ -1,22 +1,22 @@
-package simgsm.gateway;
+package simgsm.gateway.speech;
 
 import java.util.ArrayDeque;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.call.SpeechSource;
 
 /**
- * Buffers the speech of a page for the station. A page's timer is inexact, so its frames arrive in bursts; a cushion
+ * Buffers the speech of a page or a SIP phone for the station. Its frames arrive in bursts; a cushion
  * releases one every 20 ms. The last frame replaces one that is late in a sound; after a longer stall the rest of the
  * sound is dropped, because a gap would split one key into two.
  */
-final class PageSpeech implements SpeechSource {
+public final class SpeechBuffer implements SpeechSource {
     /** Number of frames before the first one is released: 40 ms. */
     static final int CUSHION_FRAMES = 2;
 
-    /** 2 s, longer than a page stalls; the oldest frame above this is dropped. */
+    /** 2 s, longer than a browser stalls; the oldest frame above this is dropped. */
     static final int MOST_FRAMES = 100;
 
-    /** Maximum of substitutes; after them a page counts as silent. */
+    /** Maximum of substitutes; after them the sender counts as silent. */
     static final int MOST_SUBSTITUTES = 5;
 
     /** Minimum pause between two keys after frames of it were dropped. */
@@ -38,7 +38,7 @@ final class PageSpeech implements SpeechSource {
      *
      * @param frame 160 samples, kept
      */
-    void accept(short[] frame) {
+    public void accept(short[] frame) {
         if (waiting.size() == MOST_FRAMES) {
             waiting.removeFirst();
         }
@@ -46,7 +46,7 @@ final class PageSpeech implements SpeechSource {
     }
 
     /** Empties the buffer at the end of the call. */
-    void clear() {
+    public void clear() {
         waiting.clear();
         isFilling = true;
         isInterrupted = false;

@@ -1,0 +1,139 @@
+package simgsm.gateway.sip;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+
+/**
+ * Digest authentication (RFC 7616, RFC 8760): MD5 and SHA-256 with {@code qop=auth}. Each challenge has a fresh nonce,
+ * because baresip counts from 1 for each one; a nonce is valid for 5 min, and each of its counts once.
+ */
+final class SipDigest {
+    static final String REALM = "simgsm";
+
+    /** Results of {@link #check}. */
+    enum Verdict {
+        RIGHT,
+        WRONG,
+        /** The password is right, the nonce is not fresh. */
+        STALE,
+        MISSING
+    }
+
+    private static final long NONCE_NANOS = TimeUnit.MINUTES.toNanos(5);
+    private static final int MOST_NONCES = 10_000;
+    private static final Map<String, String> ALGORITHMS = Map.of("MD5", "MD5", "SHA-256", "SHA-256");
+    private static final String PREFIX = "digest ";
+
+    /** @param count the highest count received, in use of its client */
+    private record Nonce(long madeNanos, long count) {}
+
+    private final Map<String, Nonce> nonces = new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, Nonce> eldest) {
+            return size() > MOST_NONCES;
+        }
+    };
+
+    private final Supplier<String> words;
+
+    /** @param words gives a random word for each nonce */
+    SipDigest(Supplier<String> words) {
+        this.words = words;
+    }
+
+    /** Adds a challenge for each algorithm to a 401. */
+    void challenge(SipMessage response, boolean isStale, long nowNanos) {
+        for (String algorithm : List.of("MD5", "SHA-256")) {
+            String nonce = words.get() + words.get();
+            nonces.put(nonce, new Nonce(nowNanos, 0));
+            response.with(
+                    "WWW-Authenticate",
+                    "Digest realm=\"" + REALM + "\", nonce=\"" + nonce + "\", algorithm=" + algorithm + ", qop=\"auth\""
+                            + (isStale ? ", stale=true" : ""));
+        }
+    }
+
+    /** The user name that a request gives with its credentials; empty without credentials for this realm. */
+    static Optional<String> user(SipMessage request) {
+        return credentials(request).map(fields -> fields.getOrDefault("username", ""));
+    }
+
+    private static Optional<Map<String, String>> credentials(SipMessage request) {
+        return request.fields("Authorization").stream()
+                .filter(field -> field.toLowerCase(Locale.ROOT).startsWith(PREFIX))
+                .map(field -> fields(field.substring(PREFIX.length())))
+                .filter(fields -> REALM.equals(fields.get("realm")))
+                .findFirst();
+    }
+
+    private static Map<String, String> fields(String text) {
+        Map<String, String> fields = new HashMap<>();
+        for (String part : SipValue.split(text, ',')) {
+            int equals = part.indexOf('=');
+            if (equals > 0) {
+                fields.putIfAbsent(
+                        part.substring(0, equals).strip().toLowerCase(Locale.ROOT),
+                        SipValue.unquoted(part.substring(equals + 1).strip()));
+            }
+        }
+        return fields;
+    }
+
+    /** Checks the credentials of a request, whose user has this password; an empty one is never right. */
+    Verdict check(SipMessage request, String password, long nowNanos) {
+        Optional<Map<String, String>> given = credentials(request);
+        if (given.isEmpty()) {
+            return Verdict.MISSING;
+        }
+        Map<String, String> fields = given.get();
+        String algorithm =
+                ALGORITHMS.get(fields.getOrDefault("algorithm", "MD5").toUpperCase(Locale.ROOT));
+        String qop = fields.getOrDefault("qop", "");
+        if (password.isEmpty() || algorithm == null || !qop.isEmpty() && !qop.equals("auth")) {
+            return Verdict.WRONG;
+        }
+        String nonce = fields.getOrDefault("nonce", "");
+        String count = fields.getOrDefault("nc", "");
+        String first = hash(algorithm, fields.getOrDefault("username", "") + ":" + REALM + ":" + password);
+        String second = hash(algorithm, request.method() + ":" + fields.getOrDefault("uri", ""));
+        String middle = qop.isEmpty() ? nonce : nonce + ":" + count + ":" + fields.get("cnonce") + ":" + qop;
+        byte[] expected = hash(algorithm, first + ":" + middle + ":" + second).getBytes(StandardCharsets.US_ASCII);
+        byte[] response =
+                fields.getOrDefault("response", "").toLowerCase(Locale.ROOT).getBytes(StandardCharsets.US_ASCII);
+        if (!MessageDigest.isEqual(expected, response)) {
+            return Verdict.WRONG;
+        }
+        return isFresh(nonce, qop.isEmpty() ? "1" : count, nowNanos) ? Verdict.RIGHT : Verdict.STALE;
+    }
+
+    private boolean isFresh(String nonce, String count, long nowNanos) {
+        Nonce known = nonces.get(nonce);
+        long number = count.matches("[0-9a-fA-F]{1,8}") ? Long.parseLong(count, 16) : 0;
+        if (known == null || nowNanos - known.madeNanos > NONCE_NANOS || number <= known.count) {
+            return false;
+        }
+        nonces.put(nonce, new Nonce(known.madeNanos, number));
+        return true;
+    }
+
+    private static String hash(String algorithm, String text) {
+        try {
+            byte[] octets = MessageDigest.getInstance(algorithm).digest(text.getBytes(StandardCharsets.UTF_8));
+            return HexFormat.of().formatHex(octets);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("each Java platform has MD5 and SHA-256", e);
+        }
+    }
+}

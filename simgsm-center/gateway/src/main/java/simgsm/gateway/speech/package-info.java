@@ -1,0 +1,2 @@
+/** Speech that arrives in bursts. */
+package simgsm.gateway.speech;
