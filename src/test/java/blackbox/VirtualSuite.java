@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.function.LongConsumer;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.Exchange;
@@ -48,6 +49,7 @@ public final class VirtualSuite {
     private final List<VirtualModem> modems = new ArrayList<>();
     private final VirtualCenter center;
     private final SuiteTrace trace;
+    private final List<LongConsumer> clocks = new ArrayList<>();
     private long nowNanos;
 
     /** The modem answers at once. */
@@ -196,6 +198,7 @@ public final class VirtualSuite {
             }
             links.forEach(link -> link.station.timePassed(nowNanos));
             modems.forEach(modem -> modem.timePassed(nowNanos));
+            clocks.forEach(clock -> clock.accept(nowNanos));
             exchange().advance(nowNanos);
             settle();
             trace.frameTimeOver();
@@ -207,6 +210,23 @@ public final class VirtualSuite {
         for (Runnable next = underWay.poll(); next != null; next = underWay.poll()) {
             next.run();
         }
+    }
+
+    /** Queues what happens after the present event, as at the arrival of a message. */
+    void later(Runnable action) {
+        underWay.add(action);
+    }
+
+    /** Tells the time of each frame of 20 ms. */
+    void tellTime(LongConsumer clock) {
+        clocks.add(clock);
+    }
+
+    /** Links a station that another core has made. */
+    void join(MobileStation station) {
+        VirtualLink link = new VirtualLink(station, this::exchange, underWay, () -> nowNanos, trace);
+        links.add(link);
+        link.up();
     }
 
     private StationIdentity identity(String number, String unitName) {

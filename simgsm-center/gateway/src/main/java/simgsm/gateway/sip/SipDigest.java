@@ -6,7 +6,6 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HashMap;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -30,21 +29,25 @@ final class SipDigest {
     }
 
     private static final long NONCE_NANOS = TimeUnit.MINUTES.toNanos(5);
-    private static final int MOST_NONCES = 10_000;
-    private static final Map<String, String> ALGORITHMS = Map.of("MD5", "MD5", "SHA-256", "SHA-256");
+    private static final int MOST_KEPT = 10_000;
+    private static final String MD5 = "MD5";
     private static final String PREFIX = "digest ";
 
     /** @param count the highest count received, in use of its client */
     private record Nonce(long madeNanos, long count) {}
 
-    private final Map<String, Nonce> nonces = new LinkedHashMap<>() {
+    private final Map<String, Nonce> nonces = new Newest<>();
+    /** Requests without credentials, by Call-ID. */
+    private final Map<String, Integer> asked = new Newest<>();
+
+    private static final class Newest<T> extends LinkedHashMap<String, T> {
         private static final long serialVersionUID = 1;
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Nonce> eldest) {
-            return size() > MOST_NONCES;
+        protected boolean removeEldestEntry(Map.Entry<String, T> eldest) {
+            return size() > MOST_KEPT;
         }
-    };
+    }
 
     private final Supplier<String> words;
 
@@ -53,16 +56,25 @@ final class SipDigest {
         this.words = words;
     }
 
-    /** Adds a challenge for each algorithm to a 401. */
-    void challenge(SipMessage response, boolean isStale, long nowNanos) {
-        for (String algorithm : List.of("MD5", "SHA-256")) {
-            String nonce = words.get() + words.get();
-            nonces.put(nonce, new Nonce(nowNanos, 0));
-            response.with(
-                    "WWW-Authenticate",
-                    "Digest realm=\"" + REALM + "\", nonce=\"" + nonce + "\", algorithm=" + algorithm + ", qop=\"auth\""
-                            + (isStale ? ", stale=true" : ""));
-        }
+    /**
+     * Adds a challenge to a 401, of one algorithm, because baresip 1.0 and others refuse a challenge beside SHA-256: that
+     * of the request, else MD5, and SHA-256 for a client that comes again without credentials.
+     */
+    void challenge(SipMessage request, SipMessage response, boolean isStale, long nowNanos) {
+        String algorithm = credentials(request).map(SipDigest::algorithm).orElseGet(() -> {
+            boolean isAgain = asked.merge(request.callId(), 1, Integer::sum) % 2 == 0;
+            return isAgain ? "SHA-256" : MD5;
+        });
+        String nonce = words.get() + words.get();
+        nonces.put(nonce, new Nonce(nowNanos, 0));
+        response.with(
+                "WWW-Authenticate",
+                "Digest realm=\"" + REALM + "\", nonce=\"" + nonce + "\", algorithm=" + algorithm + ", qop=\"auth\""
+                        + (isStale ? ", stale=true" : ""));
+    }
+
+    private static String algorithm(Map<String, String> credentials) {
+        return credentials.getOrDefault("algorithm", MD5).equalsIgnoreCase("SHA-256") ? "SHA-256" : MD5;
     }
 
     /** The user name that a request gives with its credentials; empty without credentials for this realm. */
@@ -98,10 +110,9 @@ final class SipDigest {
             return Verdict.MISSING;
         }
         Map<String, String> fields = given.get();
-        String algorithm =
-                ALGORITHMS.get(fields.getOrDefault("algorithm", "MD5").toUpperCase(Locale.ROOT));
+        String algorithm = algorithm(fields);
         String qop = fields.getOrDefault("qop", "");
-        if (password.isEmpty() || algorithm == null || !qop.isEmpty() && !qop.equals("auth")) {
+        if (password.isEmpty() || !qop.isEmpty() && !qop.equals("auth")) {
             return Verdict.WRONG;
         }
         String nonce = fields.getOrDefault("nonce", "");
@@ -115,6 +126,7 @@ final class SipDigest {
         if (!MessageDigest.isEqual(expected, response)) {
             return Verdict.WRONG;
         }
+        asked.remove(request.callId());
         return isFresh(nonce, qop.isEmpty() ? "1" : count, nowNanos) ? Verdict.RIGHT : Verdict.STALE;
     }
 

@@ -210,7 +210,7 @@ public final class SipServer {
         }
         if (verdict != SipDigest.Verdict.RIGHT) {
             SipMessage answer = request.response(401, "Unauthorized");
-            digest.challenge(answer, verdict == SipDigest.Verdict.STALE, now);
+            digest.challenge(message, answer, verdict == SipDigest.Verdict.STALE, now);
             request.send(answer);
         }
         return verdict == SipDigest.Verdict.RIGHT;
