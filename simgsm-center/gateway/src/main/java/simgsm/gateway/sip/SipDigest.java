@@ -20,7 +20,7 @@ final class SipDigest {
     static final String REALM = "simgsm";
 
     /** Results of {@link #check}. */
-    enum Verdict {
+    enum DigestResult {
         RIGHT,
         WRONG,
         /** The password is right, the nonce is not fresh. */
@@ -104,16 +104,16 @@ final class SipDigest {
     }
 
     /** Checks the credentials of a request, whose user has this password; an empty one is never right. */
-    Verdict check(SipMessage request, String password, long nowNanos) {
+    DigestResult check(SipMessage request, String password, long nowNanos) {
         Optional<Map<String, String>> given = credentials(request);
         if (given.isEmpty()) {
-            return Verdict.MISSING;
+            return DigestResult.MISSING;
         }
         Map<String, String> fields = given.get();
         String algorithm = algorithm(fields);
         String qop = fields.getOrDefault("qop", "");
         if (password.isEmpty() || !qop.isEmpty() && !qop.equals("auth")) {
-            return Verdict.WRONG;
+            return DigestResult.WRONG;
         }
         String nonce = fields.getOrDefault("nonce", "");
         String count = fields.getOrDefault("nc", "");
@@ -124,10 +124,10 @@ final class SipDigest {
         byte[] response =
                 fields.getOrDefault("response", "").toLowerCase(Locale.ROOT).getBytes(StandardCharsets.US_ASCII);
         if (!MessageDigest.isEqual(expected, response)) {
-            return Verdict.WRONG;
+            return DigestResult.WRONG;
         }
         asked.remove(request.callId());
-        return isFresh(nonce, qop.isEmpty() ? "1" : count, nowNanos) ? Verdict.RIGHT : Verdict.STALE;
+        return isFresh(nonce, qop.isEmpty() ? "1" : count, nowNanos) ? DigestResult.RIGHT : DigestResult.STALE;
     }
 
     private boolean isFresh(String nonce, String count, long nowNanos) {

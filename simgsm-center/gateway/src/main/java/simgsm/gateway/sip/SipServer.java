@@ -203,17 +203,17 @@ public final class SipServer {
         boolean isOther =
                 SipDigest.user(message).filter(user -> !user.equals(number)).isPresent();
         String password = isOther ? "" : passwords.getOrDefault(number, "");
-        SipDigest.Verdict verdict = digest.check(message, password, now);
-        if (verdict == SipDigest.Verdict.WRONG) {
+        SipDigest.DigestResult result = digest.check(message, password, now);
+        if (result == SipDigest.DigestResult.WRONG) {
             guesses.count(host, now);
             listener.refused(request.peer().toString(), 401, "wrong password of " + number);
         }
-        if (verdict != SipDigest.Verdict.RIGHT) {
+        if (result != SipDigest.DigestResult.RIGHT) {
             SipMessage answer = request.response(401, "Unauthorized");
-            digest.challenge(message, answer, verdict == SipDigest.Verdict.STALE, now);
+            digest.challenge(message, answer, result == SipDigest.DigestResult.STALE, now);
             request.send(answer);
         }
-        return verdict == SipDigest.Verdict.RIGHT;
+        return result == SipDigest.DigestResult.RIGHT;
     }
 
     /** The number is that of To, never of Contact: phones put other words there. */
