@@ -142,6 +142,13 @@ public final class RunningProgram implements AutoCloseable {
                 .orElseThrow(() -> new AssertionError(name + " has not said " + event + "\n" + this));
     }
 
+    /** All events of this name that have come. */
+    public synchronized List<ConsoleEvent> allSaid(String event) {
+        return events.stream()
+                .filter(candidate -> candidate.name().equals(event))
+                .toList();
+    }
+
     private static Map<String, String> fields(String... keysAndValues) {
         Map<String, String> fields = new HashMap<>();
         for (int i = 0; i < keysAndValues.length; i += 2) {

@@ -128,6 +128,26 @@ public class Scenario implements AutoCloseable {
         return start("gateway", "simgsm-gateway", arguments.toArray(String[]::new));
     }
 
+    /** Starts a gateway for these SIP phones alone, all with the password {@code secret}; {@code ready} names its port. */
+    public RunningProgram sipGateway(List<String> numbers) throws IOException {
+        Path data = Files.createDirectories(folder.resolve("gateway"));
+        List<String> lines =
+                numbers.stream().map(number -> number + "=secret").toList();
+        Files.write(data.resolve("sip-users.properties"), lines);
+        return start(
+                "gateway",
+                "simgsm-gateway",
+                "--headless",
+                "--lang",
+                "en",
+                "--center",
+                network,
+                "--sip",
+                "0",
+                "--data",
+                data.toString());
+    }
+
     /** Where the centre, started with {@code --smpp}, takes applications. */
     public int smppPort() {
         return Integer.parseInt(ready.field("smpp"));
