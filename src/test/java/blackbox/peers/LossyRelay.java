@@ -22,7 +22,7 @@ import java.util.regex.Pattern;
 final class LossyRelay implements AutoCloseable {
     private static final Pattern AUDIO = Pattern.compile("m=audio ([0-9]+) ");
     private static final Pattern LENGTH = Pattern.compile("(?i)Content-Length: *[0-9]+");
-    private static final Pattern CALL = Pattern.compile("(?mi)^Call-ID: *(.*?)\r$");
+    private static final Pattern CALL = Pattern.compile("(?mi)^Call-ID: *(\\S+)");
 
     final AtomicLong passed = new AtomicLong();
     final AtomicLong lost = new AtomicLong();
