@@ -131,8 +131,7 @@ public class Scenario implements AutoCloseable {
     /** Starts a gateway for these SIP phones alone, all with the password {@code secret}; {@code ready} names its port. */
     public RunningProgram sipGateway(List<String> numbers) throws IOException {
         Path data = Files.createDirectories(folder.resolve("gateway"));
-        List<String> lines =
-                numbers.stream().map(number -> number + "=secret").toList();
+        List<String> lines = numbers.stream().map(number -> number + "=secret").toList();
         Files.write(data.resolve("sip-users.properties"), lines);
         return start(
                 "gateway",

@@ -417,6 +417,40 @@ class SipPhonesTest {
         assertTrue(message.endsWith("while away"), message);
     }
 
+    @Test
+    void theNetworkKeepsAMessageUntilThePhoneHasIt() {
+        phone.registered();
+        suite.phone("5550100").station().sendMessage(new Msisdn(NUMBER), "kept");
+        String message = phone.expect("MESSAGE");
+        assertEquals(1, suite.exchange().snapshot().waiting());
+        answer(message, "200 OK", "", "");
+        suite.seconds(0.2);
+        assertEquals(0, suite.exchange().snapshot().waiting());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {10, 400})
+    void aMessageThatThePhoneDoesNotTakeComesAgainAfterItsRegistration(int length) {
+        phone.registered();
+        String text = "x".repeat(length);
+        suite.phone("5550100").station().sendMessage(new Msisdn(NUMBER), text);
+        answer(phone.expect("MESSAGE"), "480 Temporarily Unavailable", "", "");
+        suite.seconds(60);
+        assertTrue(phone.poll("MESSAGE").isEmpty());
+        phone.register("");
+        phone.expect("MESSAGE");
+        // now there is no answer at all
+        suite.seconds(100);
+        phone.received.clear();
+        phone.register("");
+        String message = phone.expect("MESSAGE");
+        assertTrue(message.endsWith("\r\n\r\n" + text), message);
+        answer(message, "200 OK", "", "");
+        suite.seconds(600);
+        assertEquals(0, suite.exchange().snapshot().waiting());
+        assertTrue(phone.poll("MESSAGE").isEmpty(), "once");
+    }
+
     @ParameterizedTest
     @CsvSource({
         "application/im-iscomposing+xml,,200",

@@ -44,6 +44,7 @@ final class LossyRelay implements AutoCloseable {
         DatagramChannel socket;
         /** Where this side receives. */
         InetSocketAddress address;
+
         Side other;
     }
 
@@ -75,6 +76,7 @@ final class LossyRelay implements AutoCloseable {
             }
         } catch (IOException | RuntimeException e) {
             if (selector.isOpen()) {
+                e.printStackTrace(System.out);
                 throw new IllegalStateException(e);
             }
         }

@@ -94,12 +94,7 @@ class SipPeersTest {
                 module_app ctrl_tcp.so
                 ctrl_tcp_listen 127.0.0.1:%d
                 """.formatted(
-                        own,
-                        folder.resolve(sound),
-                        folder.resolve("played.wav"),
-                        own + 10,
-                        own + 30,
-                        own + 2));
+                        own, folder.resolve(sound), folder.resolve("played.wav"), own + 10, own + 30, own + 2));
         Files.writeString(
                 folder.resolve("accounts"),
                 "<sip:" + NUMBER + "@127.0.0.1:" + port + ">;auth_user=" + NUMBER
@@ -122,15 +117,13 @@ class SipPeersTest {
     }
 
     private static void say(Socket control, String command, String parameters) throws IOException {
-        String json =
-                "{\"command\":\"" + command + "\",\"params\":\"" + parameters + "\",\"token\":\"x\"}";
-        control.getOutputStream()
-                .write((json.length() + ":" + json + ",").getBytes(StandardCharsets.US_ASCII));
+        String json = "{\"command\":\"" + command + "\",\"params\":\"" + parameters + "\",\"token\":\"x\"}";
+        control.getOutputStream().write((json.length() + ":" + json + ",").getBytes(StandardCharsets.US_ASCII));
     }
 
     private void sound(String name, String... effects) throws Exception {
-        List<String> arguments = new ArrayList<>(
-                List.of("-n", "-r", "8000", "-c", "1", "-b", "16", folder.resolve(name).toString()));
+        List<String> arguments = new ArrayList<>(List.of(
+                "-n", "-r", "8000", "-c", "1", "-b", "16", folder.resolve(name).toString()));
         arguments.addAll(List.of(effects));
         Peer.SOX.run(arguments.toArray(String[]::new)).expectSuccess();
     }
@@ -222,9 +215,15 @@ class SipPeersTest {
                 audio_rtp_port=%d
                 """.formatted(own, port, NUMBER, NUMBER, own + 2));
         ProcessBuilder builder = Peer.LINPHONEC.process(
-                "-c", settings.toString(), "-d", "3", "-l", folder.resolve("log").toString());
+                "-c",
+                settings.toString(),
+                "-d",
+                "3",
+                "-l",
+                folder.resolve("log").toString());
         builder.environment().put("HOME", folder.toString());
-        Process linphone = builder.redirectOutput(folder.resolve("printed").toFile()).start();
+        Process linphone =
+                builder.redirectOutput(folder.resolve("printed").toFile()).start();
         phones.add(linphone);
         gateway.expect("joined", "kind", "sip", "number", NUMBER);
         type(linphone, "soundcard use files");
@@ -264,17 +263,27 @@ class SipPeersTest {
         Files.copy(Path.of(Peer.source("sip/" + scenarioFile)), own);
         int ports = freePorts();
         ProcessBuilder builder = Peer.SIPP.process(
-                "-sf", own.toString(),
-                "-inf", folder.resolve("users.csv").toString(),
-                "-i", "127.0.0.1",
-                "-p", String.valueOf(ports),
+                "-sf",
+                own.toString(),
+                "-inf",
+                folder.resolve("users.csv").toString(),
+                "-i",
+                "127.0.0.1",
+                "-p",
+                String.valueOf(ports),
                 "-mp",
                 String.valueOf(ports + 4),
-                "-m", String.valueOf(calls),
-                "-r", String.valueOf(perSecond),
+                "-m",
+                String.valueOf(calls),
+                "-r",
+                String.valueOf(perSecond),
                 "-nostdin",
                 "-aa",
-                "-trace_err", "-error_file", folder.resolve("errors").toString(),
+                "-recv_timeout",
+                "40000",
+                "-trace_err",
+                "-error_file",
+                folder.resolve("errors").toString(),
                 "127.0.0.1:" + to);
         return Peer.run(builder.directory(folder.toFile()));
     }
@@ -325,8 +334,7 @@ class SipPeersTest {
             Peer.Output output = sipp("order.xml", CALLS, relay.port(), 10);
             Map<String, String> orders = new TreeMap<>();
             for (ConsoleEvent event : robots.allSaid("order")) {
-                orders.merge(
-                        event.field("robot"), event.field("text") + event.field("verdict"), (a, b) -> a + " " + b);
+                orders.merge(event.field("robot"), event.field("text") + event.field("verdict"), (a, b) -> a + " " + b);
             }
             String kinds = orders.values().stream()
                     .collect(Collectors.groupingBy(text -> text, TreeMap::new, Collectors.counting()))

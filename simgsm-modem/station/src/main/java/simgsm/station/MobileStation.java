@@ -9,6 +9,7 @@ import simgsm.abis.IpaFrame;
 import simgsm.air.Cause;
 import simgsm.air.MobilityManagement.ServiceType;
 import simgsm.air.Msisdn;
+import simgsm.air.RpCause;
 import simgsm.dtmf.DtmfKey;
 import simgsm.octets.OctetString;
 import simgsm.sim.PinLock;
@@ -279,6 +280,26 @@ public final class MobileStation implements StationCommands {
     @Override
     public void setMemoryAvailable(boolean available) {
         messages.setMemoryAvailable(available);
+        settle();
+    }
+
+    /**
+     * Lets {@link #messageTaken} and {@link #messageRefused} answer each complete text, so that the network keeps it until
+     * then; the parts before the last are acknowledged as they come.
+     */
+    public void answerMessagesLater() {
+        messages.answersLater();
+    }
+
+    /** Acknowledges the text of the last {@link StationEvent.ShortMessageReceived}. */
+    public void messageTaken() {
+        messages.messageTaken();
+        settle();
+    }
+
+    /** Refuses the text of the last {@link StationEvent.ShortMessageReceived}; with memory exceeded (22) it comes again. */
+    public void messageRefused(RpCause cause) {
+        messages.messageRefused(cause);
         settle();
     }
 

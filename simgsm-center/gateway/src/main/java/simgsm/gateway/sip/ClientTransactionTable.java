@@ -4,7 +4,7 @@ import static simgsm.gateway.sip.ClientTransactionTable.ClientTransactionAction.
 import static simgsm.gateway.sip.ClientTransactionTable.ClientTransactionEvent.*;
 import static simgsm.gateway.sip.ClientTransactionTable.ClientTransactionState.*;
 
-import java.util.Set;
+import java.util.EnumSet;
 import simgsm.state.StateTable;
 
 /** A request to a phone, INVITE or other (RFC 3261, 17.1; RFC 6026, 7.2). */
@@ -55,17 +55,17 @@ final class ClientTransactionTable {
             new StateTable<>("SIP client transaction", SENT);
 
     static {
-        TABLE.stay(Set.of(SENT), RESEND_EXPIRED, SEND, START_RESEND)
+        TABLE.stay(EnumSet.of(SENT), RESEND_EXPIRED, SEND, START_RESEND)
                 .on(SENT, RINGING, PROCEEDING, STOP_TIMERS, REPORT)
-                .stay(Set.of(PROCEEDING), RINGING, REPORT)
-                .stay(Set.of(PROCEEDING), CANCEL, START_LIMIT)
-                .on(Set.of(SENT, PROCEEDING), LIMIT_EXPIRED, TERMINATED, STOP_TIMERS, REMOVE, REPORT_TIMEOUT)
-                .on(Set.of(SENT, PROCEEDING), ACCEPT, ACCEPTED, STOP_TIMERS, START_LINGER, REPORT)
-                .on(Set.of(SENT, PROCEEDING), REFUSE, COMPLETED, STOP_TIMERS, SEND_ACK, START_LINGER, REPORT)
+                .stay(EnumSet.of(PROCEEDING), RINGING, REPORT)
+                .stay(EnumSet.of(PROCEEDING), CANCEL, START_LIMIT)
+                .on(EnumSet.of(SENT, PROCEEDING), LIMIT_EXPIRED, TERMINATED, STOP_TIMERS, REMOVE, REPORT_TIMEOUT)
+                .on(EnumSet.of(SENT, PROCEEDING), ACCEPT, ACCEPTED, STOP_TIMERS, START_LINGER, REPORT)
+                .on(EnumSet.of(SENT, PROCEEDING), REFUSE, COMPLETED, STOP_TIMERS, SEND_ACK, START_LINGER, REPORT)
                 .on(SENT, FINAL, COMPLETED, STOP_TIMERS, START_LINGER, REPORT)
-                .stay(Set.of(ACCEPTED), ACCEPT, REPORT)
-                .stay(Set.of(COMPLETED), REFUSE, SEND_ACK)
-                .on(Set.of(ACCEPTED, COMPLETED), LINGER_EXPIRED, TERMINATED, REMOVE);
+                .stay(EnumSet.of(ACCEPTED), ACCEPT, REPORT)
+                .stay(EnumSet.of(COMPLETED), REFUSE, SEND_ACK)
+                .on(EnumSet.of(ACCEPTED, COMPLETED), LINGER_EXPIRED, TERMINATED, REMOVE);
     }
 
     private ClientTransactionTable() {}

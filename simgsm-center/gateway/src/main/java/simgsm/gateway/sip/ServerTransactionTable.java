@@ -4,7 +4,7 @@ import static simgsm.gateway.sip.ServerTransactionTable.ServerTransactionAction.
 import static simgsm.gateway.sip.ServerTransactionTable.ServerTransactionEvent.*;
 import static simgsm.gateway.sip.ServerTransactionTable.ServerTransactionState.*;
 
-import java.util.Set;
+import java.util.EnumSet;
 import simgsm.state.StateTable;
 
 /** A request of a phone, INVITE or other (RFC 3261, 17.2; RFC 6026, 7.1). */
@@ -52,17 +52,17 @@ final class ServerTransactionTable {
             new StateTable<>("SIP server transaction", TRYING);
 
     static {
-        TABLE.stay(Set.of(TRYING), REPEATED)
-                .on(Set.of(TRYING, PROCEEDING), PROVISIONAL, PROCEEDING, SEND)
-                .on(Set.of(TRYING, PROCEEDING), FINAL, COMPLETED, SEND, START_LINGER)
-                .on(Set.of(TRYING, PROCEEDING), ACCEPT, ACCEPTED, SEND, START_G, START_H)
-                .on(Set.of(TRYING, PROCEEDING), REFUSE, REFUSED, SEND, START_G, START_H)
-                .stay(Set.of(PROCEEDING, COMPLETED, ACCEPTED, REFUSED), REPEATED, SEND)
-                .stay(Set.of(ACCEPTED, REFUSED), G_EXPIRED, SEND, START_G)
-                .on(Set.of(ACCEPTED, REFUSED), ACK, CONFIRMED, STOP_TIMERS, START_LINGER)
+        TABLE.stay(EnumSet.of(TRYING), REPEATED)
+                .on(EnumSet.of(TRYING, PROCEEDING), PROVISIONAL, PROCEEDING, SEND)
+                .on(EnumSet.of(TRYING, PROCEEDING), FINAL, COMPLETED, SEND, START_LINGER)
+                .on(EnumSet.of(TRYING, PROCEEDING), ACCEPT, ACCEPTED, SEND, START_G, START_H)
+                .on(EnumSet.of(TRYING, PROCEEDING), REFUSE, REFUSED, SEND, START_G, START_H)
+                .stay(EnumSet.of(PROCEEDING, COMPLETED, ACCEPTED, REFUSED), REPEATED, SEND)
+                .stay(EnumSet.of(ACCEPTED, REFUSED), G_EXPIRED, SEND, START_G)
+                .on(EnumSet.of(ACCEPTED, REFUSED), ACK, CONFIRMED, STOP_TIMERS, START_LINGER)
                 .on(ACCEPTED, H_EXPIRED, TERMINATED, STOP_TIMERS, REMOVE, REPORT_UNACKNOWLEDGED)
                 .on(REFUSED, H_EXPIRED, TERMINATED, STOP_TIMERS, REMOVE)
-                .on(Set.of(COMPLETED, CONFIRMED), LINGER_EXPIRED, TERMINATED, REMOVE);
+                .on(EnumSet.of(COMPLETED, CONFIRMED), LINGER_EXPIRED, TERMINATED, REMOVE);
     }
 
     private ServerTransactionTable() {}

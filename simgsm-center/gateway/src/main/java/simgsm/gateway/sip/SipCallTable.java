@@ -4,7 +4,7 @@ import static simgsm.gateway.sip.SipCallTable.SipCallAction.*;
 import static simgsm.gateway.sip.SipCallTable.SipCallEvent.*;
 import static simgsm.gateway.sip.SipCallTable.SipCallState.*;
 
-import java.util.Set;
+import java.util.EnumSet;
 import simgsm.state.StateTable;
 
 /** A call between a SIP phone and its station in the network (RFC 3398, 7 and 8). */
@@ -54,6 +54,7 @@ final class SipCallTable {
         /** 487. */
         END_INVITE,
         ANSWER_STATION,
+        /** Also after the network's release: its tones may still be played. */
         CLEAR_STATION,
         START_SPEECH,
         CLOSE
@@ -63,28 +64,29 @@ final class SipCallTable {
 
     static {
         TABLE.on(IDLE, INVITED, CALLING, DIAL)
-                .stay(Set.of(CALLING), ALERTED, SEND_RINGING)
+                .stay(EnumSet.of(CALLING), ALERTED, SEND_RINGING)
                 .on(CALLING, CONNECTED, ACTIVE, SEND_OK, START_SPEECH)
-                .on(CALLING, RELEASED, ENDED, REFUSE_INVITE, CLOSE)
+                .on(CALLING, RELEASED, ENDED, REFUSE_INVITE, CLEAR_STATION, CLOSE)
                 .on(
-                        Set.of(CALLING),
-                        Set.of(PHONE_CANCELLED, PHONE_ENDED, PHONE_LOST),
+                        EnumSet.of(CALLING),
+                        EnumSet.of(PHONE_CANCELLED, PHONE_ENDED, PHONE_LOST),
                         ENDED,
                         END_INVITE,
+                        /** Also after the network's release: its tones may still be played. */
                         CLEAR_STATION,
                         CLOSE)
                 .on(IDLE, OFFERED, RINGING, SEND_INVITE)
                 .on(RINGING, PHONE_ANSWERED, ANSWERED, SEND_ACK, ANSWER_STATION)
                 .on(RINGING, PHONE_REFUSED, ENDED, CLEAR_STATION, CLOSE)
-                .on(RINGING, RELEASED, CANCELLING, SEND_CANCEL)
+                .on(RINGING, RELEASED, CANCELLING, SEND_CANCEL, CLEAR_STATION)
                 .on(RINGING, PHONE_LOST, CANCELLING, SEND_CANCEL, CLEAR_STATION)
                 .on(CANCELLING, PHONE_ANSWERED, ENDED, SEND_ACK, SEND_BYE, CLOSE)
                 .on(CANCELLING, PHONE_REFUSED, ENDED, CLOSE)
                 .on(ANSWERED, CONNECTED, ACTIVE, START_SPEECH)
-                .stay(Set.of(ANSWERED, ACTIVE, ENDED), PHONE_ANSWERED, SEND_ACK)
-                .on(Set.of(ANSWERED, ACTIVE), RELEASED, ENDED, SEND_BYE, CLOSE)
-                .on(Set.of(ANSWERED, ACTIVE), PHONE_ENDED, ENDED, CLEAR_STATION, CLOSE)
-                .on(Set.of(ANSWERED, ACTIVE), PHONE_LOST, ENDED, SEND_BYE, CLEAR_STATION, CLOSE);
+                .stay(EnumSet.of(ANSWERED, ACTIVE, ENDED), PHONE_ANSWERED, SEND_ACK)
+                .on(EnumSet.of(ANSWERED, ACTIVE), RELEASED, ENDED, SEND_BYE, CLEAR_STATION, CLOSE)
+                .on(EnumSet.of(ANSWERED, ACTIVE), PHONE_ENDED, ENDED, CLEAR_STATION, CLOSE)
+                .on(EnumSet.of(ANSWERED, ACTIVE), PHONE_LOST, ENDED, SEND_BYE, CLEAR_STATION, CLOSE);
     }
 
     private SipCallTable() {}

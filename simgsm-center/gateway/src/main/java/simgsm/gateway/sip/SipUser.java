@@ -1,8 +1,6 @@
 package simgsm.gateway.sip;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import simgsm.air.Cause;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
+import simgsm.air.RpCause;
 import simgsm.station.MobileStation;
 import simgsm.station.StationOptions;
 import simgsm.station.context.StationEvent;
@@ -30,8 +29,6 @@ public final class SipUser {
     /** What a REGISTER binds. @param contact the URI, letter by letter; @param peer its source */
     record Binding(String contact, SipPeer peer, long endNanos) {}
 
-    private record Text(String from, String text) {}
-
     private final SipContext context;
     private final SipServer server;
     private final MobileStation station;
@@ -42,8 +39,6 @@ public final class SipUser {
     /** MESSAGEs that the network has still to acknowledge, by the station's id. */
     private final Map<Integer, ServerTransaction> submitted = new HashMap<>();
 
-    private final Deque<Text> texts = new ArrayDeque<>();
-    private boolean isSendingText;
     private Binding binding;
     private SipCall call;
     private Timer end;
@@ -55,6 +50,7 @@ public final class SipUser {
         StationIdentity identity = StationIdentity.ofOpenNumber(number, Imei.random(context.random()), UNIT_NAME);
         station = new MobileStation(
                 identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, this::read, this::accept, context.random());
+        station.answerMessagesLater();
         context.transport().add(station);
     }
 
@@ -92,9 +88,7 @@ public final class SipUser {
         boolean isNew = binding == null;
         binding = new Binding(contact, request.peer(), context.timers().nowNanos() + TimeUnit.SECONDS.toNanos(seconds));
         restartEnd(TimeUnit.SECONDS.toNanos(seconds), this::unbind);
-        if (isNew) {
-            station.setMemoryAvailable(texts.isEmpty());
-        }
+        station.setMemoryAvailable(true);
         if (station.snapshot().registered()) {
             confirm(request);
             if (isNew) {
@@ -104,7 +98,6 @@ public final class SipUser {
             waiting.add(request);
             context.timers().start(REGISTER_NANOS, () -> refuseWaiting(request));
         }
-        sendText();
     }
 
     private void refuseWaiting(ServerTransaction request) {
@@ -214,9 +207,7 @@ public final class SipUser {
             Optional.ofNullable(submitted.remove(failed.id()))
                     .ifPresent(request -> request.respond(status, SipCauses.reason(status)));
         } else if (event instanceof StationEvent.ShortMessageReceived message) {
-            texts.add(new Text(message.from(), message.text()));
-            station.setMemoryAvailable(false);
-            sendText();
+            sendText(message.from(), message.text());
         }
     }
 
@@ -244,17 +235,16 @@ public final class SipUser {
         }
     }
 
-    /** Sends the oldest text; the network keeps further ones until the phone has it. */
-    private void sendText() {
-        if (binding == null || texts.isEmpty() || isSendingText) {
+    /** Sends a text; the network has its acknowledgement once the phone has it. */
+    private void sendText(String sender, String text) {
+        if (binding == null) {
+            station.messageRefused(RpCause.MEMORY_CAPACITY_EXCEEDED);
             return;
         }
-        isSendingText = true;
         SipPeer peer = binding.peer;
-        Text text = texts.getFirst();
-        boolean isNumber = text.from.matches("[+0-9]+");
-        String from = (isNumber ? "" : "\"" + text.from.replaceAll("[\"\\\\]", "") + "\" ") + "<"
-                + context.uri(isNumber ? text.from : "message", peer) + ">;tag="
+        boolean isNumber = sender.matches("[+0-9]+");
+        String from = (isNumber ? "" : "\"" + sender.replaceAll("[\"\\\\]", "") + "\" ") + "<"
+                + context.uri(isNumber ? sender : "message", peer) + ">;tag="
                 + context.transactions().randomWord();
         SipMessage request = context.request(
                         "MESSAGE",
@@ -264,19 +254,20 @@ public final class SipUser {
                         "<" + context.uri(number().digits(), peer) + ">",
                         context.transactions().randomWord(),
                         1)
-                .withBody("text/plain;charset=UTF-8", text.text);
+                .withBody("text/plain;charset=UTF-8", text);
         context.transactions().request(request, peer, this::textAnswered);
     }
 
     /** A phone that gives no answer, or a temporary refusal, receives the text after its next REGISTER. */
     private void textAnswered(SipMessage response) {
         int status = response.status();
-        isSendingText = false;
-        if (status == 408 || status == 480 || status >= 500 && status < 600) {
-            return;
+        if (status < 300) {
+            station.messageTaken();
+        } else if (status == 408 || status == 480 || status >= 500 && status < 600) {
+            station.setMemoryAvailable(false);
+            station.messageRefused(RpCause.MEMORY_CAPACITY_EXCEEDED);
+        } else {
+            station.messageRefused(RpCause.INTERWORKING);
         }
-        texts.removeFirst();
-        station.setMemoryAvailable(texts.isEmpty() && binding != null);
-        sendText();
     }
 }

@@ -41,6 +41,12 @@ final class DuplicateFilter {
         }
     }
 
+    /** The message was not taken: it comes again. @param tpdu as of {@link #withoutMoreMessages} */
+    void forget(OctetString tpdu) {
+        confirmed.removeLastOccurrence(tpdu);
+        repeatable.removeLastOccurrence(tpdu);
+    }
+
     /** The centre may have lost acknowledgements of the last link. */
     void linkLost() {
         confirmed.forEach(tpdu -> remember(repeatable, tpdu));
@@ -48,7 +54,7 @@ final class DuplicateFilter {
     }
 
     /** Without TP-MMS, which may differ in the second delivery. */
-    private static OctetString withoutMoreMessages(OctetString tpdu) {
+    static OctetString withoutMoreMessages(OctetString tpdu) {
         byte[] octets = tpdu.toArray();
         if (octets.length > 0) {
             octets[0] |= MORE_MESSAGES_TO_SEND;

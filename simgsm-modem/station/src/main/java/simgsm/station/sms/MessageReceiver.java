@@ -1,6 +1,8 @@
 package simgsm.station.sms;
 
 import java.lang.System.Logger.Level;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import simgsm.air.Direction;
 import simgsm.air.ProtocolViolation;
@@ -21,6 +23,7 @@ import simgsm.sms.TpduCodec;
 import simgsm.state.StateMachine;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
+import simgsm.station.context.StationEvent.ShortMessageReceived;
 import simgsm.station.context.StationTimer;
 import simgsm.station.sms.IncomingMessageTable.IncomingMessageAction;
 import simgsm.station.sms.IncomingMessageTable.IncomingMessageEvent;
@@ -29,6 +32,7 @@ import simgsm.station.sms.IncomingMessageTable.IncomingMessageState;
 /** Receives the network's deliveries; runs by {@link IncomingMessageTable}. */
 final class MessageReceiver {
     private static final int MAX_RETRANSMISSIONS = 3;
+    private static final int MAX_REFUSED = 20;
 
     private final StationContext context;
     private final DeliveryReports reports;
@@ -42,8 +46,24 @@ final class MessageReceiver {
     private OctetString unconfirmed;
     private int retransmissions;
     private boolean memoryFull;
+    private boolean answersLater;
+    /** The text that the user has still to take; null without one. */
+    private Held held;
+    /** Texts that the user has refused for now: their earlier parts do not come again. */
+    private final Map<OctetString, ShortMessageReceived> refused = new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<OctetString, ShortMessageReceived> eldest) {
+            return size() > MAX_REFUSED;
+        }
+    };
+
     /** True while the network waits for RP-SMMA after a refusal. */
     private boolean networkWaits;
+
+    /** @param tpdu of the last part */
+    private record Held(OctetString tpdu, int reference, ShortMessageReceived text) {}
 
     MessageReceiver(StationContext context, DeliveryReports reports) {
         this.context = context;
@@ -67,6 +87,44 @@ final class MessageReceiver {
         memoryFull = false;
         networkWaits = false;
         return report;
+    }
+
+    /** From now on {@link #taken} or {@link #refused} answers each complete text. */
+    void answersLater() {
+        answersLater = true;
+    }
+
+    /** The user has the text. */
+    void taken() {
+        answer(Optional.empty());
+    }
+
+    /** The user does not take the text. */
+    void refused(RpCause cause) {
+        answer(Optional.of(cause));
+    }
+
+    private void answer(Optional<RpCause> refusal) {
+        if (held == null) {
+            return;
+        }
+        Held text = held;
+        held = null;
+        if (refusal.isPresent()) {
+            duplicates.forget(text.tpdu);
+            refused.put(text.tpdu, text.text);
+            networkWaits |= refusal.get() == RpCause.MEMORY_CAPACITY_EXCEEDED;
+        }
+        if (isBusy() && answer == null) {
+            RelayMessage relay = refusal.isPresent()
+                    ? new RpError(text.reference, refusal.get())
+                    : new RpAck(text.reference, Optional.empty());
+            answer = new CpData(received.transaction().answered(), relay);
+            perform(IncomingMessageAction.SEND_ANSWER);
+        } else if (refusal.isEmpty()) {
+            // the network has given up and delivers the text again
+            duplicates.unconfirmed(text.tpdu);
+        }
     }
 
     void arrived(CpData data) {
@@ -103,56 +161,84 @@ final class MessageReceiver {
             case SEND_CP_ACK ->
                 context.radio().send(new CpAck(received.transaction().answered()));
             case TAKE_MESSAGE -> takeMessage();
-            case SEND_ANSWER -> context.radio().send(answer);
+            case SEND_ANSWER -> {
+                if (answer != null) {
+                    context.radio().send(answer);
+                }
+            }
             case START_TC1 -> context.timers().start(StationTimer.TC1_INCOMING, this::tc1Expired);
             case STOP_TC1 -> context.timers().stop(StationTimer.TC1_INCOMING);
-            case EXPECT_DUPLICATE -> duplicates.unconfirmed(unconfirmed);
+            case EXPECT_DUPLICATE -> {
+                if (answer != null) {
+                    duplicates.unconfirmed(unconfirmed);
+                }
+            }
         }
     }
 
     private void takeMessage() {
-        RelayMessage relay;
+        Optional<RelayMessage> relay;
         if (received.relay() instanceof RpData relayed) {
             relay = take(relayed);
             unconfirmed = relayed.tpdu();
         } else {
-            relay = new RpError(received.relay().reference(), RpCause.MESSAGE_NOT_COMPATIBLE);
+            relay = Optional.of(new RpError(received.relay().reference(), RpCause.MESSAGE_NOT_COMPATIBLE));
             unconfirmed = OctetString.of(new byte[0]);
         }
-        answer = new CpData(received.transaction().answered(), relay);
+        answer = relay.map(it -> new CpData(received.transaction().answered(), it))
+                .orElse(null);
         retransmissions = 0;
     }
 
-    private RelayMessage take(RpData relayed) {
+    /** Empty if the user answers. */
+    private Optional<RelayMessage> take(RpData relayed) {
         try {
+            OctetString comparable = DuplicateFilter.withoutMoreMessages(relayed.tpdu());
+            if (held != null) {
+                boolean isAgain = held.tpdu.equals(comparable);
+                held = isAgain ? new Held(comparable, relayed.reference(), held.text) : held;
+                networkWaits |= !isAgain;
+                return isAgain
+                        ? Optional.empty()
+                        : Optional.of(new RpError(relayed.reference(), RpCause.MEMORY_CAPACITY_EXCEEDED));
+            }
             Tpdu tpdu = TpduCodec.decode(relayed.tpdu(), Direction.DOWNLINK);
             if (memoryFull && tpdu instanceof DeliverTpdu && !duplicates.mayBeDuplicate(relayed.tpdu())) {
                 networkWaits = true;
-                return new RpError(relayed.reference(), RpCause.MEMORY_CAPACITY_EXCEEDED);
+                return Optional.of(new RpError(relayed.reference(), RpCause.MEMORY_CAPACITY_EXCEEDED));
             }
             if (!duplicates.isDuplicate(relayed.tpdu())) {
                 context.events().add(new StationEvent.TransferUnitReceived(relayed.tpdu()));
-                take(tpdu);
+                Optional<ShortMessageReceived> text =
+                        Optional.ofNullable(refused.remove(comparable)).or(() -> take(tpdu));
+                text.ifPresent(context.events()::add);
+                if (answersLater && text.isPresent()) {
+                    held = new Held(comparable, relayed.reference(), text.get());
+                    return Optional.empty();
+                }
             }
-            return new RpAck(relayed.reference(), Optional.empty());
+            return Optional.of(new RpAck(relayed.reference(), Optional.empty()));
         } catch (ProtocolViolation e) {
             context.log().trace(Level.WARNING, "short message refused: {0}", e.getMessage());
-            return new RpError(
-                    relayed.reference(), RpCause.ofCode(e.statusCause().code()));
+            return Optional.of(new RpError(
+                    relayed.reference(), RpCause.ofCode(e.statusCause().code())));
         }
     }
 
-    private void take(Tpdu tpdu) {
+    /** The text that this part completes. */
+    private Optional<ShortMessageReceived> take(Tpdu tpdu) {
         if (tpdu instanceof DeliverTpdu deliver) {
             String from = deliver.originator().toString();
-            reassembler
+            return reassembler
                     .accept(
                             deliver.originator(),
                             deliver.userData(),
                             context.timers().nowNanos())
-                    .ifPresent(text -> context.events().add(new StationEvent.ShortMessageReceived(from, text)));
-        } else if (tpdu instanceof StatusReportTpdu report) {
+                    .map(text -> new ShortMessageReceived(from, text));
+        }
+        if (tpdu instanceof StatusReportTpdu report) {
             reports.arrived(report);
         }
+        return Optional.empty();
     }
 }

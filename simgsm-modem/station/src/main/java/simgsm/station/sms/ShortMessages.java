@@ -3,6 +3,7 @@ package simgsm.station.sms;
 import java.lang.System.Logger.Level;
 import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
+import simgsm.air.RpCause;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.ShortMessageControl.CpAck;
 import simgsm.air.ShortMessageControl.CpData;
@@ -63,6 +64,18 @@ public final class ShortMessages {
         } else if (receiver.memoryAvailable()) {
             sender.sendMemoryAvailable();
         }
+    }
+
+    public void answersLater() {
+        receiver.answersLater();
+    }
+
+    public void messageTaken() {
+        receiver.taken();
+    }
+
+    public void messageRefused(RpCause cause) {
+        receiver.refused(cause);
     }
 
     public void radioLost() {
