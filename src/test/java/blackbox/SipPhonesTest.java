@@ -516,6 +516,18 @@ class SipPhonesTest {
     }
 
     @Test
+    void eventsThatAreNumberedApartDoNotSilenceTheSound() {
+        inCall();
+        phone.soundKeys("**#");
+        phone.numberApart(true);
+        phone.eventKeys("**2");
+        phone.numberApart(false);
+        phone.soundKeys("0**");
+        suite.seconds(3);
+        assertEquals(List.of(ORDER), orders());
+    }
+
+    @Test
     void speechGoesToWhereItComesFromAndAStrangerIsNotHeard() {
         inCall();
         suite.seconds(0.2);

@@ -244,6 +244,11 @@ final class VirtualSipPhone {
                 speech);
     }
 
+    /** Gives the events sequence numbers of their own, and the sound its old ones again. */
+    void numberApart(boolean isApart) {
+        sequence += isApart ? 10_000 : -10_000 - 24;
+    }
+
     void sendRaw(byte[] octets) {
         sip.toMedia(mediaPort, octets, speech);
     }

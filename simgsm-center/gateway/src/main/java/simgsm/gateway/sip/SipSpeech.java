@@ -22,6 +22,8 @@ import simgsm.station.call.SpeechSource;
 final class SipSpeech implements SpeechSource {
     /** Longest gap of sequence numbers that is filled; a larger one is a new stream. */
     private static final int MOST_LOST = 10;
+    /** A packet that is later than this begins a new stream. */
+    private static final int MOST_LATE = 50;
     /** A key by event and the same one by INFO within this time are one. */
     private static final long SAME_KEY_NANOS = TimeUnit.SECONDS.toNanos(1);
 
@@ -115,7 +117,7 @@ final class SipSpeech implements SpeechSource {
             } else if (session.eventType().isPresent()
                             && type == session.eventType().getAsInt()
                     || type == Sdp.OFFERED_EVENTS) {
-                expected = header.sequence() + 1; // events and sound share the numbers
+                shareNumbers(header);
                 events.arrived(header, header.payload(octets));
             }
         });
@@ -131,7 +133,7 @@ final class SipSpeech implements SpeechSource {
 
     private void speech(RtpHeader header, byte[] payload) {
         int ahead = isHeard && header.source() == heardSource ? (short) (header.sequence() - expected) : 0;
-        if (ahead < 0 && ahead > -HALF_RANGE / 2) {
+        if (ahead < 0 && ahead >= -MOST_LATE) {
             return; // late, or a copy
         }
         isHeard = true;
@@ -142,6 +144,14 @@ final class SipSpeech implements SpeechSource {
         }
         last = payload;
         buffer(payload);
+    }
+
+    /** Events and sound share the sequence numbers; linphonec numbers its events apart. */
+    private void shareNumbers(RtpHeader event) {
+        int ahead = (short) (event.sequence() - expected);
+        if (ahead >= 0 && ahead <= MOST_LATE) {
+            expected = event.sequence() + 1;
+        }
     }
 
     private void buffer(byte[] payload) {
