@@ -74,11 +74,12 @@ final class SipPort implements SipTransport, SipListener {
         if (next < wakeNanos) {
             wakeNanos = next;
             thread.after(next - (System.nanoTime() - originNanos), () -> {
-                if (wakeNanos >= next) {
-                    wakeNanos = Long.MAX_VALUE;
-                }
+                boolean isNewest = wakeNanos == next;
+                wakeNanos = isNewest ? Long.MAX_VALUE : wakeNanos;
                 advance();
-                arm();
+                if (isNewest) {
+                    arm();
+                }
             });
         }
     }

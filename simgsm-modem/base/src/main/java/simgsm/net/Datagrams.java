@@ -16,11 +16,8 @@ import java.util.function.Consumer;
  */
 public final class Datagrams {
     private static final System.Logger LOG = System.getLogger(Datagrams.class.getName());
-    /** Longer datagrams are cut. */
+    /** Longer datagrams of the one peer are cut. */
     private static final int MOST_OCTETS = 2_048;
-
-    /** Longest datagram that UDP permits. */
-    private static final int LONGEST = 0xffff;
 
     private static final int READS_PER_ITERATION = 16;
     /** RTP is received on an even port (RFC 3550, 11); every second port given by the system is even. */
@@ -43,7 +40,7 @@ public final class Datagrams {
         this.channel = channel;
         this.hasManyPeers = hasManyPeers;
         this.received = received;
-        buffer = ByteBuffer.allocate(hasManyPeers ? LONGEST : MOST_OCTETS);
+        buffer = hasManyPeers ? loop.readBuffer() : ByteBuffer.allocate(MOST_OCTETS);
         channel.configureBlocking(false);
         channel.register(loop.selector(), SelectionKey.OP_READ, (Runnable) this::read);
     }

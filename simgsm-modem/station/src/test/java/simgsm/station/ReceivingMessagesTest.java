@@ -58,6 +58,25 @@ class ReceivingMessagesTest extends MessageStage {
     }
 
     @Test
+    void aTextThatTheUserAnswersLaterIsAcknowledgedThenAndAnotherIsRefusedMeanwhile() {
+        scene.station.answerMessagesLater();
+        openForDelivery();
+        down(1, deliver(UserData.of("first")));
+        scene.expect(CpAck.class);
+        scene.expectNothing();
+        down(2, deliver(UserData.of("second")));
+        scene.expect(CpAck.class);
+        RpError refusal =
+                assertInstanceOf(RpError.class, scene.expect(CpData.class).relay());
+        assertEquals(RpCause.MEMORY_CAPACITY_EXCEEDED, refusal.cause());
+        down(3, deliver(UserData.of("first")));
+        scene.expect(CpAck.class);
+        scene.station.messageTaken();
+        assertInstanceOf(RpAck.class, scene.expect(CpData.class).relay());
+        assertEquals(List.of("message from 5550200: first"), scene.reported.lines());
+    }
+
+    @Test
     void aMessageThatComesAgainOverANewLinkIsAcknowledgedButNotReported() {
         openForDelivery();
         OctetString tpdu = deliver(UserData.of("hola"));

@@ -243,7 +243,7 @@ public final class SipUser {
         }
         SipPeer peer = binding.peer;
         boolean isNumber = sender.matches("[+0-9]+");
-        String from = (isNumber ? "" : "\"" + sender.replaceAll("[\"\\\\]", "") + "\" ") + "<"
+        String from = (isNumber ? "" : "\"" + sender.replaceAll("[\"\\\\\\p{Cntrl}]", "") + "\" ") + "<"
                 + context.uri(isNumber ? sender : "message", peer) + ">;tag="
                 + context.transactions().randomWord();
         SipMessage request = context.request(
