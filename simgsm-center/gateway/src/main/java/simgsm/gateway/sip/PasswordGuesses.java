@@ -2,24 +2,15 @@ package simgsm.gateway.sip;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /** Slows the guessing of passwords: 10 wrong ones a minute from one address; then all of its requests are refused unread. */
 final class PasswordGuesses {
     private static final int MOST = 10;
-    private static final int MOST_ADDRESSES = 10_000;
     private static final long WINDOW_NANOS = TimeUnit.MINUTES.toNanos(1);
 
-    private final Map<String, Deque<Long>> wrong = new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Deque<Long>> eldest) {
-            return size() > MOST_ADDRESSES;
-        }
-    };
+    private final Map<String, Deque<Long>> wrong = new NewestEntries<>();
 
     void count(String host, long nowNanos) {
         wrong.computeIfAbsent(host, it -> new ArrayDeque<>()).addLast(nowNanos);

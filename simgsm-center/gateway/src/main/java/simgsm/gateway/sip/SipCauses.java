@@ -21,29 +21,6 @@ final class SipCauses {
             Map.entry(504, "Server Time-out"),
             Map.entry(603, "Decline"));
 
-    private static final Map<Integer, Cause> CAUSES = Map.ofEntries(
-            Map.entry(401, Cause.CALL_REJECTED),
-            Map.entry(402, Cause.CALL_REJECTED),
-            Map.entry(403, Cause.CALL_REJECTED),
-            Map.entry(404, Cause.UNASSIGNED_NUMBER),
-            Map.entry(405, Cause.SERVICE_NOT_AVAILABLE),
-            Map.entry(406, Cause.SERVICE_NOT_IMPLEMENTED),
-            Map.entry(407, Cause.CALL_REJECTED),
-            Map.entry(408, Cause.RECOVERY_ON_TIMER_EXPIRY),
-            Map.entry(410, Cause.NUMBER_CHANGED),
-            Map.entry(415, Cause.SERVICE_NOT_IMPLEMENTED),
-            Map.entry(480, Cause.NO_USER_RESPONDING),
-            Map.entry(484, Cause.INVALID_NUMBER_FORMAT),
-            Map.entry(485, Cause.UNASSIGNED_NUMBER),
-            Map.entry(486, Cause.USER_BUSY),
-            Map.entry(488, Cause.BEARER_SERVICE_NOT_IMPLEMENTED),
-            Map.entry(501, Cause.SERVICE_NOT_IMPLEMENTED),
-            Map.entry(502, Cause.NETWORK_OUT_OF_ORDER),
-            Map.entry(504, Cause.RECOVERY_ON_TIMER_EXPIRY),
-            Map.entry(600, Cause.USER_BUSY),
-            Map.entry(603, Cause.CALL_REJECTED),
-            Map.entry(604, Cause.UNASSIGNED_NUMBER));
-
     private SipCauses() {}
 
     /** The final response to an INVITE whose call has ended before the answer. */
@@ -83,6 +60,19 @@ final class SipCauses {
 
     /** The cause for the network when a phone refuses a call. */
     static Cause cause(int status) {
-        return CAUSES.getOrDefault(status, Cause.TEMPORARY_FAILURE);
+        return switch (status) {
+            case 401, 402, 403, 407, 603 -> Cause.CALL_REJECTED;
+            case 404, 485, 604 -> Cause.UNASSIGNED_NUMBER;
+            case 405 -> Cause.SERVICE_NOT_AVAILABLE;
+            case 406, 415, 501 -> Cause.SERVICE_NOT_IMPLEMENTED;
+            case 408, 504 -> Cause.RECOVERY_ON_TIMER_EXPIRY;
+            case 410 -> Cause.NUMBER_CHANGED;
+            case 480 -> Cause.NO_USER_RESPONDING;
+            case 484 -> Cause.INVALID_NUMBER_FORMAT;
+            case 486, 600 -> Cause.USER_BUSY;
+            case 488 -> Cause.BEARER_SERVICE_NOT_IMPLEMENTED;
+            case 502 -> Cause.NETWORK_OUT_OF_ORDER;
+            default -> Cause.TEMPORARY_FAILURE;
+        };
     }
 }

@@ -5,7 +5,6 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HashMap;
 import java.util.HexFormat;
-import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -29,25 +28,15 @@ final class SipDigest {
     }
 
     private static final long NONCE_NANOS = TimeUnit.MINUTES.toNanos(5);
-    private static final int MOST_KEPT = 10_000;
     private static final String MD5 = "MD5";
     private static final String PREFIX = "digest ";
 
     /** @param count the highest count received, in use of its client */
     private record Nonce(long madeNanos, long count) {}
 
-    private final Map<String, Nonce> nonces = new Newest<>();
+    private final Map<String, Nonce> nonces = new NewestEntries<>();
     /** Requests without credentials, by Call-ID. */
-    private final Map<String, Integer> asked = new Newest<>();
-
-    private static final class Newest<T> extends LinkedHashMap<String, T> {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, T> eldest) {
-            return size() > MOST_KEPT;
-        }
-    }
+    private final Map<String, Integer> asked = new NewestEntries<>();
 
     private final Supplier<String> words;
 

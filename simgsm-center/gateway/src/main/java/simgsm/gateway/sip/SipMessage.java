@@ -13,9 +13,6 @@ import java.util.Optional;
  * lines that end with LF alone.
  */
 final class SipMessage {
-    /** Longest message read, as UDP permits. */
-    static final int MOST_OCTETS = 65_535;
-
     private static final String VERSION = "SIP/2.0";
     /** Compact names (7.3.3). */
     private static final Map<String, String> COMPACT = Map.ofEntries(
@@ -245,15 +242,11 @@ final class SipMessage {
         List<String> vias = new ArrayList<>(values("Via"));
         fields.removeIf(field -> field.is("via"));
         String first = vias.get(0).replaceAll(";\\s*rport\\s*(=[0-9]*)?", "").replaceAll(";\\s*received\\s*=[^;]*", "");
-        String rport = via(vias.get(0)).parameters().containsKey("rport") ? ";rport=" + peer.port() : "";
+        String rport = SipValue.parse(vias.get(0)).parameters().containsKey("rport") ? ";rport=" + peer.port() : "";
         vias.set(0, first + ";received=" + peer.host() + rport);
         for (int i = vias.size() - 1; i >= 0; i--) {
             fields.add(0, new Field("Via", vias.get(i)));
         }
-    }
-
-    private static SipValue via(String text) {
-        return SipValue.parse(text);
     }
 
     /** A short description for logs. */

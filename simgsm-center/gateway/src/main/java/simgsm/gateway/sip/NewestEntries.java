@@ -1,0 +1,15 @@
+package simgsm.gateway.sip;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** A map for what anybody may add: the oldest of more than 10 000 entries is removed. */
+final class NewestEntries<T> extends LinkedHashMap<String, T> {
+    private static final long serialVersionUID = 1;
+    private static final int MOST = 10_000;
+
+    @Override
+    protected boolean removeEldestEntry(Map.Entry<String, T> eldest) {
+        return size() > MOST;
+    }
+}
