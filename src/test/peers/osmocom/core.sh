@@ -47,13 +47,14 @@ stop() {
 trap stop EXIT
 trap 'exit 130' INT TERM
 
-# Runs a program in $run and starts it again 1 s after its end.
+# Runs a program in $run and starts it again 1 s after its end. Its process id is in $run/PROGRAM.pid.
 supervise() {
     cd "$run" || exit
     trap 'kill "$child" 2>/dev/null; wait "$child"; exit' TERM
     while :; do
         LD_PRELOAD=$preload "$@" &
         child=$!
+        echo "$child" >"$1.pid"
         wait "$child"
         sleep 1
     done

@@ -57,12 +57,6 @@ class SystemInformationTest {
     }
 
     @Test
-    void frequenciesAbove124GoIntoAVariableBitMapInOrderWithZeroLast() throws ProtocolViolation {
-        assertEquals(List.of(512, 600, 623), FrequencyList.decode(FrequencyList.encode(List.of(623, 512, 600))));
-        assertThrows(IllegalArgumentException.class, () -> FrequencyList.encode(List.of(1, 900)));
-    }
-
-    @Test
     void aMobileOfACombinedCellHasOneOfTenPagingGroups() {
         assertEquals(10, new ControlChannel(true, 1, true, 5, 0).pagingGroups());
         assertEquals(81, new ControlChannel(true, 0, false, 9, 0).pagingGroups());
