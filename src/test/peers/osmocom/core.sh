@@ -47,7 +47,8 @@ stop() {
 trap stop EXIT
 trap 'exit 130' INT TERM
 
-# Runs a program in $run and starts it again 1 s after its end. Its process id is in $run/PROGRAM.pid.
+# Runs a program in $run and starts it again 1 s after its end. Its process id is in $run/PROGRAM.pid. An exchange that ended has
+# forgotten who is where; osmo-bsc is ended with it, so that all phones register again.
 supervise() {
     cd "$run" || exit
     trap 'kill "$child" 2>/dev/null; wait "$child"; exit' TERM
@@ -56,6 +57,7 @@ supervise() {
         child=$!
         echo "$child" >"$1.pid"
         wait "$child"
+        [ "$1" != osmo-msc ] || kill "$(cat osmo-bsc.pid)"
         sleep 1
     done
 }

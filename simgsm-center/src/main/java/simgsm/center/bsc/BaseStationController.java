@@ -33,7 +33,6 @@ import simgsm.center.msc.link.Peer;
 import simgsm.center.msc.link.PeerUser;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
-import simgsm.rr.FrequencyList;
 import simgsm.timer.Timers;
 
 /**
@@ -125,11 +124,11 @@ public final class BaseStationController implements BroadcastChannel {
         return others.stream().anyMatch(tower -> tower.plan().cell().equals(cell));
     }
 
-    /** Checks that all cells fit one frequency list, because each lists all others. */
+    /** Checks that the lists of each cell have room for all others. */
     private static void checkFrequencies(TowerPlan newcomer, List<TowerControl> others) {
         Set<Integer> frequencies = new TreeSet<>(Set.of(newcomer.cell().frequency()));
         others.forEach(tower -> frequencies.add(tower.plan().cell().frequency()));
-        FrequencyList.encode(frequencies);
+        frequencies.forEach(own -> NeighbourFrequencies.of(own, frequencies));
     }
 
     void towerLost(TowerControl tower) {
@@ -148,10 +147,9 @@ public final class BaseStationController implements BroadcastChannel {
             List<Integer> others = towers.values().stream()
                     .filter(other -> other != tower)
                     .map(other -> other.plan().cell().frequency())
-                    .distinct()
-                    .sorted(FrequencyList.ORDER)
                     .toList();
-            tower.setNeighbours(others, tower != newcomer);
+            tower.setNeighbours(
+                    NeighbourFrequencies.of(tower.plan().cell().frequency(), others), tower != newcomer);
         }
     }
 

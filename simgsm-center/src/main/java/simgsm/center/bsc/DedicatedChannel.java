@@ -38,8 +38,6 @@ final class DedicatedChannel {
     private static final int CHANNEL_DESCRIPTION_TAG = 0x64;
     /** Mobile allocation of length 0. */
     private static final int MOBILE_ALLOCATION_TAG = 0x72;
-    /** MS power control level at the activation and in commands. */
-    private static final int POWER_LEVEL = 14;
     /** Release mode: local end (TS 48.058, 9.3.20). */
     private static final int LOCAL_END = 1;
 
@@ -108,7 +106,7 @@ final class DedicatedChannel {
 
     /** The command that moves a mobile in this cell to this channel. */
     RadioResource assignmentCommand() {
-        return new RadioResource.AssignmentCommand(description(), POWER_LEVEL, RadioResource.SPEECH_FULL_RATE);
+        return new RadioResource.AssignmentCommand(description(), tower.plan().powerLevel(), RadioResource.SPEECH_FULL_RATE);
     }
 
     /** The command that moves a mobile in another cell to this channel. */
@@ -117,7 +115,7 @@ final class DedicatedChannel {
                 tower.plan().cell(),
                 description(),
                 handoverReference,
-                POWER_LEVEL,
+                tower.plan().powerLevel(),
                 Optional.of(RadioResource.SPEECH_FULL_RATE));
     }
 
@@ -321,7 +319,7 @@ final class DedicatedChannel {
         if (purpose == Purpose.HANDOVER) {
             message = message.with(RslElement.HANDOVER_REFERENCE, handoverReference);
         }
-        message = message.with(RslElement.BS_POWER, 0).with(RslElement.MS_POWER, POWER_LEVEL);
+        message = message.with(RslElement.BS_POWER, 0).with(RslElement.MS_POWER, tower.plan().powerLevel());
         if (purpose != Purpose.HANDOVER) {
             message = message.with(RslElement.TIMING_ADVANCE, accessDelay);
         }

@@ -1,11 +1,12 @@
 package simgsm.center.bsc;
 
-import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 import simgsm.air.LocationArea;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 import simgsm.rr.FrequencyList;
+import simgsm.rr.NeighbourList;
 
 /**
  * The system information of a cell as osmo-bsc encodes it (TS 44.018, 9.1.31 to 9.1.40): 23 octets on the BCCH, 18 or 11 on the SACCH, each with
@@ -17,6 +18,8 @@ final class SystemInformationBlocks {
     private static final int BLOCK = 23;
     /** BA-IND in the first octet of a frequency list (TS 44.018, 10.5.2.22). */
     private static final byte SECOND_LIST = 0x10;
+    /** EXT-IND: the list is a part of those of its band. */
+    private static final byte IS_PART = 0x20;
 
     private static final int ALL_COLOUR_CODES = 0xff;
     /** Up to 7 repetitions, spread over 12 slots, no re-establishment, access class 10 barred (emergency calls). */
@@ -26,15 +29,13 @@ final class SystemInformationBlocks {
     /** No uplink DTX on TCH; radio link time-out in the low half. */
     private static final int NO_DTX = 0x20;
 
-    private static final int POWER_LEVEL = 14;
     private static final int NECI = 0x40;
 
     private final TowerPlan plan;
-    private final Collection<Integer> neighbours;
+    private final NeighbourFrequencies neighbours;
     private final CellSettings settings;
 
-    /** @param neighbours ARFCNs of the other cells */
-    SystemInformationBlocks(TowerPlan plan, Collection<Integer> neighbours, CellSettings settings) {
+    SystemInformationBlocks(TowerPlan plan, NeighbourFrequencies neighbours, CellSettings settings) {
         this.plan = plan;
         this.neighbours = neighbours;
         this.settings = settings;
@@ -47,11 +48,33 @@ final class SystemInformationBlocks {
         return filled(access(out), BLOCK);
     }
 
-    /** The neighbours for mobiles in idle mode. */
-    OctetString type2() {
-        OctetWriter out =
-                begin(22, 0x1a).string(FrequencyList.encode(neighbours)).octet(ALL_COLOUR_CODES);
-        return filled(access(out), BLOCK);
+    /**
+     * A list of neighbours; empty if the cell does not send it. Those for mobiles on a dedicated channel are marked as the
+     * second list, which reports name by BA-USED.
+     */
+    Optional<OctetString> neighbours(NeighbourList list) {
+        List<Integer> arfcns =
+                switch (list) {
+                    case TYPE_2, TYPE_5 -> neighbours.first();
+                    case TYPE_2_BIS, TYPE_5_BIS -> neighbours.more();
+                    case TYPE_2_TER, TYPE_5_TER -> neighbours.other();
+                };
+        boolean isFirst = list == NeighbourList.TYPE_2 || list == NeighbourList.TYPE_5;
+        boolean isOther = list == NeighbourList.TYPE_2_TER || list == NeighbourList.TYPE_5_TER;
+        if (arfcns.isEmpty() && !isFirst) {
+            return Optional.empty();
+        }
+        byte[] octets = FrequencyList.encode(arfcns).toArray();
+        octets[0] |= list.isDedicated() ? SECOND_LIST : 0;
+        octets[0] |= isOther || neighbours.more().isEmpty() ? 0 : IS_PART;
+        OctetWriter out = begin(list.pseudoLength(), list.messageType()).bytes(octets);
+        if (list.isDedicated()) {
+            return Optional.of(out.toOctetString());
+        }
+        if (isFirst) {
+            out.octet(ALL_COLOUR_CODES);
+        }
+        return Optional.of(filled(isOther ? out : access(out), BLOCK));
     }
 
     /** The cell. */
@@ -67,13 +90,6 @@ final class SystemInformationBlocks {
         OctetWriter out = area(begin(12, 0x1c));
         selection(out);
         return filled(access(out), BLOCK);
-    }
-
-    /** The neighbours for mobiles on a dedicated channel; marked as the second list, which reports name by BA-USED. */
-    OctetString type5() {
-        byte[] list = FrequencyList.encode(neighbours).toArray();
-        list[0] |= SECOND_LIST;
-        return begin(18, 0x1d).bytes(list).toOctetString();
     }
 
     /** The cell, for mobiles on a dedicated channel. */
@@ -104,7 +120,7 @@ final class SystemInformationBlocks {
      * Cell selection parameters (10.5.2.4): hysteresis in steps of 2 dB, power level; NECI, minimum level for access.
      */
     private void selection(OctetWriter out) {
-        octets(out, plan.hysteresisDecibels() / 2 << 5 | POWER_LEVEL, NECI | plan.accessMinimum());
+        octets(out, plan.hysteresisDecibels() / 2 << 5 | plan.powerLevel(), NECI | plan.accessMinimum());
     }
 
     private int options() {

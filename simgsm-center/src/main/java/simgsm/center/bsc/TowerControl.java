@@ -32,6 +32,7 @@ import simgsm.center.msc.link.PeerUser;
 import simgsm.octets.OctetString;
 import simgsm.rr.ImmediateAssignment;
 import simgsm.rr.ImmediateAssignmentReject;
+import simgsm.rr.NeighbourList;
 import simgsm.timer.Timers;
 
 /** One tower: its link, its system information, its channels. */
@@ -50,9 +51,7 @@ final class TowerControl implements PeerUser, Lifeline {
     private static final ChannelNumber BCCH = ChannelNumber.of(Kind.BCCH, 0);
     private static final ChannelNumber AGCH = ChannelNumber.of(Kind.PCH_AGCH, 0);
 
-    /** System information types of BCCH INFORMATION and SACCH FILLING (TS 48.058, 9.3.30). */
-    private static final int TYPE_5 = 0x05;
-
+    /** System information type of SACCH FILLING (TS 48.058, 9.3.30). */
     private static final int TYPE_6 = 0x06;
     /** Messages replaced by their layer 3 in the ladder, and measurements, which are too frequent. */
     private static final Set<RslType> UNTRACED = EnumSet.of(
@@ -73,7 +72,7 @@ final class TowerControl implements PeerUser, Lifeline {
     /** Connections in the order of their waits. */
     private final List<RadioConnection> queue = new ArrayList<>();
 
-    private List<Integer> neighbours = List.of();
+    private NeighbourFrequencies neighbours = NeighbourFrequencies.NONE;
     private int violations;
     private int errorReports;
     private boolean isClosed;
@@ -126,25 +125,49 @@ final class TowerControl implements PeerUser, Lifeline {
     void start() {
         SystemInformationBlocks blocks = blocks();
         sendBcch(1, blocks.type1());
-        sendBcch(2, blocks.type2());
+        sendLists(false);
         sendBcch(3, blocks.type3());
         sendBcch(4, blocks.type4());
-        sendSacch(TYPE_5, blocks.type5());
+        sendLists(true);
         sendSacch(TYPE_6, blocks.type6());
     }
 
-    /**
-     * Sets the other cells.
-     *
-     * @param frequencies in the order of reports
-     */
-    void setNeighbours(List<Integer> frequencies, boolean isTold) {
+    /** Sets the other cells. */
+    void setNeighbours(NeighbourFrequencies frequencies, boolean isTold) {
         boolean isChanged = !frequencies.equals(neighbours);
+        Set<NeighbourList> before = listsSent();
         neighbours = frequencies;
         if (isChanged && isTold) {
-            sendBcch(2, blocks().type2());
-            sendSacch(TYPE_5, blocks().type5());
+            before.removeAll(listsSent());
+            sendLists(false);
+            sendLists(true);
+            before.forEach(this::end);
         }
+    }
+
+    private Set<NeighbourList> listsSent() {
+        Set<NeighbourList> sent = EnumSet.allOf(NeighbourList.class);
+        sent.removeIf(list -> blocks().neighbours(list).isEmpty());
+        return sent;
+    }
+
+    private void sendLists(boolean isDedicated) {
+        for (NeighbourList list : listsSent()) {
+            OctetString block = blocks().neighbours(list).orElseThrow();
+            if (list.isDedicated() && isDedicated) {
+                sendSacch(list.informationType(), block);
+            } else if (!list.isDedicated() && !isDedicated) {
+                sendBcch(list.informationType(), block);
+            }
+        }
+    }
+
+    /** Ends a list's broadcast: the message without it. */
+    private void end(NeighbourList list) {
+        RslPdu message = list.isDedicated()
+                ? RslPdu.of(RslType.SACCH_FILLING)
+                : RslPdu.of(RslType.BCCH_INFORMATION, BCCH);
+        send(message.with(RslElement.SYSTEM_INFORMATION_TYPE, list.informationType()));
     }
 
     private SystemInformationBlocks blocks() {
@@ -284,6 +307,7 @@ final class TowerControl implements PeerUser, Lifeline {
             return new Measurement(number, false, 0, 0, 0, timingAdvance, List.of());
         }
         MeasurementResults results = report.get();
+        List<Integer> listed = neighbours.inReports();
         return new Measurement(
                 number,
                 results.isValid(),
@@ -292,9 +316,9 @@ final class TowerControl implements PeerUser, Lifeline {
                 usesDtx ? results.subQuality() : results.fullQuality(),
                 timingAdvance,
                 results.neighbours().stream()
-                        .filter(each -> each.frequencyIndex() < neighbours.size())
+                        .filter(each -> each.frequencyIndex() < listed.size())
                         .map(each -> new Measurement.Neighbour(
-                                new NeighbourCell(neighbours.get(each.frequencyIndex()), each.identityCode()),
+                                new NeighbourCell(listed.get(each.frequencyIndex()), each.identityCode()),
                                 each.level()))
                         .toList());
     }

@@ -7,6 +7,7 @@ import simgsm.abis.TowerIdentity;
 import simgsm.air.ChannelNumber;
 import simgsm.air.LocationArea;
 import simgsm.air.RadioResource.CellDescription;
+import simgsm.rr.Band;
 
 /**
  * A tower's parameters in the network. A tower that sends only its unit id gets the first unused of ARFCN 100 with BSIC
@@ -28,6 +29,8 @@ record TowerPlan(
         int accessMinimum,
         int hysteresisDecibels) {
     private static final int TIMESLOTS = 8;
+    /** Output of all mobiles, as osmo-bsc orders it without other configuration. */
+    private static final int MOBILE_DBM = 15;
 
     /**
      * The plan of a tower.
@@ -68,6 +71,11 @@ record TowerPlan(
         for (int i = 0; i < kind.subchannels(); i++) {
             channels.add(new ChannelNumber(kind, i, timeslot));
         }
+    }
+
+    /** Power control level of mobiles. */
+    int powerLevel() {
+        return Band.of(cell.frequency()).level(MOBILE_DBM);
     }
 
     /** The training sequence of all channels, equal to the base station's colour code. */

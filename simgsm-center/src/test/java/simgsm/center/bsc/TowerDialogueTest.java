@@ -74,18 +74,54 @@ class TowerDialogueTest {
         west.next(RslType.DATA_REQUEST);
     }
 
+    /** As Wireshark reads them; osmo-bsc 1.9 divides them likewise, and counts the first frequency of a range twice. */
     @Test
-    void aTowerWhoseFrequencyFitsNoListWithTheOthersIsRefusedAndTheOthersStay() {
+    void neighboursOfAnotherBandAreListedInTypes2terAnd5ter() {
+        stage.tower("e arfcn=0 bsic=14", "6973/0/0");
+        stage.tower("f arfcn=600 bsic=14", "6974/0/0");
+        stage.tower("b arfcn=975 bsic=11", "6970/0/0");
+        stage.tower("c arfcn=512 bsic=12", "6971/0/0");
+        stage.tower("d arfcn=885 bsic=13", "6972/0/0");
+        TestTower a = stage.tower("a arfcn=100 bsic=10", "6969/0/0");
+
+        a.down("0c1101801e01271755061900000008000000000000000000000000e504002b");
+        a.down("0c1101801e02271759061a8fe78000000000004000000000000000ffe50400");
+        a.down("0c1101801e0b2717490603890016078000000000000000000000002b2b2b2b");
+        a.down("0c1101801e03271749061b1b3900f1100001c90305274e40e50400292b2b2b");
+        a.down("0c1101801e04271731061c00f11000014e40e504002b2b2b2b2b2b2b2b2b2b");
+        a.down("101a1e050b001349061d9fe78000000000004000000000000000");
+        a.down("101a1e0e0b001349060699001607800000000000000000000000");
+        a.down("101a1e060b000d2d061e1b3900f110000127ff2b");
+    }
+
+    @Test
+    void aListIsEndedWithTheLastTowerOfItsBand() {
         TestTower west = stage.west();
+        TestTower far = stage.tower("far arfcn=600 bsic=14 lac=1", "6974/0/0");
         west.received.clear();
 
-        TestTower far = stage.tower("far arfcn=900 bsic=1 lac=1", "7000/0/0");
+        far.vanish();
 
-        assertTrue(
-                far.closedFor.orElse("").startsWith("is no tower: the neighbours' ARFCNs 100 to 900"),
-                far.closedFor.toString());
-        west.quiet();
-        assertEquals(Set.of("west"), stage.exchange.towers().keySet());
+        west.down(
+                "0c1101801e02271759061a00000000000000000000000000000000ffe50400",
+                "101a1e050b001349061d10000000000000000000000000000000",
+                "0c1101801e0b",
+                "101a1e0e");
+    }
+
+    @Test
+    void aTowerWhoseFrequencyFitsNoListWithTheOthersIsToldWhyAndTheOthersStay() {
+        for (int i = 0; i < 18; i++) {
+            stage.tower("t" + i + " arfcn=" + (512 + 20 * i) + " bsic=1", 7000 + i + "/0/0");
+        }
+        stage.tower("far arfcn=885 bsic=1", "7100/0/0");
+        assertEquals(19, stage.exchange.towers().size());
+
+        TestTower other = stage.tower("west arfcn=100 bsic=1", "7101/0/0");
+
+        String reason = other.closedFor.orElse("");
+        assertTrue(reason.startsWith("is no tower: no frequency list has room for the 19 ARFCNs [512, "), reason);
+        assertEquals(19, stage.exchange.towers().size());
     }
 
     @Test

@@ -38,6 +38,7 @@ public final class FrequencyList {
 
     private static final int AFTER_1024 = 6;
     private static final int ARFCNS = 1024;
+    private static final int FIRST_BELOW_ZERO = 955;
 
     /** The order of frequencies in measurement reports: ascending, an ARFCN of 0 last. */
     public static final Comparator<Integer> ORDER = Comparator.comparingInt(arfcn -> arfcn == 0 ? ARFCNS : arfcn);
@@ -65,27 +66,31 @@ public final class FrequencyList {
      * @throws IllegalArgumentException if no format has room for so many frequencies
      */
     public static OctetString encode(Collection<Integer> arfcns) {
-        return encoded(arfcns)
+        return find(arfcns)
                 .orElseThrow(() -> new IllegalArgumentException("no frequency list has room for the " + arfcns.size()
                         + " ARFCNs " + new TreeSet<>(arfcns) + ", expected at most " + SURE
                         + " or less far apart"));
     }
 
     /** The octets of the list as {@link #encode}; empty if no format has room for it. */
-    static Optional<OctetString> encoded(Collection<Integer> arfcns) {
+    public static Optional<OctetString> find(Collection<Integer> arfcns) {
         SortedSet<Integer> sorted = new TreeSet<>(arfcns);
         byte[] octets = new byte[OCTETS];
         if (sorted.isEmpty() || sorted.first() >= 1 && sorted.last() <= MOST_OF_MAP_0) {
             sorted.forEach(arfcn -> write(octets, BITS - arfcn, 1, 1));
             return Optional.of(OctetString.of(octets));
         }
-        int origin = sorted.first();
-        int span = sorted.last() - origin;
-        if (span <= VARIABLE_SPAN) {
-            begin(octets, VARIABLE, origin);
-            sorted.tailSet(origin + 1).forEach(arfcn -> write(octets, AFTER_ORIGIN - 1 + arfcn - origin, 1, 1));
+        SortedSet<Integer> inFrequency = new TreeSet<>(Comparator.comparingInt(FrequencyList::place));
+        inFrequency.addAll(arfcns);
+        int lowest = inFrequency.first();
+        if (place(inFrequency.last()) - place(lowest) <= VARIABLE_SPAN) {
+            begin(octets, VARIABLE, lowest);
+            inFrequency.tailSet(lowest + 1).forEach(
+                    arfcn -> write(octets, AFTER_ORIGIN - 1 + place(arfcn) - place(lowest), 1, 1));
             return Optional.of(OctetString.of(octets));
         }
+        int origin = sorted.first();
+        int span = sorted.last() - origin;
         for (Range range : Range.values()) {
             List<Integer> others = sorted.tailSet(origin + 1).stream()
                     .map(arfcn -> arfcn - origin - 1)
@@ -104,6 +109,11 @@ public final class FrequencyList {
         octets[0] = (byte) (RANGE_1024 | (origin == 0 ? WITH_ZERO : 0));
         writeTree(octets, AFTER_1024, ARFCNS, others);
         return Optional.of(OctetString.of(octets));
+    }
+
+    /** Channels of the extension of GSM 900, from ARFCN 955 on, are below ARFCN 0. */
+    private static int place(int arfcn) {
+        return arfcn >= FIRST_BELOW_ZERO ? arfcn - ARFCNS : arfcn;
     }
 
     private static void begin(byte[] octets, int format, int origin) {

@@ -13,8 +13,8 @@ import simgsm.octets.OctetWriter;
  * channels.
  */
 public sealed interface SystemInformation {
-    /** TYPE 2 on the BCCH: the neighbours for idle mobiles. */
-    record Type2(List<Integer> neighbours, RandomAccess access) implements SystemInformation {}
+    /** A list of neighbours. @param arfcns in the order of reports */
+    record Neighbours(NeighbourList list, List<Integer> arfcns) implements SystemInformation {}
 
     /** TYPE 3 on the BCCH. */
     record Type3(
@@ -26,9 +26,6 @@ public sealed interface SystemInformation {
             RandomAccess access,
             Optional<Reselection> reselection)
             implements SystemInformation {}
-
-    /** TYPE 5 on the slow associated channel: the neighbours for connected mobiles. */
-    record Type5(List<Integer> neighbours) implements SystemInformation {}
 
     /** TYPE 6 on the slow associated channel. */
     record Type6(int cellIdentity, LocationArea area, int radioLinkTimeout) implements SystemInformation {}
@@ -76,7 +73,7 @@ public sealed interface SystemInformation {
      */
     record Reselection(int offsetDecibels, double temporaryOffsetDecibels, int penaltySeconds) {}
 
-    /** The message's octets with their L2 pseudo length, as in RSL. */
+    /** The message's octets with their L2 pseudo length, as in RSL; lists of neighbours without what follows them. */
     default OctetString encode() {
         OctetWriter out = new OctetWriter();
         SystemInformationCodec.write(out, this);

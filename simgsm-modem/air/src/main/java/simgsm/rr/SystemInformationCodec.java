@@ -7,19 +7,16 @@ import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetWriter;
 import simgsm.rr.SystemInformation.ControlChannel;
+import simgsm.rr.SystemInformation.Neighbours;
 import simgsm.rr.SystemInformation.RandomAccess;
 import simgsm.rr.SystemInformation.Reselection;
 import simgsm.rr.SystemInformation.SelectionParameters;
-import simgsm.rr.SystemInformation.Type2;
 import simgsm.rr.SystemInformation.Type3;
-import simgsm.rr.SystemInformation.Type5;
 import simgsm.rr.SystemInformation.Type6;
 
 /** Encodes and decodes system information. */
 final class SystemInformationCodec {
-    private static final int TYPE_2 = 0x1a;
     private static final int TYPE_3 = 0x1b;
-    private static final int TYPE_5 = 0x1d;
     private static final int TYPE_6 = 0x1e;
     private static final int FREQUENCY_OCTETS = 16;
     private static final int BCCH_OCTETS = 23;
@@ -38,12 +35,9 @@ final class SystemInformationCodec {
     private SystemInformationCodec() {}
 
     static void write(OctetWriter out, SystemInformation information) {
-        if (information instanceof Type2 type) {
-            begin(out, 22, TYPE_2)
-                    .string(FrequencyList.encode(type.neighbours()))
-                    .octet(0xff);
-            writeAccess(out, type.access());
-            fill(out, BCCH_OCTETS);
+        if (information instanceof Neighbours neighbours) {
+            begin(out, neighbours.list().pseudoLength(), neighbours.list().messageType())
+                    .string(FrequencyList.encode(neighbours.arfcns()));
         } else if (information instanceof Type3 type) {
             begin(out, 18, TYPE_3).twoOctets(type.cellIdentity());
             writeArea(out, type.area());
@@ -55,8 +49,6 @@ final class SystemInformationCodec {
             writeAccess(out, type.access());
             type.reselection().ifPresent(reselection -> writeReselection(out, reselection));
             fill(out, BCCH_OCTETS);
-        } else if (information instanceof Type5 type) {
-            begin(out, 18, TYPE_5).string(FrequencyList.encode(type.neighbours()));
         } else if (information instanceof Type6 type) {
             begin(out, 11, TYPE_6).twoOctets(type.cellIdentity());
             writeArea(out, type.area());
@@ -135,16 +127,20 @@ final class SystemInformationCodec {
         in.octet("protocol discriminator");
         int type = in.octet("system information type");
         return switch (type) {
-            case TYPE_2 -> {
-                var neighbours = FrequencyList.decode(in.string(FREQUENCY_OCTETS, "neighbour cells"));
-                in.octet("NCC permitted");
-                yield Optional.of(new Type2(neighbours, readAccess(in)));
-            }
             case TYPE_3 -> Optional.of(readType3(in));
-            case TYPE_5 -> Optional.of(new Type5(FrequencyList.decode(in.string(FREQUENCY_OCTETS, "neighbour cells"))));
             case TYPE_6 -> Optional.of(new Type6(in.twoOctets("cell identity"), readArea(in), readTimeout(in)));
-            default -> Optional.empty();
+            default -> readNeighbours(type, in);
         };
+    }
+
+    private static Optional<SystemInformation> readNeighbours(int type, MessageReader in) throws ProtocolViolation {
+        for (NeighbourList list : NeighbourList.values()) {
+            if (list.messageType() == type) {
+                var arfcns = FrequencyList.decode(in.string(FREQUENCY_OCTETS, "neighbour cells"));
+                return Optional.of(new Neighbours(list, arfcns));
+            }
+        }
+        return Optional.empty();
     }
 
     private static Type3 readType3(MessageReader in) throws ProtocolViolation {

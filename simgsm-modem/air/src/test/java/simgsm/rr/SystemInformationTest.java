@@ -12,12 +12,11 @@ import simgsm.air.LocationArea;
 import simgsm.air.ProtocolViolation;
 import simgsm.octets.OctetString;
 import simgsm.rr.SystemInformation.ControlChannel;
+import simgsm.rr.SystemInformation.Neighbours;
 import simgsm.rr.SystemInformation.RandomAccess;
 import simgsm.rr.SystemInformation.Reselection;
 import simgsm.rr.SystemInformation.SelectionParameters;
-import simgsm.rr.SystemInformation.Type2;
 import simgsm.rr.SystemInformation.Type3;
-import simgsm.rr.SystemInformation.Type5;
 import simgsm.rr.SystemInformation.Type6;
 
 class SystemInformationTest {
@@ -37,11 +36,11 @@ class SystemInformationTest {
     @Test
     void everyTypeIsReadBack() throws ProtocolViolation {
         for (SystemInformation information : List.of(
-                new Type2(List.of(100, 110), ACCESS),
+                new Neighbours(NeighbourList.TYPE_2_BIS, List.of(100, 110)),
                 cell(Optional.empty()),
                 cell(Optional.of(new Reselection(10, 30, 40))),
                 cell(Optional.of(new Reselection(0, Double.POSITIVE_INFINITY, -1))),
-                new Type5(List.of(512, 540)),
+                new Neighbours(NeighbourList.TYPE_5_TER, List.of(512, 540)),
                 new Type6(6970, LocationArea.TEST, 64))) {
             assertEquals(Optional.of(information), SystemInformation.decode(information.encode()));
         }

@@ -4,10 +4,10 @@ import java.util.Locale;
 import simgsm.cells.town.CellSelection;
 import simgsm.cells.town.Tower;
 import simgsm.cells.town.Town;
+import simgsm.rr.Band;
 
 /** The configuration of osmo-bsc 1.9 for the towers of a town: one base station per tower, handover by algorithm 1. */
 final class OsmoBscConfig {
-    private static final int FIRST_OF_DCS_1800 = 512;
     private static final int TIME_SLOTS = 8;
 
     private OsmoBscConfig() {}
@@ -52,13 +52,14 @@ final class OsmoBscConfig {
 
     private static void append(StringBuilder text, int number, Tower tower, int radioLinkTimeout) {
         CellSelection selection = tower.selection();
+        Band band = Band.of(tower.arfcn());
         line(text, " bts %d", number);
         line(text, "  type osmo-bts");
-        line(text, "  band %s", tower.arfcn() >= FIRST_OF_DCS_1800 ? "DCS1800" : "GSM900");
+        line(text, "  band %s", band == Band.DCS_1800 ? "DCS1800" : "GSM900");
         line(text, "  cell_identity %d", tower.cellIdentity());
         line(text, "  location_area_code %d", tower.area());
         line(text, "  base_station_id_code %d", tower.bsic());
-        line(text, "  ms max power 33");
+        line(text, "  ms max power %d", band.fullDbm());
         line(text, "  cell reselection hysteresis %d", selection.hysteresisDecibels());
         line(text, "  rxlev access min %d", selection.accessMinimumRxlev());
         line(text, "  radio-link-timeout %d", radioLinkTimeout);

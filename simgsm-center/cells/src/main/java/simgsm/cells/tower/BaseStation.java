@@ -1,12 +1,14 @@
 package simgsm.cells.tower;
 
 import java.lang.System.Logger.Level;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
@@ -23,8 +25,10 @@ import simgsm.air.ProtocolViolation;
 import simgsm.cells.town.Tower;
 import simgsm.event.EventLine;
 import simgsm.octets.OctetString;
+import simgsm.rr.FrequencyList;
 import simgsm.rr.ImmediateAssignment;
 import simgsm.rr.ImmediateAssignmentReject;
+import simgsm.rr.NeighbourList;
 import simgsm.rr.RequestReference;
 import simgsm.rr.SystemInformation;
 import simgsm.timer.Timers;
@@ -53,7 +57,7 @@ public final class BaseStation {
     private final Map<ChannelNumber, TowerChannel> channels = new LinkedHashMap<>();
     private final Set<AccessUser> accesses = new LinkedHashSet<>();
     private Optional<SystemInformation.Type3> cell = Optional.empty();
-    private List<Integer> neighbours = List.of();
+    private final Map<NeighbourList, List<Integer>> lists = new EnumMap<>(NeighbourList.class);
     private boolean isOn = true;
     /** Null without a connection. */
     private TowerPort port;
@@ -86,9 +90,22 @@ public final class BaseStation {
         return cell;
     }
 
-    /** The frequencies measured by mobiles in a connection, in the order of their reports. */
+    /**
+     * The frequencies measured by mobiles in a connection, in the order of their reports (TS 44.018, 10.5.2.20): those of
+     * types 5 and 5bis together, then those of 5ter.
+     */
     public List<Integer> neighbours() {
-        return neighbours;
+        return Stream.concat(
+                        Stream.of(NeighbourList.TYPE_5, NeighbourList.TYPE_5_BIS)
+                                .flatMap(list -> listed(list))
+                                .distinct()
+                                .sorted(FrequencyList.ORDER),
+                        listed(NeighbourList.TYPE_5_TER))
+                .toList();
+    }
+
+    private Stream<Integer> listed(NeighbourList list) {
+        return lists.getOrDefault(list, List.of()).stream();
     }
 
     public boolean isOn() {
@@ -134,7 +151,7 @@ public final class BaseStation {
         port = null;
         keepAlive.stop();
         cell = Optional.empty();
-        neighbours = List.of();
+        lists.clear();
         clear();
         listener.changed(this);
     }
@@ -228,6 +245,9 @@ public final class BaseStation {
             case SACCH_FILLING -> {
                 if (message.has(RslElement.L3_INFORMATION)) {
                     informed(message.value(RslElement.L3_INFORMATION));
+                } else {
+                    int type = message.octet(RslElement.SYSTEM_INFORMATION_TYPE);
+                    lists.keySet().removeIf(list -> list.informationType() == type);
                 }
             }
             case MEASUREMENT_PREPROCESSING_DEFAULTS, SACCH_INFORMATION_MODIFY, RF_RESOURCE_INDICATION -> {}
@@ -251,8 +271,8 @@ public final class BaseStation {
             }
             cell = Optional.of(type3);
             listener.changed(this);
-        } else if (information instanceof SystemInformation.Type5 type5) {
-            neighbours = type5.neighbours();
+        } else if (information instanceof SystemInformation.Neighbours neighbours) {
+            lists.put(neighbours.list(), neighbours.arfcns());
         }
     }
 
