@@ -8,64 +8,19 @@ osmo-stp is killed; their users go on for 40 s. After 60 s: an order by short me
 phones, an order by tones, and no channel in use afterwards. A line for each kill, and the exit status is 0 only if all passed.
 """
 import os
-import queue
 import random
 import re
 import signal
 import socket
-import subprocess
 import sys
-import threading
 import time
 
+from programs import Missing, Program, ROOT
+
 COUNT, SEED, FOLDER = int(sys.argv[1]), int(sys.argv[2]), sys.argv[3]
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), *[".."] * 4)
-DIST = os.environ.get("SIMGSM_DIST", os.path.join(ROOT, "target", "dist"))
-JAVA = os.path.join(os.environ["JAVA_HOME"], "bin", "java") if "JAVA_HOME" in os.environ else "java"
 PROGRAMS = ["osmo-msc", "osmo-hlr", "osmo-bsc", "osmo-stp"]
 USABLE_SECONDS, GIVEN_UP_SECONDS = 60, 400
 A, B, ROBOT = "5550100", "5550101", "5550200"
-
-
-class Missing(Exception):
-    pass
-
-
-class Program:
-    """A program with its console."""
-
-    def __init__(self, name, *arguments):
-        self.name, self.events, self.log = name, queue.Queue(), []
-        self.process = subprocess.Popen(
-            [JAVA, "-jar", os.path.join(DIST, name + ".jar"), "--headless", "--lang", "en", *arguments],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=open(os.path.join(FOLDER, name + ".err"), "a"), text=True)
-        threading.Thread(target=self.read, daemon=True).start()
-
-    def read(self):
-        for line in self.process.stdout:
-            self.log.append("%.1f %s" % (time.monotonic() - BEGIN, line.strip()))
-            self.events.put(line.strip())
-
-    def say(self, line):
-        self.log.append("%.1f > %s" % (time.monotonic() - BEGIN, line))
-        self.process.stdin.write(line + "\n")
-        self.process.stdin.flush()
-
-    def clear(self):
-        while not self.events.empty():
-            self.events.get()
-
-    def expect(self, pattern, seconds=30, without=None):
-        end = time.monotonic() + seconds
-        while True:
-            try:
-                line = self.events.get(timeout=max(0.01, end - time.monotonic()))
-            except queue.Empty:
-                raise Missing("%s did not say %s in %d s" % (self.name, pattern, seconds))
-            if re.match(pattern, line):
-                return line
-            if without and re.match(without, line):
-                raise Missing("%s said %s before %s" % (self.name, line, pattern))
 
 
 def channels():
@@ -171,15 +126,14 @@ def kill(number, program, moment, dice):
     return passed
 
 
-BEGIN = time.monotonic()
-cells = Program("simgsm-cells", "--town", os.path.join(ROOT, "worlds", "village.town"), "--controller", "osmo-bsc",
+cells = Program(FOLDER, "simgsm-cells", "--town", os.path.join(ROOT, "worlds", "village.town"), "--controller", "osmo-bsc",
                 "--center", "127.0.0.1:3003", "--port", "0")
 address = "127.0.0.1:" + re.search(r"port=(\d+)", cells.expect("ready")).group(1)
-a = Program("simgsm-phone", "--no-sound", "--center", address, "--number", A)
+a = Program(FOLDER, "simgsm-phone", "--no-sound", "--center", address, "--number", A)
 a.expect("registered", 60)
-b = Program("simgsm-phone", "--no-sound", "--center", address, "--number", B)
+b = Program(FOLDER, "simgsm-phone", "--no-sound", "--center", address, "--number", B)
 b.expect("registered", 60)
-robot = Program("simrobot", "--no-sound", "--center", address, "--number", ROBOT, "--answer-after", "1500",
+robot = Program(FOLDER, "simrobot", "--no-sound", "--center", address, "--number", ROBOT, "--answer-after", "1500",
                 "--world", os.path.join(ROOT, "worlds", "empty.map"))
 robot.expect("registered", 60)
 dice = random.Random(SEED)

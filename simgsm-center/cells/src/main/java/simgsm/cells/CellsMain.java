@@ -47,6 +47,9 @@ public final class CellsMain {
             boolean prints = window.isEmpty() || arguments.has("console");
             CellNetwork network = new CellNetwork(settings.town(), settings.seed(), prints ? events : event -> {});
             network.setHandoverRule(settings.handover());
+            if (prints) {
+                network.setOnRefusal(console::tell);
+            }
             try (CellsLoop loop = new CellsLoop(network, settings.address(), settings.port())) {
                 loop.start(settings.controllerAddress(), cause -> FatalError.end(CellsSettings.PROGRAM, cause));
                 settings.followed()

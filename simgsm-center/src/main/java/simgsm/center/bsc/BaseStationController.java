@@ -59,6 +59,7 @@ public final class BaseStationController implements BroadcastChannel {
     private final Predicate<Link> mustProve;
     private final Map<String, TowerControl> towers = new LinkedHashMap<>();
     private int handoverReference;
+    private String lastRefusal = "";
 
     /**
      * @param links context of all links
@@ -86,6 +87,17 @@ public final class BaseStationController implements BroadcastChannel {
      * @throws IllegalArgumentException if it conflicts with the others, which remain
      */
     public PeerUser towerConnected(Peer peer, CcmMessage.IdentityResponse identity) {
+        try {
+            return admit(peer, identity);
+        } catch (IllegalArgumentException e) {
+            String refusal = identity.unitId() + " is refused: " + e.getMessage();
+            LOG.log(refusal.equals(lastRefusal) ? Level.DEBUG : Level.WARNING, "tower {0}", refusal);
+            lastRefusal = refusal;
+            throw e;
+        }
+    }
+
+    private TowerControl admit(Peer peer, CcmMessage.IdentityResponse identity) {
         TowerControl old = towers.get(identity.unitId());
         if (old != null) {
             old.checkReplaceable(peer);

@@ -50,10 +50,12 @@ final class TowerLink implements Connector.Listener {
         return new TowerConnection(endpoint, cells, tower, this::lost);
     }
 
-    /** Handles a connection's end. A controller that closes each one, as osmo-bsc before its OML, is logged once. */
+    /** Handles a connection's end; the tower has logged a refusal. */
     private void lost(String reason, boolean wasInService) {
         isAbsenceLogged &= !wasInService;
-        failed(reason);
+        if (tower.refusal().isEmpty()) {
+            failed(reason);
+        }
     }
 
     @Override

@@ -27,6 +27,7 @@ import simgsm.cells.snapshot.HandoverRule;
 import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.TowerListener;
+import simgsm.cells.tower.TowerRefused;
 import simgsm.cells.town.Town;
 import simgsm.cells.town.TownPlace;
 import simgsm.octets.OctetString;
@@ -46,6 +47,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     private final Map<String, TownPlace> placed = new HashMap<>();
     private final Deque<PassingStep> passing = new ArrayDeque<>();
     private final Consumer<MobileEvent> listener;
+    private Consumer<TowerRefused> onRefusal = refusal -> {};
     /** Walks of disconnected terminals, by number; each resumes when its terminal returns. */
     private final Map<String, Walker> walks = new HashMap<>();
 
@@ -64,6 +66,11 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
             indices.put(station, towers.size());
             towers.add(station);
         });
+    }
+
+    /** Sets the receiver of towers' refusals. */
+    public void setOnRefusal(Consumer<TowerRefused> receiver) {
+        onRefusal = receiver;
     }
 
     /** The controller's presumed rule, for the window. */
@@ -251,6 +258,13 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         int index = indices.get(tower);
         int groups = tower.cell().orElseThrow().control().pagingGroups();
         mobiles.forEach(mobile -> mobile.paged(index, group, groups, identity));
+    }
+
+    @Override
+    public void refused(TowerRefused refusal) {
+        note(new PassingStep(
+                timers.nowNanos(), "", PassingStep.Kind.TOWER_REFUSED, refusal.name(), refusal.text(), 0));
+        onRefusal.accept(refusal);
     }
 
     @Override

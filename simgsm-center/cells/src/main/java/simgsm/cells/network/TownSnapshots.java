@@ -61,6 +61,7 @@ public final class TownSnapshots {
                 tower.area(),
                 tower.isOn(),
                 tower.isInService(),
+                tower.refusal(),
                 network.powerDbm(tower),
                 tower.freeTrafficChannels(),
                 tower.tower().trafficChannels());

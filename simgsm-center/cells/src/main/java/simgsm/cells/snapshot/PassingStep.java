@@ -6,7 +6,7 @@ package simgsm.cells.snapshot;
  * @param nanos the owner thread's time
  * @param number of the mobile
  * @param from the serving tower; the old one of a handover
- * @param to the new tower of a handover; empty for the other kinds
+ * @param to the new tower of a handover; the reason of a refusal; empty for the other kinds
  * @param figure the report's number, the cause of a failure, the gap in milliseconds, the location area
  */
 public record PassingStep(long nanos, String number, Kind kind, String from, String to, int figure) {
@@ -37,6 +37,8 @@ public record PassingStep(long nanos, String number, Kind kind, String from, Str
         PAGING,
         RADIO_LINK_FAILURE,
         TOWER_ON,
-        TOWER_OFF
+        TOWER_OFF,
+        /** By the controller; {@code to}: the reason. */
+        TOWER_REFUSED
     }
 }

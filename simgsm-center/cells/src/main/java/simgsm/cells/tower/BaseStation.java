@@ -37,7 +37,7 @@ import simgsm.timer.Timers;
  * One tower with one transceiver, as a deterministic core: answers the controller's RSL (TS 48.058) and carries it to the
  * mobiles of its cell. While it is off or without a controller, no mobile hears it.
  *
- * <p>As a line: answer to {@code cells}: on, off or searching (no controller); free traffic channels.
+ * <p>As a line: answer to {@code cells}: on, off, searching (no controller) or refused; free traffic channels.
  */
 @EventLine("cell name=tower.name arfcn=tower.arfcn bsic=tower.bsic lac=area x=tower.place.xMetres:1"
         + " y=tower.place.yMetres:1 state= free=freeTrafficChannels")
@@ -63,6 +63,9 @@ public final class BaseStation {
     private TowerPort port;
 
     private int violations;
+    private boolean isIdentified;
+    /** Why the controller refused the last link; empty once in service. */
+    private String refusal = "";
 
     /**
      * Creates a tower that is on, without a controller.
@@ -117,9 +120,22 @@ public final class BaseStation {
         return isOn && port != null && cell.isPresent();
     }
 
-    /** {@code off}, {@code on}, or {@code searching} for a controller. */
+    /** {@code off}, {@code on}, {@code refused} by the controller, or {@code searching} for one. */
     public String state() {
-        return !isOn() ? "off" : isInService() ? "on" : "searching";
+        return !isOn() ? "off" : isInService() ? "on" : refusal.isEmpty() ? "searching" : "refused";
+    }
+
+    /** Why the controller refused the last link; empty if it did not. */
+    public String refusal() {
+        return refusal;
+    }
+
+    private void refused(String reason) {
+        if (!reason.equals(refusal)) {
+            refusal = reason;
+            LOG.log(Level.WARNING, "{0}: refused by the controller: {1}; trying again", this, reason);
+            listener.refused(new TowerRefused(tower.name(), reason));
+        }
     }
 
     /** Location area code: the controller's, else the town's. */
@@ -142,12 +158,16 @@ public final class BaseStation {
     /** Connects to the controller. */
     public void connected(TowerPort newPort) {
         port = newPort;
+        isIdentified = false;
         keepAlive.start();
         listener.changed(this);
     }
 
-    /** Handles the loss of the connection. */
+    /** Handles the loss of the connection. One that ends after the unit id without a reason is that of osmo-bsc. */
     public void disconnected() {
+        if (isOn && isIdentified && cell.isEmpty() && refusal.isEmpty()) {
+            refused("unit id " + tower.unitId() + " is not configured there, or has no OML link yet");
+        }
         port = null;
         keepAlive.stop();
         cell = Optional.empty();
@@ -200,6 +220,9 @@ public final class BaseStation {
         if (message instanceof CcmMessage.IdentityRequest) {
             sendCcm(identity().response());
             sendCcm(new CcmMessage.IdentityAcknowledge());
+            isIdentified = true;
+        } else if (message instanceof CcmMessage.IdentityResponse reason) {
+            refused(reason.unitName());
         } else {
             keepAlive.receive(message);
         }
@@ -270,6 +293,7 @@ public final class BaseStation {
                         Integer.toString(type3.area().areaCode()));
             }
             cell = Optional.of(type3);
+            refusal = "";
             listener.changed(this);
         } else if (information instanceof SystemInformation.Neighbours neighbours) {
             lists.put(neighbours.list(), neighbours.arfcns());

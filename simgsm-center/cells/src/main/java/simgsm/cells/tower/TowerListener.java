@@ -11,6 +11,9 @@ public interface TowerListener {
     /** A page of 88 octets of cell broadcast. */
     void broadcast(BaseStation tower, OctetString page);
 
+    /** The controller refuses the tower for another reason than before. */
+    void refused(TowerRefused refusal);
+
     /** System information, or the state of the link, has changed. */
     void changed(BaseStation tower);
 }

@@ -28,6 +28,7 @@ final class TowerRow extends JPanel {
     private final JCheckBox on;
     private final Slider fader;
     private final JLabel power = Theme.label("", Theme::monoSmall, Ink.TEXT);
+    private final String details;
     private boolean isShowing;
 
     TowerRow(TextBundle texts, TownActions town, Tower tower, int index) {
@@ -41,7 +42,7 @@ final class TowerRow extends JPanel {
             }
         };
         on.addActionListener(event -> town.switchTower(tower.name(), on.isSelected()));
-        String details = texts.of(
+        details = texts.of(
                 "tower.why", tower.name(), String.valueOf(tower.arfcn()), String.valueOf(tower.bsic()), tower.unitId());
         on.setToolTipText(details);
         ComponentNames.name(on, "tower." + tower.name(), texts.of("tower.switch", tower.name()));
@@ -73,6 +74,9 @@ final class TowerRow extends JPanel {
 
     void show(CellState state) {
         on.setSelected(state.isOn());
+        on.setForeground(Theme.color(state.refusal().isEmpty() ? Ink.TEXT : Ink.DANGER));
+        on.setToolTipText(
+                state.refusal().isEmpty() ? details : texts.of("tower.refused", details, state.refusal()));
         if (!fader.hasFocus() || !isShowing) {
             fader.show((int) Math.round(state.powerDbm()));
         }

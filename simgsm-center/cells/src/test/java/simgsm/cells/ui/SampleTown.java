@@ -67,6 +67,7 @@ final class SampleTown implements TownActions {
                         town.towers().get(i).area(),
                         field.tower(i).isOn(),
                         true,
+                        "",
                         field.tower(i).powerDbm(),
                         5,
                         6))

@@ -92,6 +92,8 @@ public final class Peer {
                 user = towers.apply(this, identity);
                 terminal.closed();
             } catch (IllegalArgumentException e) {
+                // the reason, as the unit name of an identity
+                send(new CcmMessage.IdentityResponse(e.getMessage(), ""));
                 drop("is no tower: " + e.getMessage());
             }
         }
