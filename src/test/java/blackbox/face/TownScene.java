@@ -32,7 +32,7 @@ final class TownScene {
         }
         List<Tower> towers = town.towers();
         List<CellState> cells = towers.stream()
-                .map(tower -> new CellState(tower.name(), tower.area(), tower != towers.get(0), true, 40, 5, 6))
+                .map(tower -> new CellState(tower.name(), tower.area(), tower != towers.get(0), true, "", 40, 5, 6))
                 .toList();
         List<Level> heard = new ArrayList<>();
         towers.stream()

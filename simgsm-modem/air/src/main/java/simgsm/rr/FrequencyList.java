@@ -111,6 +111,12 @@ public final class FrequencyList {
         return Optional.of(OctetString.of(octets));
     }
 
+    /** True if the list of these is encoded in range 128, 256, 512 or 1024. */
+    public static boolean isRange(Collection<Integer> arfcns) {
+        int first = encode(arfcns).octet(0);
+        return (first & RANGE_1024) != 0 && (first & FORMAT_MASK) != VARIABLE;
+    }
+
     /** Channels of the extension of GSM 900, from ARFCN 955 on, are below ARFCN 0. */
     private static int place(int arfcn) {
         return arfcn >= FIRST_BELOW_ZERO ? arfcn - ARFCNS : arfcn;

@@ -1,14 +1,22 @@
 package simgsm.cells.app;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
 import simgsm.cells.town.CellSelection;
 import simgsm.cells.town.Tower;
 import simgsm.cells.town.Town;
+import simgsm.octets.OctetString;
 import simgsm.rr.Band;
+import simgsm.rr.FrequencyList;
 
 /** The configuration of osmo-bsc 1.9 for the towers of a town: one base station per tower, handover by algorithm 1. */
 final class OsmoBscConfig {
     private static final int TIME_SLOTS = 8;
+    /** BA-IND of SYSTEM INFORMATION TYPE 5 in osmo-bsc. */
+    private static final byte SECOND_LIST = 0x10;
 
     private OsmoBscConfig() {}
 
@@ -32,7 +40,7 @@ final class OsmoBscConfig {
                  handover1 maximum distance 9999
                 """);
         for (int i = 0; i < town.towers().size(); i++) {
-            append(text, i, town.towers().get(i), town.radioLinkTimeout());
+            append(text, i, town.towers().get(i), town);
         }
         return text.append("""
                         msc 0
@@ -50,7 +58,7 @@ final class OsmoBscConfig {
                         """).toString();
     }
 
-    private static void append(StringBuilder text, int number, Tower tower, int radioLinkTimeout) {
+    private static void append(StringBuilder text, int number, Tower tower, Town town) {
         CellSelection selection = tower.selection();
         Band band = Band.of(tower.arfcn());
         line(text, " bts %d", number);
@@ -62,7 +70,7 @@ final class OsmoBscConfig {
         line(text, "  ms max power %d", band.fullDbm());
         line(text, "  cell reselection hysteresis %d", selection.hysteresisDecibels());
         line(text, "  rxlev access min %d", selection.accessMinimumRxlev());
-        line(text, "  radio-link-timeout %d", radioLinkTimeout);
+        line(text, "  radio-link-timeout %d", town.radioLinkTimeout());
         line(text, "  channel allocator ascending");
         line(text, "  rach tx integer 9");
         line(text, "  rach max transmission 7");
@@ -75,6 +83,7 @@ final class OsmoBscConfig {
         line(text, "  oml ipa stream-id 255 line 0");
         line(text, "  codec-support fr");
         line(text, "  gprs mode none");
+        appendNeighbours(text, tower, town);
         line(text, "  trx 0");
         line(text, "   rf_locked 0");
         line(text, "   arfcn %d", tower.arfcn());
@@ -86,6 +95,33 @@ final class OsmoBscConfig {
             line(text, "    phys_chan_config %s", channels(tower, slot));
             line(text, "    hopping enabled 0");
         }
+    }
+
+    /**
+     * Neighbours that osmo-bsc 1.9 would list wrongly: its lists in a range format name other frequencies, and it takes the
+     * numbers in reports as those of all frequencies in ascending order, where mobiles number the cell's band first.
+     */
+    private static void appendNeighbours(StringBuilder text, Tower tower, Town town) {
+        List<Integer> all = town.towers().stream()
+                .filter(other -> other != tower)
+                .map(Tower::arfcn)
+                .distinct()
+                .sorted()
+                .toList();
+        Map<Boolean, List<Integer>> byBand = all.stream()
+                .collect(Collectors.partitioningBy(arfcn -> Band.of(arfcn) != Band.of(tower.arfcn())));
+        List<Integer> inReports = new ArrayList<>(byBand.get(false));
+        inReports.addAll(byBand.get(true));
+        if (inReports.equals(all) && byBand.values().stream().noneMatch(FrequencyList::isRange)) {
+            return;
+        }
+        byte[] list = FrequencyList.encode(all).toArray();
+        line(text, "  force-combined-si");
+        line(text, "  system-information 2 mode static");
+        line(text, "  system-information 2 static 59061a%sffe50400", OctetString.of(list));
+        list[0] |= SECOND_LIST;
+        line(text, "  system-information 5 mode static");
+        line(text, "  system-information 5 static 49061d%s", OctetString.of(list));
     }
 
     /** Traffic channels are the last time slots; those between them and slot 0 carry signalling. */
