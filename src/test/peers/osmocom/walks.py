@@ -12,7 +12,7 @@ import sys
 from programs import Missing, Program, ROOT
 
 TOWN, COUNT, FOLDER, CONTROLLER = sys.argv[1], int(sys.argv[2]), sys.argv[3], sys.argv[4]
-SPEED = 150
+SPEED = 200
 A, ROBOT = "5550100", "5550200"
 towers = re.findall(r"^tower (\S+) (\S+) (\S+)", open(TOWN).read(), re.M)
 programs = []

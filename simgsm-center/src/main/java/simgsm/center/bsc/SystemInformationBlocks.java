@@ -1,7 +1,8 @@
 package simgsm.center.bsc;
 
+import java.util.EnumMap;
 import java.util.List;
-import java.util.Optional;
+import java.util.Map;
 import simgsm.air.LocationArea;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
@@ -49,32 +50,36 @@ final class SystemInformationBlocks {
     }
 
     /**
-     * A list of neighbours; empty if the cell does not send it. Those for mobiles on a dedicated channel are marked as the
-     * second list, which reports name by BA-USED.
+     * The lists of neighbours that the cell sends. Those for mobiles on a dedicated channel are marked as the second list,
+     * which reports name by BA-USED.
      */
-    Optional<OctetString> neighbours(NeighbourList list) {
-        List<Integer> arfcns =
-                switch (list) {
-                    case TYPE_2, TYPE_5 -> neighbours.first();
-                    case TYPE_2_BIS, TYPE_5_BIS -> neighbours.more();
-                    case TYPE_2_TER, TYPE_5_TER -> neighbours.other();
-                };
-        boolean isFirst = list == NeighbourList.TYPE_2 || list == NeighbourList.TYPE_5;
-        boolean isOther = list == NeighbourList.TYPE_2_TER || list == NeighbourList.TYPE_5_TER;
-        if (arfcns.isEmpty() && !isFirst) {
-            return Optional.empty();
+    Map<NeighbourList, OctetString> lists() {
+        Map<NeighbourList, OctetString> lists = new EnumMap<>(NeighbourList.class);
+        lists.put(NeighbourList.TYPE_2, list(NeighbourList.TYPE_2, neighbours.first()));
+        lists.put(NeighbourList.TYPE_5, list(NeighbourList.TYPE_5, neighbours.first()));
+        if (!neighbours.more().isEmpty()) {
+            lists.put(NeighbourList.TYPE_2_BIS, list(NeighbourList.TYPE_2_BIS, neighbours.more()));
+            lists.put(NeighbourList.TYPE_5_BIS, list(NeighbourList.TYPE_5_BIS, neighbours.more()));
         }
+        if (!neighbours.other().isEmpty()) {
+            lists.put(NeighbourList.TYPE_2_TER, list(NeighbourList.TYPE_2_TER, neighbours.other()));
+            lists.put(NeighbourList.TYPE_5_TER, list(NeighbourList.TYPE_5_TER, neighbours.other()));
+        }
+        return lists;
+    }
+
+    private OctetString list(NeighbourList list, List<Integer> arfcns) {
         byte[] octets = FrequencyList.encode(arfcns).toArray();
         octets[0] |= list.isDedicated() ? SECOND_LIST : 0;
-        octets[0] |= isOther || neighbours.more().isEmpty() ? 0 : IS_PART;
+        octets[0] |= list.isOfOtherBands() || neighbours.more().isEmpty() ? 0 : IS_PART;
         OctetWriter out = begin(list.pseudoLength(), list.messageType()).bytes(octets);
         if (list.isDedicated()) {
-            return Optional.of(out.toOctetString());
+            return out.toOctetString();
         }
-        if (isFirst) {
+        if (list == NeighbourList.TYPE_2) {
             out.octet(ALL_COLOUR_CODES);
         }
-        return Optional.of(filled(isOther ? out : access(out), BLOCK));
+        return filled(list.isOfOtherBands() ? out : access(out), BLOCK);
     }
 
     /** The cell. */

@@ -124,66 +124,49 @@ final class TowerControl implements PeerUser, Lifeline {
     /** Sends the whole system information. */
     void start() {
         SystemInformationBlocks blocks = blocks();
-        sendBcch(1, blocks.type1());
+        send(1, false, blocks.type1());
         sendLists(false);
-        sendBcch(3, blocks.type3());
-        sendBcch(4, blocks.type4());
+        send(3, false, blocks.type3());
+        send(4, false, blocks.type4());
         sendLists(true);
-        sendSacch(TYPE_6, blocks.type6());
+        send(TYPE_6, true, blocks.type6());
     }
 
     /** Sets the other cells. */
     void setNeighbours(NeighbourFrequencies frequencies, boolean isTold) {
+        Set<NeighbourList> ended = blocks().lists().keySet();
         boolean isChanged = !frequencies.equals(neighbours);
-        Set<NeighbourList> before = listsSent();
         neighbours = frequencies;
         if (isChanged && isTold) {
-            before.removeAll(listsSent());
             sendLists(false);
             sendLists(true);
-            before.forEach(this::end);
+            ended.removeAll(blocks().lists().keySet());
+            ended.forEach(list -> send(information(list.isDedicated(), list.informationType())));
         }
-    }
-
-    private Set<NeighbourList> listsSent() {
-        Set<NeighbourList> sent = EnumSet.allOf(NeighbourList.class);
-        sent.removeIf(list -> blocks().neighbours(list).isEmpty());
-        return sent;
-    }
-
-    private void sendLists(boolean isDedicated) {
-        for (NeighbourList list : listsSent()) {
-            OctetString block = blocks().neighbours(list).orElseThrow();
-            if (list.isDedicated() && isDedicated) {
-                sendSacch(list.informationType(), block);
-            } else if (!list.isDedicated() && !isDedicated) {
-                sendBcch(list.informationType(), block);
-            }
-        }
-    }
-
-    /** Ends a list's broadcast: the message without it. */
-    private void end(NeighbourList list) {
-        RslPdu message = list.isDedicated()
-                ? RslPdu.of(RslType.SACCH_FILLING)
-                : RslPdu.of(RslType.BCCH_INFORMATION, BCCH);
-        send(message.with(RslElement.SYSTEM_INFORMATION_TYPE, list.informationType()));
     }
 
     private SystemInformationBlocks blocks() {
         return new SystemInformationBlocks(plan, neighbours, settings());
     }
 
-    private void sendBcch(int type, OctetString block) {
-        send(RslPdu.of(RslType.BCCH_INFORMATION, BCCH)
-                .with(RslElement.SYSTEM_INFORMATION_TYPE, type)
-                .with(RslElement.FULL_BCCH_INFORMATION, block));
+    private void sendLists(boolean isDedicated) {
+        blocks().lists().forEach((list, block) -> {
+            if (list.isDedicated() == isDedicated) {
+                send(list.informationType(), isDedicated, block);
+            }
+        });
     }
 
-    private void sendSacch(int type, OctetString block) {
-        send(RslPdu.of(RslType.SACCH_FILLING)
-                .with(RslElement.SYSTEM_INFORMATION_TYPE, type)
-                .with(RslElement.L3_INFORMATION, block));
+    private void send(int type, boolean isDedicated, OctetString block) {
+        send(information(isDedicated, type)
+                .with(isDedicated ? RslElement.L3_INFORMATION : RslElement.FULL_BCCH_INFORMATION, block));
+    }
+
+    /** SACCH FILLING or BCCH INFORMATION; without a block it ends the broadcast. */
+    private static RslPdu information(boolean isDedicated, int type) {
+        RslPdu message =
+                isDedicated ? RslPdu.of(RslType.SACCH_FILLING) : RslPdu.of(RslType.BCCH_INFORMATION, BCCH);
+        return message.with(RslElement.SYSTEM_INFORMATION_TYPE, type);
     }
 
     // Channels.

@@ -41,4 +41,9 @@ public enum NeighbourList {
     public boolean isDedicated() {
         return compareTo(TYPE_5) >= 0;
     }
+
+    /** True for frequencies of other bands than the cell's. */
+    public boolean isOfOtherBands() {
+        return this == TYPE_2_TER || this == TYPE_5_TER;
+    }
 }

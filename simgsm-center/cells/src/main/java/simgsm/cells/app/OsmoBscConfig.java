@@ -121,7 +121,8 @@ final class OsmoBscConfig {
         line(text, "  system-information 2 static 59061a%sffe50400", OctetString.of(list));
         list[0] |= SECOND_LIST;
         line(text, "  system-information 5 mode static");
-        line(text, "  system-information 5 static 49061d%s", OctetString.of(list));
+        // without its L2 pseudo length: osmo-bsc sends 18 octets of it
+        line(text, "  system-information 5 static 061d%s", OctetString.of(list));
     }
 
     /** Traffic channels are the last time slots; those between them and slot 0 carry signalling. */

@@ -298,7 +298,7 @@ public final class Mobile {
         change.begin();
         take(assigned.get());
         passed(PassingStep.Kind.IMMEDIATE_ASSIGNMENT, cell(), "", granted.timingAdvance());
-        channel.establish(receiver, firstMessage);
+        channel.establish(receiver, PowerClass.in(tower.tower().arfcn(), firstMessage));
     }
 
     /** Moves to a channel. */
