@@ -105,7 +105,7 @@ class LayeringTest {
             simgsm.classroom.demo    : simgsm.air simgsm.center.app simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.file simgsm.lesson simgsm.net simgsm.ui.window
             simgsm.classroom.lesson  : simgsm.air simgsm.center.app simgsm.center.msc simgsm.classroom.demo simgsm.classroom.session simgsm.classroom.ui simgsm.console simgsm.dtmf simgsm.file simgsm.lesson simgsm.octets simgsm.sms simgsm.ui simgsm.ui.window
             simgsm.classroom         : simgsm.center simgsm.center.app simgsm.classroom.demo simgsm.classroom.lesson simgsm.console simgsm.ui.window
-            simgsm.cells.town        : simgsm.file simgsm.octets
+            simgsm.cells.town        : simgsm.octets simgsm.rr simgsm.file
             simgsm.cells.radio       : simgsm.cells.town
             simgsm.cells.snapshot    : simgsm.cells.town
             simgsm.cells.ui          : simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot
@@ -113,7 +113,7 @@ class LayeringTest {
             simgsm.cells.mobile      : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower
             simgsm.cells.network     : simgsm.octets simgsm.timer simgsm.air simgsm.rr simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile
             simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.town simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
-            simgsm.cells.app         : simgsm.event simgsm.console simgsm.air simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
+            simgsm.cells.app         : simgsm.event simgsm.octets simgsm.air simgsm.rr simgsm.console simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
             simgsm.gateway.speech    : simgsm.speech simgsm.station.call
             simgsm.gateway.sip       : simgsm.state simgsm.timer simgsm.air simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.gateway.speech

@@ -11,10 +11,15 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** A call in a town: phone and robot behind towers, the centre as their controller. */
 class TownTest {
@@ -144,5 +149,72 @@ class TownTest {
 
         assertEquals(0, printed.status(), printed.error());
         assertTrue(printed.output().contains("radio-link-timeout 16"), printed.output());
+    }
+
+    @Test
+    void osmoBscGetsTheBandOfEachTowerAndListsThatItWouldEncodeWrongly(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("bands.town");
+        Files.writeString(
+                file,
+                "town Bands\ntower a 0 0 arfcn=975 bsic=1 lac=1\ntower b 9 0 arfcn=600 bsic=2 lac=1\n"
+                        + "tower c 9 9 arfcn=800 bsic=3 lac=1\n");
+
+        String printed = FinishedProgram.run("simgsm-cells", "--print-osmo-bsc", "--town", file.toString())
+                .output();
+
+        assertEquals(
+                List.of("band GSM900", "band DCS1800", "band DCS1800"),
+                Pattern.compile("band \\w+").matcher(printed).results().map(MatchResult::group).toList());
+        // Tower a has 600 and 800 in one list of range 256; the others have one frequency of each band, in ascending order.
+        assertEquals(1, printed.split("system-information 5 mode static", -1).length - 1, printed);
+        assertTrue(printed.contains("system-information 5 static 061d9b2c6400000000000000000000000000"), printed);
+    }
+
+    @Test
+    void aTowerThatTheCentreRefusesIsToldWithItsReason(@TempDir Path folder) throws Exception {
+        StringBuilder town = new StringBuilder("town Many\n");
+        for (int i = 0; i < 19; i++) {
+            town.append("tower t" + i + " " + 100 * i + " 0 arfcn=" + (512 + 20 * i) + " bsic=1 lac=1\n");
+        }
+        Path file = Files.writeString(folder.resolve("many.town"), town + "tower west 0 100 arfcn=100 bsic=1 lac=1\n");
+        try (Scenario scenario = new Scenario("nineteen towers of one band, and one of another")) {
+            scenario.center();
+            RunningProgram cells = scenario.cells(file.toString());
+
+            ConsoleEvent refused = cells.expect("cell-refused");
+
+            assertTrue(
+                    refused.field("text").startsWith("no frequency list has room for the 19 ARFCNs [512, 532,"),
+                    refused.toString());
+            cells.say("cells");
+            cells.expect("cell", "name", refused.field("name"), "state", "refused");
+        }
+    }
+
+    /** Towers of one band whose channels are far apart, of both ends of GSM 900, and of two bands. */
+    @ParameterizedTest
+    @ValueSource(strings = {"600 800", "975 110", "512 885", "100 600"})
+    void aCallIsHandedOverThereAndBack(String arfcns, @TempDir Path folder) throws Exception {
+        String[] arfcn = arfcns.split(" ");
+        Path file = Files.writeString(
+                folder.resolve("bands.town"),
+                "town Bands\nshadow 0\ntower west 0 0 arfcn=" + arfcn[0] + " bsic=1 lac=1\n"
+                        + "tower east 1500 0 arfcn=" + arfcn[1] + " bsic=2 lac=1\n");
+        try (Scenario scenario = new Scenario("handover between ARFCNs " + arfcns)) {
+            scenario.center("--handover", "strongest-cell,margin=6,reports=1");
+            RunningProgram cells = scenario.cells(file.toString());
+            cells.say("place " + Scenario.PHONE + " 100 0").say("place " + Scenario.ROBOT + " 100 0");
+            RunningProgram robot = scenario.robot("empty.map");
+            RunningProgram phone = scenario.phone(Scenario.PHONE);
+            scenario.call(phone);
+            cells.say("place " + Scenario.PHONE + " 1400 0");
+            cells.expect("handover", "from", "west", "to", "east", "result", "success");
+            cells.say("place " + Scenario.PHONE + " 100 0");
+            cells.expect("handover", "from", "east", "to", "west", "result", "success");
+            phone.say("press **#*#90**");
+            phone.expect("tone", "key", "3");
+            phone.say("hangup").expect("released", "cause", "16");
+            robot.expect("released", "cause", "16");
+        }
     }
 }

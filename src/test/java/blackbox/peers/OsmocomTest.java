@@ -17,6 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.api.parallel.ResourceLock;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Phones and robots on a real Osmocom core: the cells speak RSL to osmo-bsc. */
 @Tag("peer")
@@ -24,6 +26,10 @@ import org.junit.jupiter.api.parallel.ResourceLock;
 @ResourceLock("speech over UDP on the loopback interface")
 class OsmocomTest {
     private static final long PATIENCE_MINUTES = 5;
+    /** {@code -Dkills=50} and {@code -Dwalks=20} measure for longer. */
+    private static final int KILLS = Integer.getInteger("kills", 2);
+
+    private static final int WALKS = Integer.getInteger("walks", 1);
 
     @BeforeEach
     void thePeersAreThere() {
@@ -87,6 +93,51 @@ class OsmocomTest {
         assertTrue(told.contains("an emergency call was answered by the robot"), told);
     }
 
+    /** Channels far apart in one band, at both ends of GSM 900, and in two bands. */
+    @ParameterizedTest
+    @ValueSource(strings = {"600 800 700", "975 110", "512 885", "100 600 110 885"})
+    void aCallIsKeptThereAndBackThroughATown(String arfcns, @TempDir Path folder) throws Exception {
+        Peer.PYTHON.require();
+        StringBuilder lines = new StringBuilder("town Walk\narea suburban\nshadow 0\n");
+        String[] each = arfcns.split(" ");
+        for (int i = 0; i < each.length; i++) {
+            lines.append("tower t" + i + " " + 2_000 * i + " 0 arfcn=" + each[i] + " bsic=" + (10 + i)
+                    + " lac=1 power=50\n");
+        }
+        Path town = Files.writeString(folder.resolve("walk.town"), lines);
+        String told = beside(
+                folder,
+                town,
+                "5550100,5550200",
+                String.join(
+                        " ",
+                        "python3",
+                        quoted(Peer.source("osmocom/walks.py")),
+                        quoted(town.toString()),
+                        String.valueOf(WALKS),
+                        quoted(folder.toString()),
+                        "osmo-bsc"),
+                Map.of(),
+                PATIENCE_MINUTES + 2 * WALKS);
+        assertTrue(told.contains(WALKS + " of " + WALKS + " walks there and back kept the call"), told);
+    }
+
+    /** osmo-msc first, then osmo-hlr, osmo-bsc, osmo-stp in turn. */
+    @Test
+    void allTerminalsWorkAMinuteAfterAProgramOfTheCoreIsKilled(@TempDir Path folder) throws Exception {
+        Peer.PYTHON.require();
+        Path town = Dist.root().resolve("worlds").resolve("village.town");
+        String told = beside(
+                folder,
+                town,
+                "5550100,5550101,5550200",
+                "python3 " + quoted(Peer.source("osmocom/kills.py")) + " " + KILLS + " 3 "
+                        + quoted(folder.resolve("logs").toString()),
+                Map.of(),
+                PATIENCE_MINUTES + 2 * KILLS);
+        assertTrue(told.contains(KILLS + " of " + KILLS + " kills: all terminals usable"), told);
+    }
+
     private static String session(Path folder, String kind, Path town, String numbers)
             throws IOException, InterruptedException {
         return session(folder, kind, town, numbers, Map.of());
@@ -104,13 +155,20 @@ class OsmocomTest {
                 OsmocomSession.class.getName(),
                 kind,
                 quoted(folder.resolve("osmocom.pcapng").toString()));
+        return beside(folder, town, numbers, command, environment, PATIENCE_MINUTES);
+    }
+
+    /** Runs a command beside a core. @return what it printed */
+    private static String beside(Path folder, Path town, String numbers, String command, Map<String, String> environment, long patienceMinutes)
+            throws IOException, InterruptedException {
         ProcessBuilder core = Peer.BASH.process(Peer.source("osmocom/core.sh"), town.toString(), numbers, command);
         core.environment().putAll(environment);
         core.environment().put("OSMOCOM_LOGS", folder.resolve("logs").toString());
         core.environment().put("JAVA_HOME", System.getProperty("java.home"));
+        core.environment().put("SIMGSM_DIST", System.getProperty("simgsm.dist"));
         Path output = folder.resolve("told.txt");
         Process process = core.redirectOutput(output.toFile()).start();
-        boolean hasEnded = process.waitFor(PATIENCE_MINUTES, TimeUnit.MINUTES);
+        boolean hasEnded = process.waitFor(patienceMinutes, TimeUnit.MINUTES);
         process.destroy();
         String told = Files.readString(output, StandardCharsets.UTF_8);
         System.out.println(told);

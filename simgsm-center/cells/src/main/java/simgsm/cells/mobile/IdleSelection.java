@@ -154,7 +154,7 @@ public final class IdleSelection {
         }
     }
 
-    /** Required advantage of another cell in dB; each of two exceptions adds to it (TS 45.008, 6.6.2). */
+    /** Required advantage of another cell in dB: the larger margin of the two exceptions (TS 45.008, 6.6.2). */
     private double margin(long nowNanos, CellParameters from, CellParameters to) {
         double hysteresis = from.area() == to.area() ? 0 : from.hysteresisDecibels();
         boolean isSettling = changedNanos != NEVER && nowNanos - changedNanos < SETTLING_NANOS;
