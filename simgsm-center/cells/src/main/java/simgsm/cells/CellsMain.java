@@ -45,11 +45,7 @@ public final class CellsMain {
         try (Console console = Console.onStandardOutput()) {
             CellsEvents events = new CellsEvents(console);
             boolean prints = window.isEmpty() || arguments.has("console");
-            CellNetwork network = new CellNetwork(settings.town(), settings.seed(), prints ? events : event -> {});
-            network.setHandoverRule(settings.handover());
-            if (prints) {
-                network.setOnRefusal(console::tell);
-            }
+            CellNetwork network = network(settings, events, prints);
             try (CellsLoop loop = new CellsLoop(network, settings.address(), settings.port())) {
                 loop.start(settings.controllerAddress(), cause -> FatalError.end(CellsSettings.PROGRAM, cause));
                 settings.followed()
@@ -74,5 +70,14 @@ public final class CellsMain {
                 return console.exitStatus();
             }
         }
+    }
+
+    private static CellNetwork network(CellsSettings settings, CellsEvents events, boolean prints) {
+        CellNetwork network = new CellNetwork(settings.town(), settings.seed(), prints ? events : event -> {});
+        network.setHandoverRule(settings.handover());
+        if (prints) {
+            network.setOnRefusal(events::refused);
+        }
+        return network;
     }
 }

@@ -2,6 +2,7 @@ package simgsm.cells.app;
 
 import java.util.function.Consumer;
 import simgsm.cells.mobile.MobileEvent;
+import simgsm.cells.tower.TowerRefused;
 import simgsm.console.Console;
 
 /** Prints the mobiles' events on the console; reports only on request. */
@@ -15,6 +16,11 @@ public final class CellsEvents implements Consumer<MobileEvent> {
 
     void showReports(boolean shown) {
         areReportsShown = shown;
+    }
+
+    /** Prints a tower's refusal. */
+    public void refused(TowerRefused refusal) {
+        console.tell(refusal);
     }
 
     @Override

@@ -63,7 +63,7 @@ final class OsmoBscConfig {
         Band band = Band.of(tower.arfcn());
         line(text, " bts %d", number);
         line(text, "  type osmo-bts");
-        line(text, "  band %s", band == Band.DCS_1800 ? "DCS1800" : "GSM900");
+        line(text, "  band %s", band.name().replace("_", ""));
         line(text, "  cell_identity %d", tower.cellIdentity());
         line(text, "  location_area_code %d", tower.area());
         line(text, "  base_station_id_code %d", tower.bsic());
@@ -90,6 +90,10 @@ final class OsmoBscConfig {
         line(text, "   nominal power 23");
         line(text, "   max_power_red 0");
         line(text, "   rsl e1 tei 0");
+        appendTimeSlots(text, tower);
+    }
+
+    private static void appendTimeSlots(StringBuilder text, Tower tower) {
         for (int slot = 0; slot < TIME_SLOTS; slot++) {
             line(text, "   timeslot %d", slot);
             line(text, "    phys_chan_config %s", channels(tower, slot));
