@@ -23,8 +23,10 @@ import simgsm.timer.Timers;
 final class ChannelChange {
     /** Time to tune to the new channel and set up its link layer. */
     private static final long TUNING_NANOS = 40_000_000;
-    /** HANDOVER ACCESS is repeated every 20 ms here, every burst in the standard. */
-    private static final long ACCESS_NANOS = 20_000_000;
+    /** Period of HANDOVER ACCESS (TS 44.018, 3.4.4.2.2.1): one burst in each TDMA frame. */
+    private static final long ACCESS_NANOS = 120_000_000 / 26;
+    /** SABM on the new channel takes the place of one speech frame. */
+    private static final long ARRIVAL_NANOS = 20_000_000;
 
     private static final long T3124_NANOS = 320_000_000;
     /** HANDOVER ACCESS bursts in a synchronised cell. */
@@ -217,7 +219,7 @@ final class ChannelChange {
     private void arrive() {
         timers.cancel(next);
         timers.cancel(limit);
-        next = timers.start(ACCESS_NANOS, () -> mobile.fire(MobileRadioEvent.ARRIVED));
+        next = timers.start(ARRIVAL_NANOS, () -> mobile.fire(MobileRadioEvent.ARRIVED));
     }
 
     void completeHandover() {
