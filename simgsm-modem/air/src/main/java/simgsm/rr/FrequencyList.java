@@ -113,8 +113,10 @@ public final class FrequencyList {
 
     /** True if the list of these is encoded in range 128, 256, 512 or 1024. */
     public static boolean isRange(Collection<Integer> arfcns) {
-        int first = encode(arfcns).octet(0);
-        return (first & RANGE_1024) != 0 && (first & FORMAT_MASK) != VARIABLE;
+        return find(arfcns)
+                .map(octets -> octets.octet(0))
+                .filter(first -> (first & RANGE_1024) != 0 && (first & FORMAT_MASK) != VARIABLE)
+                .isPresent();
     }
 
     /** Channels of the extension of GSM 900, from ARFCN 955 on, are below ARFCN 0. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import simgsm.cells.town.CellSelection;
 import simgsm.cells.town.Tower;
@@ -116,10 +117,12 @@ final class OsmoBscConfig {
                 .collect(Collectors.partitioningBy(arfcn -> Band.of(arfcn) != Band.of(tower.arfcn())));
         List<Integer> inReports = new ArrayList<>(byBand.get(false));
         inReports.addAll(byBand.get(true));
-        if (inReports.equals(all) && byBand.values().stream().noneMatch(FrequencyList::isRange)) {
+        boolean isRight = inReports.equals(all) && byBand.values().stream().noneMatch(FrequencyList::isRange);
+        Optional<OctetString> combined = FrequencyList.find(all);
+        if (isRight || combined.isEmpty()) {
             return;
         }
-        byte[] list = FrequencyList.encode(all).toArray();
+        byte[] list = combined.get().toArray();
         line(text, "  force-combined-si");
         line(text, "  system-information 2 mode static");
         line(text, "  system-information 2 static 59061a%sffe50400", OctetString.of(list));

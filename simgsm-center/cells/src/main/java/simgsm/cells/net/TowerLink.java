@@ -54,12 +54,17 @@ final class TowerLink implements Connector.Listener {
     private void lost(String reason, boolean wasInService) {
         isAbsenceLogged &= !wasInService;
         if (tower.refusal().isEmpty()) {
-            failed(reason);
+            logAbsence(reason);
         }
     }
 
     @Override
     public void failed(String reason) {
+        tower.forgetRefusal();
+        logAbsence(reason);
+    }
+
+    private void logAbsence(String reason) {
         if (!isAbsenceLogged) {
             isAbsenceLogged = true;
             LOG.log(

@@ -130,6 +130,11 @@ public final class BaseStation {
         return refusal;
     }
 
+    /** Handles a controller that cannot be reached. */
+    public void forgetRefusal() {
+        refusal = "";
+    }
+
     private void refused(String reason) {
         if (!reason.equals(refusal)) {
             refusal = reason;
