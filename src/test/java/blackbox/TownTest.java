@@ -211,8 +211,7 @@ class TownTest {
             cells.expect("handover", "from", "west", "to", "east", "result", "success");
             cells.say("place " + Scenario.PHONE + " 100 0");
             cells.expect("handover", "from", "east", "to", "west", "result", "success");
-            phone.say("press **#*#90**");
-            phone.expect("tone", "key", "3");
+            cells.expect("speech-gap", "number", Scenario.PHONE);
             phone.say("hangup").expect("released", "cause", "16");
             robot.expect("released", "cause", "16");
         }
