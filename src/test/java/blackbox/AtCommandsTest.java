@@ -57,6 +57,8 @@ class AtCommandsTest {
                 AT+WIND=?           -> ERROR
                 AT+ZPAS=?           -> ERROR
                 AT^CVOICE=?         -> ERROR
+                AT^CVOICE?          -> ERROR
+                AT^DDSETEX=2        -> ERROR
                 AT$TSSPCSW=?        -> ERROR
                 AT*CNTI=2           -> ERROR
                 AT+                 -> ERROR

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
 public record ConsoleEvent(String name, Map<String, String> fields) {
     private static final String BARE = "[A-Za-z0-9+.,:/*#_-]+";
     private static final String STRING = "\"(?:[^\"\\\\]|\\\\.)*\"";
-    private static final Pattern FIELD = Pattern.compile(" ([a-z0-9]+)=(" + BARE + "|" + STRING + ")");
+    private static final Pattern FIELD = Pattern.compile(" ([a-z0-9-]+)=(" + BARE + "|" + STRING + ")");
     private static final Pattern LINE = Pattern.compile("([a-z-]+)((?:" + FIELD.pattern() + ")*)");
     private static final Pattern ESCAPE = Pattern.compile("\\\\(u[0-9a-fA-F]{4}|.)");
 

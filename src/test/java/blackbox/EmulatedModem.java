@@ -72,7 +72,9 @@ public final class EmulatedModem {
 
     boolean registered = true;
     /** What it has of keys: the modem refuses to report them. */
-    boolean deaf;
+    public boolean deaf;
+    /** As a stick of Huawei's: the sound of calls is on a second line. */
+    public boolean hasSound;
 
     /** The least time between two equal keys: as it was left by an earlier user. */
     int equalKeyMillis = 1000;
@@ -272,6 +274,8 @@ public final class EmulatedModem {
             case "AT+CGMI" -> ok(family.manufacturer);
             case "AT+CGMM" -> ok("MODULE");
             case "AT+CPIN?" -> ok("+CPIN: READY");
+            case "AT^CVOICE?" -> ok(hasSound ? "^CVOICE:0,8000,16,20" : "^CVOICE:1");
+            case "AT^DDSETEX=2" -> ok(hasSound && active);
             case "AT+VTS=?" -> ok("+VTS: (0-9,*,#,A-D)");
             case "AT+CLCC" -> listCalls();
             case "ATA" -> takeCall();

@@ -49,7 +49,7 @@ class LayeringTest {
             simgsm.console           : simgsm.event simgsm.file
             simgsm.lesson            : simgsm.file simgsm.console
             simgsm.web               : simgsm.file simgsm.timer simgsm.net simgsm.event simgsm.console
-            simgsm.audio             : simgsm.speech
+            simgsm.audio             : simgsm.net simgsm.speech
             simgsm.draw              :
             simgsm.ui                : simgsm.console simgsm.draw
             simgsm.ui.pane           : simgsm.console simgsm.draw simgsm.ui
@@ -68,9 +68,10 @@ class LayeringTest {
             simgsm.modem.at          : simgsm.timer simgsm.dtmf
             simgsm.modem.at.state    : simgsm.octets simgsm.air simgsm.sim simgsm.sms simgsm.station.context
             simgsm.modem.at.sms      : simgsm.modem.at simgsm.modem.at.state simgsm.octets simgsm.air simgsm.sms
-            simgsm.modem.at.command  : simgsm.modem simgsm.modem.at.state simgsm.modem.at.sms simgsm.ss simgsm.octets simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
+            simgsm.modem.at.command  : simgsm.modem simgsm.modem.at.state simgsm.modem.at.sms simgsm.ss simgsm.octets simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
             simgsm.modem.at.port     : simgsm.timer simgsm.net simgsm.station simgsm.station.context simgsm.modem.at.command
-            simgsm.modem.client      : simgsm.event simgsm.octets simgsm.net simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.station simgsm.station.call simgsm.station.context simgsm.modem simgsm.modem.at
+            simgsm.modem.line        : simgsm.net
+            simgsm.modem.client      : simgsm.modem.line simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.station.context simgsm.modem simgsm.modem.at
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load
@@ -135,7 +136,7 @@ class LayeringTest {
             simrobot.drawing         : vericommand simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : simgsm.timer simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
             simrobot.ros             : simgsm.net simgsm.web vericommand simrobot.robot simrobot.simulation simrobot.camera
-            simrobot.control         : simgsm.event simgsm.file simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simrobot.behaviour simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
+            simrobot.control         : simgsm.event simgsm.file simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simgsm.modem.line simrobot.behaviour simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
             simrobot.ui              : vericommand simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.file simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
@@ -146,7 +147,7 @@ class LayeringTest {
             simrobot.app             : simgsm.file simgsm.air simgsm.audio simgsm.console simgsm.modem simgsm.modem.client simgsm.net simgsm.sim simgsm.speech simgsm.station simrobot.bitmap simrobot.control simrobot.pioneer simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.source simrobot.world vericommand
             simrobot.app.ports       : simgsm.air simgsm.console simgsm.modem simgsm.modem.at simgsm.modem.at.port simgsm.modem.client simgsm.net simgsm.web vericommand simrobot.app simrobot.control simrobot.http simrobot.p2os simrobot.robot simrobot.ros simrobot.simulation simrobot.world
             simrobot.app.window      : simgsm.air simgsm.console simgsm.speech simgsm.station simgsm.tone simgsm.ui.window simrobot.app simrobot.app.ports simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.ui simrobot.ui.floor simrobot.ui.inspector simrobot.world vericommand
-            simrobot.app.batch       : simgsm.console simgsm.draw simgsm.file simgsm.modem.client simgsm.net simgsm.sim simrobot.app simrobot.behaviour simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.world vericommand
+            simrobot.app.batch       : simgsm.console simgsm.draw simgsm.file simgsm.modem.client simgsm.modem.line simgsm.net simgsm.sim simrobot.app simrobot.behaviour simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.world vericommand
             simrobot                 : simgsm.net vericommand simgsm.air simgsm.sim simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.modem simgsm.ui.window simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.pioneer simrobot.replay simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.inspector simrobot.ui.panel simrobot.app simrobot.app.batch simrobot.app.ports simrobot.app.window
             """);
 
@@ -346,7 +347,6 @@ class LayeringTest {
             "MediaSocket",
             "SimulationThread",
             "PacedThread",
-            "ModemLine",
             "LessonLibrary");
 
     private static GivenClassesConjunction coreClasses() {

@@ -1,6 +1,7 @@
 package blackbox;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Tag;
 
@@ -10,16 +11,24 @@ import org.junit.jupiter.api.Tag;
  */
 @Tag("peer")
 class OrdersOverRealModemTest {
-    private static final class BehindThePort extends Scenario {
+    private static class BehindThePort extends Scenario {
         BehindThePort(String title) {
             super(title + ", behind the port of a phone");
+        }
+
+        /** Options of the robot's sound. */
+        String[] sound(ConsoleEvent ready) {
+            return new String[0];
         }
 
         @Override
         public RunningProgram robot(String world, String... options) {
             RunningProgram modem = headless(
-                    "modem", "simgsm-phone", List.of("--center", centerAddress(), "--number", ROBOT, "--at", "0"));
-            String port = modem.expect("ready").field("at");
+                    "modem",
+                    "simgsm-phone",
+                    List.of("--center", centerAddress(), "--number", ROBOT, "--at", "0", "--at-audio", "0"));
+            ConsoleEvent ready = modem.expect("ready");
+            String port = ready.field("at");
             modem.expect("registered");
             RunningProgram robot = headless(
                     "robot",
@@ -35,7 +44,7 @@ class OrdersOverRealModemTest {
                             "0",
                             "--reply",
                             "all"),
-                    options);
+                    Stream.of(options, sound(ready)).flatMap(Stream::of).toArray(String[]::new));
             robot.expect("ready");
             robot.expect("registered");
             return robot;
@@ -47,6 +56,19 @@ class OrdersOverRealModemTest {
         @Override
         Scenario scenario(String title) {
             return new BehindThePort(title);
+        }
+    }
+
+    @Nested
+    class TheExampleInTheSound extends ThePapersExampleTest {
+        @Override
+        Scenario scenario(String title) {
+            return new BehindThePort(title + ", in the sound") {
+                @Override
+                String[] sound(ConsoleEvent ready) {
+                    return new String[] {"--modem-audio", "127.0.0.1:" + ready.field("at-audio")};
+                }
+            };
         }
     }
 

@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 import simgsm.air.Msisdn;
 import simgsm.modem.client.AttachedModem;
+import simgsm.modem.client.SoundPort;
 import simrobot.control.ControlThreads;
 import simrobot.control.TelephoneRobot;
 import simrobot.robot.SimulatedRobot;
@@ -45,8 +46,8 @@ final class RealModemScene {
                 robot,
                 new Msisdn("5550200"),
                 (admission, listener) -> {
-                    attached =
-                            new AttachedModem(new Msisdn("5550200"), 1500, START, this::toModem, admission, listener);
+                    attached = new AttachedModem(
+                            new Msisdn("5550200"), 1500, START, this::toModem, SoundPort.NONE, admission, listener);
                     return attached;
                 },
                 new VeriCommandSettings(Locale.ENGLISH, Set.of(), VeriCommandSettings.OnHangup.STOP),

@@ -21,7 +21,7 @@ class RecordingTest {
     private static final int RIGHT = 1;
 
     /** The keys in one of the channels; both together overlap, since a caller keys while a reply still sounds. */
-    private static String decoded(Path file, int channel) throws Exception {
+    static String decoded(Path file, int channel) throws Exception {
         Path mono = file.resolveSibling(file.getFileName() + "-" + channel + ".wav");
         try (AudioInputStream stream = AudioSystem.getAudioInputStream(file.toFile())) {
             assertEquals(2, stream.getFormat().getChannels());

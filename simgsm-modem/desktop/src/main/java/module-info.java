@@ -4,7 +4,7 @@ module simgsm.desktop {
     requires transitive simgsm.console;
     requires transitive simgsm.lesson;
     requires transitive simgsm.sound;
-    requires simgsm.base;
+    requires transitive simgsm.base;
 
     exports simgsm.audio;
     exports simgsm.draw;

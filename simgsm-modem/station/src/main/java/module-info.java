@@ -9,6 +9,7 @@ module simgsm.station {
     exports simgsm.modem.at.command;
     exports simgsm.modem.at.port;
     exports simgsm.modem.client;
+    exports simgsm.modem.line;
     exports simgsm.station;
     exports simgsm.station.call;
     exports simgsm.station.context;

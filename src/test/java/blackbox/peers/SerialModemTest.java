@@ -22,14 +22,14 @@ class SerialModemTest {
         try (Scenario scenario = new Scenario("a modem on a serial line");
                 ServedModem modem = new ServedModem()) {
             Path device = scenario.folder().resolve("ttyM2");
-            Process line = serialLine(modem, device);
+            Process line = serialLine(modem.port(), device);
             FinishedProgram check = FinishedProgram.run("simrobot", "--modem-check", device.toString());
             assertEquals(0, check.status(), check.output() + check.error());
             assertTrue(check.output().contains("check command=\"AT+DDET=1,0,1\" answer=OK verdict=ok"), check.output());
             line.destroy();
             line.waitFor();
 
-            line = serialLine(modem, device);
+            line = serialLine(modem.port(), device);
             RunningProgram robot = scenario.start(
                     "robot",
                     "simrobot",
@@ -45,7 +45,7 @@ class SerialModemTest {
             line.waitFor();
             robot.expect("released", "cause", "41");
             modem.hangUp();
-            line = serialLine(modem, device);
+            line = serialLine(modem.port(), device);
             robot.expect("registered");
             drive(modem, robot);
             assertEquals(0, robot.quit());
@@ -62,9 +62,8 @@ class SerialModemTest {
     }
 
     /** Returns once the device file is there, or fails when socat ends before. */
-    private static Process serialLine(ServedModem modem, Path device) throws Exception {
-        Process socat = new ProcessBuilder(
-                        "socat", "PTY,link=" + device + ",raw,echo=0", "TCP:127.0.0.1:" + modem.port())
+    static Process serialLine(int port, Path device) throws Exception {
+        Process socat = new ProcessBuilder("socat", "PTY,link=" + device + ",raw,echo=0", "TCP:127.0.0.1:" + port)
                 .inheritIO()
                 .start();
         while (!Files.exists(device)) {

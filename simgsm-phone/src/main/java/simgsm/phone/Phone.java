@@ -83,12 +83,12 @@ final class Phone implements HandsetAccess, AutoCloseable {
         at.ifPresent(port -> port.accept(event));
     }
 
-    /** Opens a port for AT commands, before the start. @return its number */
-    int openAtPort(InetSocketAddress address, AtProfile profile) throws IOException {
+    /** Opens a port for AT commands, before the start. */
+    AtPort openAtPort(InetSocketAddress address, AtProfile profile) throws IOException {
         AtModem modem = new AtModem(new PhoneTerminal(handset, station, phoneBook), profile, InstantSource.system());
         AtPort port = AtPort.open(modem, station, thread, address);
         at = Optional.of(port);
-        return port.port();
+        return port;
     }
 
     /** Connects to the centre and retries until it succeeds. */

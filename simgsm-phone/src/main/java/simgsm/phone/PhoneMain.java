@@ -17,6 +17,7 @@ import simgsm.console.TextBundle;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.modem.at.AtProfile;
+import simgsm.modem.at.port.AtPort;
 import simgsm.phone.ui.HandsetWindow;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
@@ -68,12 +69,21 @@ public final class PhoneMain {
     /** Opens the port for AT commands, if requested, and adds it to the first event. */
     private static Event withAtPort(Arguments arguments, Phone phone, Event ready) throws UsageException, IOException {
         if (!arguments.has("at")) {
+            if (arguments.has("at-audio")) {
+                throw new UsageException("--at-audio: expected with --at PORT");
+            }
             return ready;
         }
-        int port = (int) arguments.integer("at", 0, 0, MAX_PORT);
-        InetSocketAddress address = new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
         AtProfile profile = arguments.value("at-profile", AtProfile::named).orElse(AtProfile.PLAIN);
-        return ready.with("at", phone.openAtPort(address, profile));
+        AtPort port = phone.openAtPort(atAddress(arguments, "at"), profile);
+        Event withAt = ready.with("at", port.port());
+        return arguments.has("at-audio")
+                ? withAt.with("at-audio", port.openAudio(atAddress(arguments, "at-audio")))
+                : withAt;
+    }
+
+    private static InetSocketAddress atAddress(Arguments arguments, String option) throws UsageException {
+        return new InetSocketAddress(InetAddress.getLoopbackAddress(), (int) arguments.integer(option, 0, 0, MAX_PORT));
     }
 
     private static int windowed(Arguments arguments, PhoneOptions options, HostPort center)

@@ -11,10 +11,12 @@ import java.util.Optional;
 import java.util.Set;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
+import simgsm.audio.SoundCardLine;
 import simgsm.console.Arguments;
 import simgsm.console.UsageException;
 import simgsm.file.SecretFile;
 import simgsm.file.Utf8Text;
+import simgsm.net.ByteLine;
 import simgsm.net.LineAddress;
 import simgsm.sim.CardPin;
 import simgsm.sim.SimSlot;
@@ -112,22 +114,35 @@ public final class RequestedRobots {
         return file.isEmpty() ? Optional.empty() : Optional.of(RobotParameters.read(file.get()));
     }
 
-    /** A real modem; empty if the robots have M2. */
+    /** A real modem with its lines; empty if the robots have M2. */
     public static Optional<RealModem> modem(Arguments arguments, List<RobotName> robots)
             throws UsageException, IOException {
         Optional<LineAddress> address = arguments.value("modem", LineAddress::parse);
+        Optional<ByteLine> sound = arguments.value("modem-audio", RequestedRobots::sound);
         if (address.isPresent()) {
             if (robots.size() > 1) {
                 throw new UsageException("--modem: expected one robot, found " + robots.size());
             }
-            for (String option : List.of("sim", "codec", "record-audio", "center", "at", "at-profile")) {
+            for (String option : List.of("sim", "codec", "center", "at", "at-profile", "at-audio")) {
                 if (arguments.has(option)) {
                     throw new UsageException("--" + option + ": a real modem (--modem) has none of that");
                 }
             }
+            if (arguments.has("record-audio") && sound.isEmpty()) {
+                throw new UsageException("--record-audio: a real modem (--modem) has sound only with --modem-audio");
+            }
+        } else if (sound.isPresent()) {
+            throw new UsageException("--modem-audio: expected with --modem ADDRESS");
         }
         Optional<String> pin = pin(arguments);
-        return address.map(line -> new RealModem(line, pin));
+        boolean isPlayed = sound.filter(SoundCardLine.class::isInstance).isEmpty();
+        return address.map(line -> new RealModem(line, pin, sound, isPlayed));
+    }
+
+    private static ByteLine sound(String text) {
+        return text.matches("soundcard(:.+)?")
+                ? new SoundCardLine(text.replaceFirst("soundcard:?", ""))
+                : LineAddress.parse(text);
     }
 
     /** The PIN in the file of {@code --pin-file}. */

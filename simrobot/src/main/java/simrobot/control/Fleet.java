@@ -257,8 +257,13 @@ public final class Fleet {
         return join(robot, name, kit.cards().of(name.number()), kit.recording().of(name.name()));
     }
 
-    private TelephoneRobot join(Pioneer robot, RobotName name, RealModem modem) {
-        return simRobot.addBehind(modem, robot, name.number(), kit.answerAfterMillis());
+    private TelephoneRobot join(Pioneer robot, RobotName name, RealModem modem) throws IOException {
+        return simRobot.addBehind(
+                modem,
+                robot,
+                name.number(),
+                kit.answerAfterMillis(),
+                kit.recording().of(name.name()));
     }
 
     private TelephoneRobot join(

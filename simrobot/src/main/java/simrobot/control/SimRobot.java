@@ -18,6 +18,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.console.FatalError;
@@ -28,7 +29,8 @@ import simgsm.modem.at.command.AtModem;
 import simgsm.modem.at.command.ModemTerminal;
 import simgsm.modem.at.port.AtPort;
 import simgsm.modem.client.AttachedModem;
-import simgsm.modem.client.ModemLine;
+import simgsm.modem.client.SoundPort;
+import simgsm.modem.line.ModemLine;
 import simgsm.sim.InsertedCard;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
@@ -155,22 +157,35 @@ public final class SimRobot implements AutoCloseable {
      * @param number the SIM's
      * @throws IllegalArgumentException if another robot has the number
      */
-    TelephoneRobot addBehind(RealModem modem, Pioneer robot, Msisdn number, int answerAfterMillis) {
+    TelephoneRobot addBehind(
+            RealModem modem, Pioneer robot, Msisdn number, int answerAfterMillis, CallAudioListener recorder) {
         requireFree(number);
-        ModemLine line =
-                new ModemLine("modem of " + robot.name(), modem.address(), cause -> FatalError.end("simrobot", cause));
+        String name = "modem of " + robot.name();
+        ModemLine line = new ModemLine(name, modem.address(), cause -> FatalError.end("simrobot", cause));
+        Optional<ModemLine> sound = modem.sound().map(second -> new ModemLine("sound of the " + name, second, line));
+        CallAudioListener heard =
+                modem.isPlayed() ? CallAudioListener.both(recorder, callMonitor.listener(robot.name())) : recorder;
+        SoundPort port =
+                sound.map(second -> new SoundPort(second::sendFrame, heard)).orElse(SoundPort.NONE);
         TelephoneRobot added = new TelephoneRobot(
                 robot,
                 number,
                 (admission, listener) -> {
                     AttachedModem core = new AttachedModem(
-                            number, answerAfterMillis, Instant.now(), line::send, admission, listener);
+                            number, answerAfterMillis, Instant.now(), line::send, port, admission, listener);
                     modem.pin().ifPresent(core::setPin);
+                    sound.ifPresent(second -> second.attach(core.sound()));
                     return line.attach(core);
                 },
                 settings,
                 new ControlThreads(line::execute, simulationThread, System::nanoTime));
-        join(added, new ModemConnection(line::start, line::end, line::close));
+        List<ModemLine> lines = Stream.concat(Stream.of(line), sound.stream()).toList();
+        join(
+                added,
+                new ModemConnection(() -> lines.forEach(ModemLine::start), () -> lines.forEach(ModemLine::end), () -> {
+                    lines.forEach(ModemLine::close);
+                    recorder.close();
+                }));
         return added;
     }
 

@@ -14,7 +14,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /** Address of a robot or a modem: {@code HOST:PORT}, or the device file of a serial line with its speed already set. */
-public sealed interface LineAddress {
+public sealed interface LineAddress extends ByteLine {
     /** A TCP port. */
     record Tcp(String host, int port) implements LineAddress {
         private static final int PATIENCE_MILLIS = 5000;
@@ -91,9 +91,6 @@ public sealed interface LineAddress {
     static LineAddress of(InetSocketAddress address) {
         return new Tcp(address.getHostString(), address.getPort());
     }
-
-    /** Connects; blocks the calling thread. */
-    ByteChannel open() throws IOException;
 
     /** @throws IllegalArgumentException if the text is no address; the message names the expected form */
     static LineAddress parse(String text) {

@@ -44,7 +44,12 @@ public final class SoundCard implements AudioOutput {
 
     /** Starts opening the device and returns at once. */
     public static AudioOutput open() {
-        return new SoundCard(AudioSystem::getSourceDataLine, LOG, RETRY_MILLIS);
+        return open(AudioSystem::getSourceDataLine);
+    }
+
+    /** As {@link #open()}, of another device. */
+    static AudioOutput open(Lines lines) {
+        return new SoundCard(lines, LOG, RETRY_MILLIS);
     }
 
     /** The device is opened by the first call of {@link #play}. */

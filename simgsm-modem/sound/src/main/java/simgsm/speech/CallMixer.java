@@ -23,14 +23,17 @@ public final class CallMixer {
 
     /** Takes 20 ms of this end. @return a new frame with the sum of both, saturated */
     public short[] sent(short[] frame) {
-        short[] mixed = frame.clone();
         short[] far = waiting.poll();
-        if (far != null) {
-            for (int i = 0; i < mixed.length; i++) {
-                mixed[i] = (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, mixed[i] + far[i]));
-            }
+        return far == null ? frame.clone() : sum(frame, far);
+    }
+
+    /** A new frame with the sum of two, saturated. */
+    public static short[] sum(short[] one, short[] other) {
+        short[] sum = one.clone();
+        for (int i = 0; i < sum.length; i++) {
+            sum[i] = (short) Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, sum[i] + other[i]));
         }
-        return mixed;
+        return sum;
     }
 
     /** Drops waiting frames at the end of the call. */

@@ -15,6 +15,7 @@ import simgsm.octets.OctetString;
 import simgsm.sim.PinLock;
 import simgsm.sms.ChannelList;
 import simgsm.speech.SpeechCodec;
+import simgsm.station.call.AddedSpeech;
 import simgsm.station.call.KeySignalling;
 import simgsm.station.call.MediaControl;
 import simgsm.station.call.MobileCall;
@@ -306,6 +307,11 @@ public final class MobileStation implements StationCommands {
     @Override
     public void setChannels(ChannelList channels) {
         messages.setChannels(channels);
+    }
+
+    /** Sets the speech that is sent beside the station's own. */
+    public void setAdded(AddedSpeech added) {
+        speech.setAdded(added);
     }
 
     @Override

@@ -7,7 +7,7 @@ import simgsm.console.Event;
 import simgsm.console.ExitStatus;
 import simgsm.console.FatalError;
 import simgsm.modem.client.ModemCheck;
-import simgsm.modem.client.ModemLine;
+import simgsm.modem.line.ModemLine;
 import simgsm.net.LineAddress;
 
 /** {@code --modem-check}: tries a modem and prints each command with its answer and verdict. */

@@ -7,13 +7,16 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.FatalError;
 import simgsm.console.UsageException;
 import simgsm.modem.at.AtProfile;
+import simgsm.modem.at.port.AtPort;
 import simgsm.net.FirstExchange;
 import simgsm.web.AccessKeys;
 import simrobot.app.ports.RobotPorts.RobotPort;
@@ -38,7 +41,11 @@ public final class ListeningPorts implements AutoCloseable {
     private static final byte[] STATUS = "GET /robots HTTP/1.0\r\n\r\n".getBytes(StandardCharsets.US_ASCII);
 
     private final InetAddress address;
+    private final Map<String, AtPort> atPorts = new ConcurrentHashMap<>();
     private final RobotPorts at;
+    /** Closed with the ports of the commands. */
+    private final RobotPorts atAudio;
+
     private final RobotPorts p2os;
     private final ClientRequests requests;
     private Optional<P2osServer> server = Optional.empty();
@@ -49,11 +56,15 @@ public final class ListeningPorts implements AutoCloseable {
     private ListeningPorts(Arguments arguments, SimRobot simRobot) throws UsageException {
         address = arguments.bindAddress();
         AtProfile profile = arguments.value("at-profile", AtProfile::named).orElse(AtProfile.PLAIN);
-        at = new RobotPorts(
-                "at",
-                address,
-                (robot, place) -> simRobot.openAtPort(robot, place, profile)
-                        .map(port -> new RobotPort(port.port(), port::exchangeFirst, port::close)));
+        at = new RobotPorts("at", address, (robot, place) -> {
+            Optional<AtPort> opened = simRobot.openAtPort(robot, place, profile);
+            opened.ifPresent(port -> atPorts.put(robot.name(), port));
+            return opened.map(port -> new RobotPort(port.port(), port::exchangeFirst, port::close));
+        });
+        atAudio = new RobotPorts("at-audio", address, (robot, place) -> {
+            int port = atPorts.get(robot.name()).openAudio(place);
+            return Optional.of(new RobotPort(port, () -> {}, () -> {}));
+        });
         p2os = new RobotPorts("p2os", address, this::openP2os);
         requests = new ClientRequests(simRobot);
         if (arguments.has("p2os")) {
@@ -77,6 +88,10 @@ public final class ListeningPorts implements AutoCloseable {
         ListeningPorts opened = new ListeningPorts(arguments, simRobot);
         try {
             opened.at.open(arguments, simRobot);
+            if (arguments.has("at-audio") && !arguments.has("at")) {
+                throw new UsageException("--at-audio: expected with --at PORT");
+            }
+            opened.atAudio.open(arguments, simRobot);
             opened.p2os.open(arguments, simRobot);
             if (arguments.has("p2os")) {
                 opened.discovery = discovery(opened.address);
@@ -174,7 +189,7 @@ public final class ListeningPorts implements AutoCloseable {
 
     /** Adds the ports to the program's first event. */
     public Event with(Event ready) {
-        Event both = p2os.with(at.with(ready));
+        Event both = p2os.with(atAudio.with(at.with(ready)));
         Event web = http().map(port -> both.with("http", port)).orElse(both);
         return ros.map(serving -> web.with("ros", serving.port())).orElse(web);
     }

@@ -7,7 +7,6 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.Queue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -30,19 +29,18 @@ import simgsm.timer.Timers;
  * The call of an attached modem; runs by {@link AttachedCallTable}. During a call the modem is asked for its calls
  * every 0.25 s, which shows that modem and call are alive: after 0.5 s without an answer the call is lost, so that a
  * robot at full speed stops within 2.5 s of the modem's last sign. A key reported while an answer is due waits for
- * it, so that no order is completed by a modem that has just lost a key.
+ * it, so that no order is completed by a modem that has just lost a key. While there is {@link AttachedSound}, only
+ * the keys heard in it count, at once.
  */
-final class AttachedCall {
+final class AttachedCall implements AttachedSound.Listener {
     static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
     static final int POLL_LIMIT_MILLIS = 500;
-    /** Time-out of a list of calls during ringing, and of a tone. */
+    /** Time-out of a list of calls at other times, and of a tone. */
     static final int LIMIT_MILLIS = 2_000;
     /** RING is repeated every 3 to 6 s. */
     static final long RING_GUARD_NANOS = TimeUnit.SECONDS.toNanos(7);
     /** As M2. */
     static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(Modem.IDLE_SECONDS);
-    /** A tone of 200 ms, and 70 ms of pause. */
-    static final long TONE_NANOS = TimeUnit.MILLISECONDS.toNanos(270);
 
     private static final Logger LOG = System.getLogger(AttachedCall.class.getName());
     private static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
@@ -60,6 +58,8 @@ final class AttachedCall {
     private final Function<Optional<Msisdn>, CallDecision> admission;
     private final Consumer<StationEvent> listener;
     private final StateMachine<AttachedCallPhase, CallEvent, CallAction> machine;
+    private final AttachedSound sound;
+    private final AttachedTones tones;
     private ModemSetup setup;
 
     private Optional<Msisdn> caller = Optional.empty();
@@ -69,8 +69,6 @@ final class AttachedCall {
     private Cause cause = Cause.NORMAL_CALL_CLEARING;
     private boolean orderActive;
     private long connectedNanos;
-    private final Queue<DtmfKey> tones = new ArrayDeque<>();
-    private boolean toneUnderWay;
     /** Events received while a list of calls was due. */
     private final Deque<ModemEvent> held = new ArrayDeque<>();
 
@@ -81,23 +79,25 @@ final class AttachedCall {
     private Timer pollTimer;
     private Timer tickTimer;
     private Timer idleTimer;
-    private Timer toneTimer;
 
     AttachedCall(
             CommandDialogue dialogue,
             Timers timers,
+            AttachedSound sound,
             int answerAfterMillis,
             Function<Optional<Msisdn>, CallDecision> admission,
             Consumer<StationEvent> listener) {
         this.dialogue = dialogue;
         this.timers = timers;
+        this.sound = sound;
         this.admission = admission;
         this.listener = listener;
         answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(answerAfterMillis);
         machine = new StateMachine<>(AttachedCallTable.TABLE, "attached modem", this::perform);
+        sound.setListener(this);
+        tones = new AttachedTones(dialogue, timers, sound, this::toneEnded);
     }
 
-    /** The modem is ready; earlier calls have been ended. */
     void ready(ModemSetup whatItCan) {
         setup = whatItCan;
     }
@@ -138,24 +138,28 @@ final class AttachedCall {
     }
 
     void key(DtmfKey key, OptionalInt millis) {
-        if (phase() != AttachedCallPhase.ACTIVE || !accepted) {
+        if (!isHearing() || sound.isLive()) {
             return;
         }
         LOG.log(Level.INFO, "key " + key.symbol() + (millis.isPresent() ? ", " + millis.getAsInt() + " ms" : ""));
         long now = (timers.nowNanos() - connectedNanos) / NANOS_PER_SAMPLE;
-        heard(new ModemEvent.KeyDecided(DtmfDigit.reported(key, now, millis)));
-        heard(new ModemEvent.KeyEnded());
+        reported(new ModemEvent.KeyDecided(DtmfDigit.reported(key, now, millis)));
+        reported(new ModemEvent.KeyEnded());
     }
 
     /** A line may have been the report of a key. */
     void unreadable() {
         disturbed = true;
-        if (phase() == AttachedCallPhase.ACTIVE && accepted) {
-            heard(new ModemEvent.KeyUnreadable());
+        if (isHearing() && !sound.isLive()) {
+            reported(new ModemEvent.KeyUnreadable());
         }
     }
 
-    private void heard(ModemEvent event) {
+    private boolean isHearing() {
+        return phase() == AttachedCallPhase.ACTIVE && accepted;
+    }
+
+    private void reported(ModemEvent event) {
         restartIdle();
         if (pollUnderWay) {
             held.add(event);
@@ -174,9 +178,10 @@ final class AttachedCall {
     // ---- from the robot --------------------------------------------------------------------------------------------
 
     boolean sendTone(DtmfKey key) {
-        boolean heard = phase() == AttachedCallPhase.ACTIVE && accepted;
+        boolean heard = isHearing();
         if (heard) {
-            queueTone(key);
+            restartIdle();
+            tones.queue(key);
         }
         return heard;
     }
@@ -253,7 +258,7 @@ final class AttachedCall {
     }
 
     private void startAnswerTimer() {
-        if (!setup.hasAll(SetupStep.Need.FOR_CALLS)) {
+        if (!setup.hasAll(SetupStep.Need.FOR_CALLS) || !setup.reportsKeys() && !sound.isOpen()) {
             LOG.log(Level.WARNING, "call refused: the modem does not report keys as an order needs them");
             hangUp();
         } else {
@@ -277,27 +282,30 @@ final class AttachedCall {
     private void begin() {
         connectedNanos = timers.nowNanos();
         orderActive = false;
-        tones.clear();
         held.clear();
-        toneUnderWay = false;
         pollUnderWay = false;
         pollTimer = timers.start(POLL_NANOS, this::poll);
         tickTimer = timers.start(TICK_NANOS, this::tick);
         restartIdle();
-        queueTone(greeting);
+        sound.begin();
+        if (sound.isLive() && setup.has(SetupStep.SOUND)) {
+            dialogue.sendFirst(SoundDialect.switchOn(setup.command(SetupStep.SOUND)), answer -> {});
+        }
+        tones.queue(greeting);
         if (accepted) {
             listener.accept(new StationEvent.Connected(caller));
         }
     }
 
     private void stopTimers() {
-        for (Timer timer : new Timer[] {answerTimer, ringGuard, pollTimer, tickTimer, idleTimer, toneTimer}) {
+        for (Timer timer : new Timer[] {answerTimer, ringGuard, pollTimer, tickTimer, idleTimer}) {
             timers.cancel(timer);
         }
     }
 
     private void reportReleased() {
-        tones.clear();
+        tones.drop();
+        sound.end();
         held.clear();
         if (reported) {
             listener.accept(new StationEvent.Released(cause));
@@ -307,7 +315,8 @@ final class AttachedCall {
 
     private void tick() {
         tickTimer = timers.start(TICK_NANOS, this::tick);
-        if (accepted) {
+        if (accepted && !sound.isLive()) {
+            sound.skip(SAMPLES_PER_TICK);
             listener.accept(new ModemEvent.SpeechProcessed(SAMPLES_PER_TICK));
         }
     }
@@ -325,9 +334,6 @@ final class AttachedCall {
         }
         hangUp();
     }
-
-    // ---- the call's survival
-    // ----------------------------------------------------------------------------------------
 
     private void poll() {
         pollTimer = timers.start(POLL_NANOS, this::poll);
@@ -358,38 +364,37 @@ final class AttachedCall {
         }
     }
 
-    // ---- tones -----------------------------------------------------------------------------------------------------
-
-    private void queueTone(DtmfKey key) {
-        restartIdle();
-        tones.add(key);
-        if (!toneUnderWay) {
-            nextTone();
-        }
-    }
-
-    private void nextTone() {
-        toneUnderWay = !tones.isEmpty();
-        if (!toneUnderWay) {
-            return;
-        }
-        DtmfKey key = tones.remove();
-        long began = timers.nowNanos();
-        dialogue.send(ModemCommand.of("AT+VTS=" + key.symbol()).within(LIMIT_MILLIS), answer -> {
-            if (phase() == AttachedCallPhase.ACTIVE) {
-                long left = Math.max(1, began + TONE_NANOS - timers.nowNanos());
-                toneTimer = timers.start(answer.isOk() ? left : 1, () -> toneEnded(key, answer.isOk()));
-            }
-        });
-    }
-
     private void toneEnded(DtmfKey key, boolean sent) {
         restartIdle();
         listener.accept(sent ? new ModemEvent.ReplyToneSent(key) : new ModemEvent.ReplyToneFailed(key));
-        if (accepted) {
-            nextTone();
-        } else {
+        if (!accepted) {
             hangUp();
+        }
+    }
+
+    @Override
+    public void heard(StationEvent event) {
+        if (event instanceof ModemEvent.KeyDecided) {
+            restartIdle();
+        }
+        if (isHearing()) {
+            listener.accept(event);
+        }
+    }
+
+    @Override
+    public void toneSent(DtmfKey key) {
+        tones.ended(key, true);
+    }
+
+    @Override
+    public void soundChanged(String why) {
+        LOG.log(Level.WARNING, why.isEmpty() ? "the modem's sound is back" : why);
+        heard(new ModemEvent.KeyUnreadable());
+        if (!why.isEmpty() && setup.reportsKeys()) {
+            tones.soundLost();
+        } else if (!why.isEmpty()) {
+            clear(CallEvent.HANG_UP, Cause.TEMPORARY_FAILURE);
         }
     }
 }

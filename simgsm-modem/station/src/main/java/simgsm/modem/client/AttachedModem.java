@@ -19,6 +19,7 @@ import simgsm.modem.client.AttachedCallTable.AttachedCallPhase;
 import simgsm.modem.client.ModemServiceTable.ServiceAction;
 import simgsm.modem.client.ModemServiceTable.ServiceEvent;
 import simgsm.modem.client.ModemServiceTable.ServiceState;
+import simgsm.modem.line.ModemLine;
 import simgsm.sim.PinLock;
 import simgsm.state.StateMachine;
 import simgsm.station.StationSnapshot;
@@ -32,9 +33,6 @@ import simgsm.timer.Timers;
  * ModemServiceTable}. One owner thread calls everything except {@link #snapshot} and {@link #state}.
  */
 public final class AttachedModem implements AnsweringModem, ModemLine.Party {
-    /** {@link #nextDeadlineNanos} without a deadline. */
-    public static final long NO_DEADLINE = Long.MAX_VALUE;
-
     /** Silence that ends an earlier dialogue. */
     static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
 
@@ -59,6 +57,8 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     /** Codes of the last start still expected. */
     private final Set<String> expectedCodes = new HashSet<>(START_CODES);
 
+    private final AttachedSound sound;
+
     private Timer attentionTimer;
     private Timer lookTimer;
     private boolean registered;
@@ -77,6 +77,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
      * @param answerAfterMillis as {@link simgsm.modem.ModemOptions}
      * @param start of the program; messages stored in the modem before are not answered
      * @param output takes text for the modem, in ISO 8859-1
+     * @param soundPort {@link SoundPort#NONE} if keys are only those that the modem reports
      * @param admission as {@link AnsweringModem.Maker}
      * @param listener as {@link AnsweringModem.Maker}
      */
@@ -85,14 +86,16 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
             int answerAfterMillis,
             Instant start,
             Consumer<String> output,
+            SoundPort soundPort,
             Function<Optional<Msisdn>, CallDecision> admission,
             Consumer<StationEvent> listener) {
         this.number = number;
         this.listener = listener;
         state = new ReportedState("modem " + number, listener);
         dialogue = new CommandDialogue(timers, output, new Codes());
-        setup = new ModemSetup(dialogue, timers, Integer.MAX_VALUE, this::logged);
-        call = new AttachedCall(dialogue, timers, answerAfterMillis, admission, listener);
+        setup = new ModemSetup(dialogue, timers, Integer.MAX_VALUE, soundPort != SoundPort.NONE, this::logged);
+        sound = new AttachedSound(timers, soundPort, state::soundChanged);
+        call = new AttachedCall(dialogue, timers, sound, answerAfterMillis, admission, listener);
         messages = new AttachedMessages(dialogue, timers, start, listener);
         service = new StateMachine<>(ModemServiceTable.TABLE, number, this::perform);
         snapshot = current();
@@ -128,7 +131,11 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         setState(ModemState.SILENT, reason);
     }
 
-    /** Receives octets from the modem. */
+    /** The line of the sound of calls. */
+    public ModemLine.Party sound() {
+        return sound;
+    }
+
     @Override
     public void received(byte[] octets, long nowNanos) {
         timePassed(nowNanos);
@@ -146,10 +153,10 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         publish();
     }
 
-    /** Time of the next call of {@link #timePassed}, or {@link #NO_DEADLINE}. */
+    /** Time of the next call of {@link #timePassed}, or {@link ModemLine#NO_DEADLINE}. */
     @Override
     public long nextDeadlineNanos() {
-        return timers.nextDeadlineNanos().orElse(NO_DEADLINE);
+        return timers.nextDeadlineNanos().orElse(ModemLine.NO_DEADLINE);
     }
 
     @Override
@@ -251,7 +258,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
             call.rings();
         }
         lookTimer = timers.start(LOOK_NANOS, this::look);
-        setState(ModemState.READY, operatorName());
+        setState(ModemState.READY, setup.operatorName());
     }
 
     private void look() {
@@ -266,7 +273,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
                 boolean isRegistered = SetupStep.REGISTRATION.verdict(answer) == SetupVerdict.OK;
                 setState(
                         isRegistered ? ModemState.READY : ModemState.NO_NETWORK,
-                        isRegistered ? operatorName() : answer.content());
+                        isRegistered ? setup.operatorName() : answer.content());
                 setRegistered(isRegistered);
             }
         });
@@ -296,8 +303,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         });
     }
 
-    // ---- unsolicited codes
-    // -----------------------------------------------------------------------------------------
+    // ---- unsolicited codes -----------------------------------------------------------------------------------------
 
     private final class Codes implements CommandDialogue.Listener {
         @Override
@@ -396,17 +402,12 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
                 registered,
                 Optional.empty(),
                 false,
-                operatorName(),
+                setup.operatorName(),
                 call.phase().shown(),
                 call.caller(),
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
                 PinLock.none().status());
-    }
-
-    private String operatorName() {
-        String answer = setup.text(SetupStep.OPERATOR);
-        return answer.isEmpty() ? "" : AnswerFields.of(answer).text(2);
     }
 }

@@ -3,6 +3,7 @@ package simgsm.modem.client;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.event.EventLine;
+import simgsm.modem.line.ModemLine;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
@@ -44,7 +45,11 @@ public final class ModemCheck implements ModemLine.Party {
         this.done = done;
         dialogue = new CommandDialogue(timers, output, new CommandDialogue.Listener() {});
         setup = new ModemSetup(
-                dialogue, timers, MOST_TRIES, (step, command, answer, verdict) -> report(command, answer, verdict));
+                dialogue,
+                timers,
+                MOST_TRIES,
+                true,
+                (step, command, answer, verdict) -> report(command, answer, verdict));
     }
 
     @Override
@@ -71,7 +76,9 @@ public final class ModemCheck implements ModemLine.Party {
     }
 
     private void completed(ModemSetup tried) {
-        end(tried.hasAll(SetupStep.Need.FOR_CALLS) && tried.hasAll(SetupStep.Need.FOR_MESSAGES));
+        end(tried.hasAll(SetupStep.Need.FOR_CALLS)
+                && tried.hasAll(SetupStep.Need.FOR_MESSAGES)
+                && (tried.reportsKeys() || tried.has(SetupStep.SOUND)));
     }
 
     private void report(ModemCommand command, ModemAnswer answer, SetupVerdict verdict) {
@@ -111,6 +118,6 @@ public final class ModemCheck implements ModemLine.Party {
 
     @Override
     public long nextDeadlineNanos() {
-        return timers.nextDeadlineNanos().orElse(AttachedModem.NO_DEADLINE);
+        return timers.nextDeadlineNanos().orElse(ModemLine.NO_DEADLINE);
     }
 }

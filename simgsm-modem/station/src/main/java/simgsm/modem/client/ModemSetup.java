@@ -28,6 +28,7 @@ final class ModemSetup {
     private final Timers timers;
     private final Observer observer;
     private final int mostTries;
+    private final boolean asksSound;
     private final Deque<SetupStep> steps = new ArrayDeque<>();
     private final Deque<ModemCommand> alternatives = new ArrayDeque<>();
     /** The accepted command of each step, with the expected answer. */
@@ -40,11 +41,15 @@ final class ModemSetup {
     private Timer again;
     private Consumer<ModemSetup> done;
 
-    /** @param mostTries of an awaited step; the set-up then continues without it */
-    ModemSetup(CommandDialogue dialogue, Timers timers, int mostTries, Observer observer) {
+    /**
+     * @param mostTries of an awaited step; the set-up then continues without it
+     * @param asksSound true if the modem is asked for {@link SetupStep#SOUND}
+     */
+    ModemSetup(CommandDialogue dialogue, Timers timers, int mostTries, boolean asksSound, Observer observer) {
         this.dialogue = dialogue;
         this.timers = timers;
         this.mostTries = mostTries;
+        this.asksSound = asksSound;
         this.observer = observer;
     }
 
@@ -56,6 +61,7 @@ final class ModemSetup {
         answers.clear();
         verdicts.clear();
         steps.addAll(List.of(SetupStep.values()));
+        steps.removeIf(each -> each == SetupStep.SOUND && !asksSound);
         nextStep();
     }
 
@@ -166,7 +172,12 @@ final class ModemSetup {
                 return false;
             }
         }
-        return need != SetupStep.Need.FOR_CALLS || !losesEqualKeys();
+        return true;
+    }
+
+    /** True if the modem reports keys without losses. */
+    boolean reportsKeys() {
+        return hasAll(SetupStep.Need.FOR_KEYS) && !losesEqualKeys();
     }
 
     /** True if the modem drops the second of two equal keys: its orders could be misread. */
@@ -177,12 +188,15 @@ final class ModemSetup {
     /** The missing abilities of the modem, in words that follow "the modem". */
     List<String> shortcomings() {
         List<String> all = new ArrayList<>();
+        String calls = asksSound ? "; its calls need its sound" : "; calls are refused";
         if (losesEqualKeys()) {
             boolean isOff = text(SetupStep.KEY_INTERVAL).matches("\\+DDET: ?0.*");
-            all.add((isOff ? "reports no keys, +DDET is 0" : "drops the second of two equal keys")
-                    + "; calls are refused");
-        } else if (!hasAll(SetupStep.Need.FOR_CALLS)) {
-            all.add("does not report keys; calls are refused");
+            all.add((isOff ? "reports no keys, +DDET is 0" : "drops the second of two equal keys") + calls);
+        } else if (!reportsKeys()) {
+            all.add("does not report keys" + calls);
+        }
+        if (!hasAll(SetupStep.Need.FOR_CALLS)) {
+            all.add("lists no calls, or does not hang up; calls are refused");
         }
         if (!hasAll(SetupStep.Need.FOR_MESSAGES)) {
             all.add("handles no short messages");
@@ -193,5 +207,11 @@ final class ModemSetup {
     /** The joined lines of a step's answer; empty before the step. */
     String text(SetupStep of) {
         return answers.containsKey(of) ? String.join(" ", answers.get(of).lines()) : "";
+    }
+
+    /** As answered by the modem; empty before. */
+    String operatorName() {
+        String answer = text(SetupStep.OPERATOR);
+        return answer.isEmpty() ? "" : AnswerFields.of(answer).text(2);
     }
 }

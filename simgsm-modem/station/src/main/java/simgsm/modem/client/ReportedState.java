@@ -16,6 +16,8 @@ final class ReportedState {
     private final String modem;
     private final Consumer<StationEvent> listener;
     private volatile ModemEvent.StateChanged newest = NOT_ASKED;
+    private String text = "";
+    private String soundObstacle = "";
 
     /** @param modem name for the log */
     ReportedState(String modem, Consumer<StationEvent> listener) {
@@ -28,10 +30,20 @@ final class ReportedState {
         return newest;
     }
 
+    /** A ready modem is reported again. @param obstacle of its sound, told with READY; empty for none */
+    void soundChanged(String obstacle) {
+        soundObstacle = obstacle.isEmpty() ? "" : "; no sound: " + obstacle;
+        if (newest.state() == ModemState.READY) {
+            newest = new ModemEvent.StateChanged(ModemState.READY, text + soundObstacle);
+            listener.accept(newest);
+        }
+    }
+
     /** @param isLogged true if the log already has a warning of the line */
-    void set(ModemState now, String text, boolean isLogged) {
+    void set(ModemState now, String newText, boolean isLogged) {
         boolean isNews = newest == NOT_ASKED || newest.state() != now;
-        newest = new ModemEvent.StateChanged(now, text);
+        text = newText;
+        newest = new ModemEvent.StateChanged(now, now == ModemState.READY ? text + soundObstacle : text);
         if (isNews) {
             Level level = isLogged || now == ModemState.READY ? Level.INFO : Level.WARNING;
             LOG.log(level, modem + ": " + now.word() + ", " + text);

@@ -25,12 +25,14 @@ enum SetupStep {
     /** {@code ATH} also ends voice calls. */
     VOICE_HANG_UP(Need.USEFUL, "", command("AT+CVHU=0")),
     CALLER(Need.USEFUL, "", command("AT+CLIP=1")),
-    KEYS(Need.FOR_CALLS, "", enablers()),
+    KEYS(Need.FOR_KEYS, "", enablers()),
     /** The interval between equal keys; modems without it do not answer. */
     KEY_INTERVAL(Need.USEFUL, "(\\+DDET: ?1(, ?0(,.*)?)?)?", ModemCommand.query("AT+DDET?", "+DDET:")),
     TONES(Need.USEFUL, "", ModemCommand.query("AT+VTS=?", "+VTS:")),
     /** In units of 100 ms. */
     TONE_LENGTH(Need.USEFUL, "", command("AT+VTD=2")),
+    /** Asked only if the sound of calls has a line. */
+    SOUND(Need.USEFUL, "\\^CVOICE: ?0.*|\\+.*|", SoundDialect.questions()),
     CALL_LIST(Need.FOR_CALLS, "", ModemCommand.query("AT+CLCC", "+CLCC:")),
     HANG_UP(Need.FOR_CALLS, "", ModemCommand.ofCall("ATH"), ModemCommand.ofCall("AT+CHUP")),
     /** PDU mode; else text mode. */
@@ -58,6 +60,8 @@ enum SetupStep {
         /** All abilities; the step is repeated until it succeeds. */
         AWAITED,
         FOR_CALLS,
+        /** Reported keys; else keys heard in the sound. */
+        FOR_KEYS,
         FOR_MESSAGES,
         /** None, or there is another way. */
         USEFUL

@@ -3,6 +3,6 @@
  *
  * <p>Read first: {@link simgsm.modem.client.AttachedModem}, then {@link simgsm.modem.client.CommandDialogue} and the
  * tables {@link simgsm.modem.client.SetupStep} and {@link simgsm.modem.client.DtmfDialect}. {@link
- * simgsm.modem.client.ModemLine} gives the core its time and its line.
+ * simgsm.modem.line.ModemLine} gives the core its time and its line.
  */
 package simgsm.modem.client;

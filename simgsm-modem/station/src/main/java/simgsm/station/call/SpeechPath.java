@@ -30,6 +30,7 @@ public final class SpeechPath {
     private final StationContext context;
     private final SpeechSource source;
     private final CallAudioListener recorder;
+    private AddedSpeech added = AddedSpeech.NONE;
     private SpeechCodec.Kind codec;
     private SpeechCodec.Kind nextCodec;
     /** Opened for each call, like the decoders: a codec may have a state. */
@@ -63,6 +64,11 @@ public final class SpeechPath {
         this.recorder = recorder;
         this.source = source;
         this.synchronizationSource = synchronizationSource & TIMESTAMP_MASK;
+    }
+
+    /** Sets the speech that is added to the source's. */
+    public void setAdded(AddedSpeech speech) {
+        added = speech;
     }
 
     /** Sets the codec of later calls. */
@@ -120,7 +126,9 @@ public final class SpeechPath {
     }
 
     private void frameDue() {
-        send();
+        for (int due = added.framesDue(); due > 0 && active; due--) {
+            send();
+        }
         nextFrameNanos += StationTimer.SPEECH.nanos();
         if (context.timers().nowNanos() - nextFrameNanos > MAX_CATCH_UP_NANOS) {
             nextFrameNanos = context.timers().nowNanos() + StationTimer.SPEECH.nanos();
@@ -139,6 +147,7 @@ public final class SpeechPath {
         if (!active) {
             return;
         }
+        frame = added.addTo(frame);
         recorder.sent(frame);
         framesSinceHeard++;
         RtpPacket packet =

@@ -14,6 +14,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.CallDecision;
 import simgsm.modem.ModemState;
+import simgsm.modem.line.ModemLine;
 import simgsm.octets.OctetString;
 import simgsm.octets.Timestamp;
 import simgsm.sms.DeliverTpdu;
@@ -505,6 +506,6 @@ class AttachedModemTest {
         bench.modem.lineDown(bench.nowNanos);
         assertEquals(List.of("StationUnregistered"), bench.news());
         assertFalse(bench.modem.snapshot().linkUp());
-        assertEquals(AttachedModem.NO_DEADLINE, bench.modem.nextDeadlineNanos());
+        assertEquals(ModemLine.NO_DEADLINE, bench.modem.nextDeadlineNanos());
     }
 }

@@ -46,7 +46,12 @@ final class ModemBench {
     }
 
     ModemBench(int answerAfterMillis) {
-        modem = new AttachedModem(NUMBER, answerAfterMillis, START, this::fromClient, caller -> decision, this::accept);
+        this(answerAfterMillis, SoundPort.NONE);
+    }
+
+    ModemBench(int answerAfterMillis, SoundPort sound) {
+        modem = new AttachedModem(
+                NUMBER, answerAfterMillis, START, this::fromClient, sound, caller -> decision, this::accept);
     }
 
     private void fromClient(String octets) {

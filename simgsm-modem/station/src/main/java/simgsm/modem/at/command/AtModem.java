@@ -28,6 +28,7 @@ public final class AtModem {
     private final PhoneBooks books;
     private final UssdCodes ussd;
     private final PendingServiceCommand services;
+    private final AtSound sound = new AtSound();
 
     /** @param wallClock for AT+CCLK */
     public AtModem(AtTerminal terminal, AtProfile profile, InstantSource wallClock) {
@@ -42,6 +43,7 @@ public final class AtModem {
         network = new NetworkCodes(this);
         messages = new MessageCodes(this);
         submissions = new Submissions(terminal);
+        terminal.station().setAdded(sound);
     }
 
     /** Connects a client. @param output receives octets to send to it */
@@ -63,6 +65,7 @@ public final class AtModem {
         terminal.accept(event);
         if (event instanceof StationEvent.SpeechReceived speech) {
             keys.hear(speech.samples());
+            sound.heard(speech.samples());
             return;
         }
         if (event instanceof StationEvent.NetworkTimeReceived received) {
@@ -134,6 +137,11 @@ public final class AtModem {
 
     Submissions submissions() {
         return submissions;
+    }
+
+    /** The sound of calls for a client's program. */
+    public AtSound sound() {
+        return sound;
     }
 
     PhoneBooks books() {

@@ -22,6 +22,9 @@ final class CallCodes {
     /** Interval of RING. */
     static final long RING_NANOS = TimeUnit.SECONDS.toNanos(3);
 
+    /** Reason in ^CEND of a call that ended in order; the cause follows it. */
+    private static final int RELEASED = 67;
+
     /** Voice, in +CLCC and +CCWA. */
     private static final int VOICE = 1;
 
@@ -31,6 +34,7 @@ final class CallCodes {
     private boolean isPresent;
     private boolean isIncoming;
     private boolean isConnected;
+    private long connectedNanos;
     /** As dialled, or as given by the network; empty if unknown. */
     private String number = "";
 
@@ -171,6 +175,9 @@ final class CallCodes {
         if (event instanceof StationEvent.Calling calling) {
             begin(false, calling.number().toString());
             modem.books().dialled(number);
+            reportProgress("^ORIG:1,0");
+        } else if (event instanceof StationEvent.CalledPartyAlerted) {
+            reportProgress("^CONF:1");
         } else if (event instanceof StationEvent.Ringing ringing) {
             begin(true, shown(ringing.from()));
             rings();
@@ -277,6 +284,8 @@ final class CallCodes {
         modem.timers().cancel(ringTimer);
         modem.keys().reset();
         finishAnswer(AtResult.OK);
+        connectedNanos = modem.timers().nowNanos();
+        reportProgress("^CONN:1,0");
         if (isIncoming) {
             modem.books().answered(number);
         } else {
@@ -302,6 +311,10 @@ final class CallCodes {
         }
         lastCause = Optional.of(cause);
         AtResult code = code(cause);
+        long seconds =
+                isConnected ? TimeUnit.NANOSECONDS.toSeconds(modem.timers().nowNanos() - connectedNanos) : 0;
+        reportProgress("^CEND:1," + seconds + "," + RELEASED + "," + cause.code());
+        modem.sound().setOn(false);
         isPresent = false;
         isConnected = false;
         number = "";
@@ -341,6 +354,10 @@ final class CallCodes {
         reportTo(
                 client -> client.settings().showsWaiting,
                 "+CCWA: \"" + caller + "\"," + AddressType.of(caller) + "," + VOICE);
+    }
+
+    private void reportProgress(String line) {
+        reportTo(client -> client.settings().takesSound, line);
     }
 
     private void reportTo(Predicate<AtClient> wish, String line) {

@@ -53,6 +53,40 @@ final class CallCommands {
         codes(table);
         ServiceCommands.addTo(table);
         keys(table);
+        sound(table);
+    }
+
+    /** Huawei's commands, for clients that take the sound of a call. */
+    private static void sound(AtCommandTable<AtClient> table) {
+        table.row("^CVOICE")
+                .testWith((client, request) -> answer(client, request, "(0)"))
+                .read((client, request) -> answer(client, request, "0,8000,16,20"))
+                .set((client, request) -> {
+                    sound(client);
+                    request.parameters().atMost(1).number(0, 0, 0);
+                });
+        table.row("^DDSETEX")
+                .testWith((client, request) -> answer(client, request, "(2)"))
+                .set((client, request) ->
+                        sound(client).setOn(request.parameters().number(0, 2, 2) == 2));
+        table.row("^DTMF").setFor((client, request) -> {
+            request.parameters().number(0, 1, 1);
+            return sendKeys(client, request, request.command().parameters().replaceFirst("[^,]*,?", ""));
+        });
+    }
+
+    private static void answer(AtClient client, AtRequest request, String values) throws AtException {
+        sound(client);
+        request.answer(values);
+    }
+
+    private static AtSound sound(AtClient client) throws AtException {
+        AtSound sound = client.modem().sound();
+        if (!sound.isOffered()) {
+            throw new AtException(AtResult.ERROR);
+        }
+        client.settings().takesSound = true;
+        return sound;
     }
 
     private static void codes(AtCommandTable<AtClient> table) {
@@ -73,7 +107,9 @@ final class CallCommands {
     }
 
     private static void keys(AtCommandTable<AtClient> table) {
-        table.row("+VTS").setFor(CallCommands::sendKeys);
+        table.row("+VTS")
+                .setFor((client, request) ->
+                        sendKeys(client, request, request.command().parameters()));
         table.row("+VTD")
                 .read((client, request) -> request.answer(client.settings().keyTenths))
                 .set((client, request) -> client.settings().keyTenths =
@@ -186,8 +222,8 @@ final class CallCommands {
         }
     }
 
-    private static AtResult sendKeys(AtClient client, AtRequest request) throws AtException {
-        List<KeyRun> runs = KeyRun.parse(request.command().parameters(), client.settings().keyTenths);
+    private static AtResult sendKeys(AtClient client, AtRequest request, String keys) throws AtException {
+        List<KeyRun> runs = KeyRun.parse(keys, client.settings().keyTenths);
         if (!client.modem().calls().isActive()) {
             throw new AtException(CmeError.OPERATION_NOT_ALLOWED);
         }

@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import simgsm.modem.at.command.AtClient;
 import simgsm.modem.at.command.AtModem;
@@ -30,6 +31,8 @@ public final class AtPort implements AutoCloseable {
     /** Most answers and codes waiting for a client; one that does not read loses its connection. */
     private static final int MOST_WAITING = 10_000;
 
+    private static final int MOST_FRAMES = 10;
+
     /** Most delay of a timer started between two ticks. */
     private static final long MOST_WAIT_NANOS = 250_000_000;
     /** Longest wait of a client for the result of its last command. */
@@ -40,7 +43,8 @@ public final class AtPort implements AutoCloseable {
     private final StationThread thread;
     private final InetAddress address;
     private final Acceptor acceptor;
-    private final Set<ClientConnection> connections = new HashSet<>();
+    private Optional<Acceptor> audio = Optional.empty();
+    private final Set<Connection> connections = new HashSet<>();
     private final long originNanos = System.nanoTime();
 
     private final class ClientConnection extends QueuedConnection {
@@ -118,6 +122,32 @@ public final class AtPort implements AutoCloseable {
         }
     }
 
+    /** The client's program for the sound; it loses the oldest of more than 200 ms that it has not read. */
+    private final class SoundConnection extends QueuedConnection {
+        SoundConnection(Endpoint endpoint) {
+            super(endpoint, new OutputQueue(0, MOST_FRAMES, written -> {}));
+        }
+
+        @Override
+        protected void opened() {
+            connections.add(this);
+            modem.sound().connect(frame -> write(frame, true));
+        }
+
+        @Override
+        protected void received(ByteBuffer octets) {
+            byte[] all = new byte[octets.remaining()];
+            octets.get(all);
+            modem.sound().received(all);
+        }
+
+        @Override
+        protected void closing(boolean isByPeer) {
+            connections.remove(this);
+            modem.sound().disconnect();
+        }
+    }
+
     private AtPort(AtModem modem, MobileStation station, StationThread thread, InetSocketAddress address)
             throws IOException {
         this.address = address.getAddress();
@@ -138,6 +168,18 @@ public final class AtPort implements AutoCloseable {
     public static AtPort open(AtModem modem, MobileStation station, StationThread thread, InetSocketAddress address)
             throws IOException {
         return new AtPort(modem, station, thread, address);
+    }
+
+    /**
+     * Opens a port for the sound of calls; one client at a time.
+     *
+     * @return its number
+     * @throws IOException naming address and port
+     */
+    public int openAudio(InetSocketAddress place) throws IOException {
+        audio = Optional.of(thread.listen(place, new ConnectionLimits(1, 1), SoundConnection::new));
+        thread.execute(modem.sound()::offer);
+        return audio.get().port();
     }
 
     public int port() {
@@ -169,6 +211,7 @@ public final class AtPort implements AutoCloseable {
     @Override
     public void close() {
         acceptor.close();
+        audio.ifPresent(Acceptor::close);
         thread.execute(() -> List.copyOf(connections).forEach(Connection::dismiss));
     }
 }

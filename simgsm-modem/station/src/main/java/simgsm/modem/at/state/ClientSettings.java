@@ -13,6 +13,8 @@ public final class ClientSettings {
     public boolean namesRingKind;
     public boolean showsWaiting;
     public boolean showsConnectedNumber;
+    /** Asked for the sound of calls; it reads their progress as Huawei's codes. */
+    public boolean takesSound;
     /** ATX: below 3 a busy line is reported as NO CARRIER. */
     public int callProgress = 4;
     /** S0: rings after which a call is answered, 0 for never. */

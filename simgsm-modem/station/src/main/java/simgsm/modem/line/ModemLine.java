@@ -1,4 +1,4 @@
-package simgsm.modem.client;
+package simgsm.modem.line;
 
 import java.io.IOException;
 import java.lang.System.Logger;
@@ -14,7 +14,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import simgsm.net.LineAddress;
+import simgsm.net.ByteLine;
 import simgsm.net.SelectorLoop;
 
 /**
@@ -31,9 +31,12 @@ public final class ModemLine implements AutoCloseable {
 
         void received(byte[] octets, long nowNanos);
 
-        void timePassed(long nowNanos);
+        /** Not called for a second line, whose time is the first one's. */
+        default void timePassed(long nowNanos) {}
 
-        long nextDeadlineNanos();
+        default long nextDeadlineNanos() {
+            return NO_DEADLINE;
+        }
 
         /** The line cannot be opened; further attempts follow. */
         default void lineFailed(String reason) {}
@@ -42,16 +45,26 @@ public final class ModemLine implements AutoCloseable {
         default void closing() {}
     }
 
+    /** A core's {@link Party#nextDeadlineNanos} without a deadline. */
+    public static final long NO_DEADLINE = Long.MAX_VALUE;
+
     private static final Logger LOG = System.getLogger(ModemLine.class.getName());
     private static final long PAUSE_MILLIS = 1_000;
     private static final long GOODBYE_MILLIS = 1_000;
     private static final int CHUNK_OCTETS = 1_024;
+    /** 100 ms: the frames of a burst are written by another thread. */
+    private static final int MOST_FRAMES = 5;
+
     /** Closes the line after the text written before. */
     private static final byte[] END = {};
 
-    private final LineAddress address;
-    private final long originNanos = System.nanoTime();
+    private final String name;
+    private final ByteLine address;
+    private final long originNanos;
     private final SelectorLoop loop;
+    /** The line whose owner thread this one shares; null for one with its own. */
+    private final ModemLine first;
+
     private final Consumer<Throwable> onFailure;
     private final BlockingQueue<byte[]> outgoing = new LinkedBlockingQueue<>();
     private final CountDownLatch closing = new CountDownLatch(1);
@@ -65,13 +78,25 @@ public final class ModemLine implements AutoCloseable {
     /**
      * A line that is not started.
      *
-     * @param name of its threads
+     * @param name of the modem and its threads
      * @param onFailure called if the owner thread ends by an error
      */
-    public ModemLine(String name, LineAddress address, Consumer<Throwable> onFailure) {
+    public ModemLine(String name, ByteLine address, Consumer<Throwable> onFailure) {
+        this(name, address, onFailure, null);
+    }
+
+    /** A second line of the same owner thread, whose time is the first one's. @param first to be started first */
+    public ModemLine(String name, ByteLine address, ModemLine first) {
+        this(name, address, first.onFailure, first);
+    }
+
+    private ModemLine(String name, ByteLine address, Consumer<Throwable> onFailure, ModemLine first) {
+        this.name = name;
         this.address = address;
         this.onFailure = onFailure;
-        loop = new SelectorLoop(name);
+        this.first = first;
+        originNanos = first == null ? System.nanoTime() : first.originNanos;
+        loop = first == null ? new SelectorLoop(name) : first.loop;
         reader = thread(name + " reader", this::keepOpen);
         writer = thread(name + " writer", this::write);
     }
@@ -101,12 +126,20 @@ public final class ModemLine implements AutoCloseable {
 
     /** Starts the threads and opens the line. */
     public void start() {
+        if (first == null) {
+            startLoop();
+        }
+        reader.start();
+        writer.start();
+    }
+
+    private void startLoop() {
         loop.start(
                 new SelectorLoop.Core() {
                     @Override
                     public long nextDeadlineNanos() {
                         long next = party.nextDeadlineNanos();
-                        return next == AttachedModem.NO_DEADLINE ? SelectorLoop.NEVER : originNanos + next;
+                        return next == NO_DEADLINE ? SelectorLoop.NEVER : originNanos + next;
                     }
 
                     @Override
@@ -115,8 +148,6 @@ public final class ModemLine implements AutoCloseable {
                     }
                 },
                 onFailure);
-        reader.start();
-        writer.start();
     }
 
     /** Queues an action of the owner thread, run at the core's time. */
@@ -132,6 +163,14 @@ public final class ModemLine implements AutoCloseable {
         outgoing.add(text.getBytes(StandardCharsets.ISO_8859_1));
     }
 
+    /** Sends a frame of a sound; the oldest of more than five waiting ones is dropped, so that none gets late. */
+    public void sendFrame(byte[] octets) {
+        if (outgoing.size() >= MOST_FRAMES) {
+            outgoing.poll();
+        }
+        outgoing.add(octets);
+    }
+
     private long now() {
         return System.nanoTime() - originNanos;
     }
@@ -144,12 +183,12 @@ public final class ModemLine implements AutoCloseable {
                 outgoing.removeIf(octets -> octets != END);
                 channel = open;
                 failureLogged = false;
-                LOG.log(Level.INFO, "the line to the modem at " + address + " is open");
+                LOG.log(Level.INFO, "the line to the " + name + " at " + address + " is open");
                 loop.post(() -> party.lineUp(now()));
                 read(open);
-                LOG.log(Level.WARNING, "the modem at " + address + " has ended the connection");
+                LOG.log(Level.WARNING, "the " + name + " at " + address + " has ended the connection");
             } catch (AsynchronousCloseException e) {
-                LOG.log(Level.INFO, "the line to the modem at " + address + " is closed");
+                LOG.log(Level.INFO, "the line to the " + name + " at " + address + " is closed");
             } catch (IOException | UnresolvedAddressException e) {
                 failed(reason(e));
             }
@@ -161,7 +200,7 @@ public final class ModemLine implements AutoCloseable {
 
     private void failed(String reason) {
         if (closing.getCount() > 0) {
-            LOG.log(failureLogged ? Level.DEBUG : Level.WARNING, "no modem at " + address + ": " + reason);
+            LOG.log(failureLogged ? Level.DEBUG : Level.WARNING, "no " + name + " at " + address + ": " + reason);
             failureLogged = true;
             loop.post(() -> party.lineFailed(reason));
         }
@@ -180,7 +219,9 @@ public final class ModemLine implements AutoCloseable {
             byte[] octets = new byte[buffer.flip().remaining()];
             buffer.get(octets);
             buffer.clear();
-            loop.post(() -> party.received(octets, now()));
+            // the owner may be late; an answer that arrived in time is in time
+            long arrivedNanos = now();
+            loop.post(() -> party.received(octets, arrivedNanos));
         }
     }
 
@@ -243,6 +284,8 @@ public final class ModemLine implements AutoCloseable {
         }
         closing.countDown();
         drop();
-        loop.close();
+        if (first == null) {
+            loop.close();
+        }
     }
 }

@@ -1,4 +1,4 @@
-package simgsm.modem.client;
+package simgsm.modem.line;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -18,6 +18,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
+import simgsm.modem.client.ModemCheck;
 import simgsm.net.LineAddress;
 
 class ModemLineTest implements ModemLine.Party {
@@ -47,7 +48,7 @@ class ModemLineTest implements ModemLine.Party {
 
     @Override
     public long nextDeadlineNanos() {
-        return AttachedModem.NO_DEADLINE;
+        return ModemLine.NO_DEADLINE;
     }
 
     @Override
