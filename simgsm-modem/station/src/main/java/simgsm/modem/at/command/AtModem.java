@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import simgsm.modem.at.AtProfile;
+import simgsm.modem.at.AtSound;
 import simgsm.modem.at.state.ModemClock;
 import simgsm.modem.at.state.PhoneBooks;
 import simgsm.station.context.StationEvent;

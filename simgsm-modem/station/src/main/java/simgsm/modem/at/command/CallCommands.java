@@ -9,6 +9,7 @@ import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
+import simgsm.modem.at.AtSound;
 import simgsm.modem.at.CmeError;
 import simgsm.modem.at.KeyRun;
 import simgsm.modem.at.state.PhoneBooks;

@@ -1,4 +1,4 @@
-package simgsm.modem.at.command;
+package simgsm.modem.at;
 
 import java.util.ArrayDeque;
 import java.util.Queue;
@@ -28,7 +28,8 @@ public final class AtSound implements AddedSpeech {
     private int framesSinceHeard;
     private int framesSinceSpoken;
 
-    AtSound() {}
+    /** A sound without a port. */
+    public AtSound() {}
 
     /** There is a port. */
     public void offer() {
@@ -58,17 +59,19 @@ public final class AtSound implements AddedSpeech {
         }
     }
 
-    boolean isOffered() {
+    public boolean isOffered() {
         return isOffered;
     }
 
-    void setOn(boolean on) {
+    /** Switches the sound on or off. */
+    public void setOn(boolean on) {
         isOn = on;
         voice.clear();
         framesSinceSpoken = MOST_LATE_FRAMES;
     }
 
-    void heard(short[] frame) {
+    /** 20 ms of the far end. */
+    public void heard(short[] frame) {
         framesSinceHeard = 0;
         if (isOn) {
             client.accept(PcmFrames.octets(frame));
