@@ -164,8 +164,13 @@ class TownTest {
 
         assertEquals(
                 List.of("band GSM900", "band DCS1800", "band DCS1800"),
-                Pattern.compile("band \\w+").matcher(printed).results().map(MatchResult::group).toList());
-        // Tower a has 600 and 800 in one list of range 256; the others have one frequency of each band, in ascending order.
+                Pattern.compile("band \\w+")
+                        .matcher(printed)
+                        .results()
+                        .map(MatchResult::group)
+                        .toList());
+        // Tower a has 600 and 800 in one list of range 256; the others have one frequency of each band, in ascending
+        // order.
         assertEquals(1, printed.split("system-information 5 mode static", -1).length - 1, printed);
         assertTrue(printed.contains("system-information 5 static 061d9b2c6400000000000000000000000000"), printed);
     }

@@ -159,7 +159,13 @@ class OsmocomTest {
     }
 
     /** Runs a command beside a core. @return what it printed */
-    private static String beside(Path folder, Path town, String numbers, String command, Map<String, String> environment, long patienceMinutes)
+    private static String beside(
+            Path folder,
+            Path town,
+            String numbers,
+            String command,
+            Map<String, String> environment,
+            long patienceMinutes)
             throws IOException, InterruptedException {
         ProcessBuilder core = Peer.BASH.process(Peer.source("osmocom/core.sh"), town.toString(), numbers, command);
         core.environment().putAll(environment);

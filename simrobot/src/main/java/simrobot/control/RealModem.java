@@ -10,5 +10,4 @@ import simgsm.net.ByteLine;
  * @param sound 8 kHz, 16 bit, little-endian, both ways; empty if keys are only those that the modem reports
  * @param isPlayed true if SimRobot may play the calls: a sound card of the modem's would hear them
  */
-public record RealModem(
-        ByteLine address, Optional<String> pin, Optional<ByteLine> sound, boolean isPlayed) {}
+public record RealModem(ByteLine address, Optional<String> pin, Optional<ByteLine> sound, boolean isPlayed) {}

@@ -160,8 +160,7 @@ public final class BaseStationController implements BroadcastChannel {
                     .filter(other -> other != tower)
                     .map(other -> other.plan().cell().frequency())
                     .toList();
-            tower.setNeighbours(
-                    NeighbourFrequencies.of(tower.plan().cell().frequency(), others), tower != newcomer);
+            tower.setNeighbours(NeighbourFrequencies.of(tower.plan().cell().frequency(), others), tower != newcomer);
         }
     }
 

@@ -106,7 +106,8 @@ final class DedicatedChannel {
 
     /** The command that moves a mobile in this cell to this channel. */
     RadioResource assignmentCommand() {
-        return new RadioResource.AssignmentCommand(description(), tower.plan().powerLevel(), RadioResource.SPEECH_FULL_RATE);
+        return new RadioResource.AssignmentCommand(
+                description(), tower.plan().powerLevel(), RadioResource.SPEECH_FULL_RATE);
     }
 
     /** The command that moves a mobile in another cell to this channel. */
@@ -319,7 +320,8 @@ final class DedicatedChannel {
         if (purpose == Purpose.HANDOVER) {
             message = message.with(RslElement.HANDOVER_REFERENCE, handoverReference);
         }
-        message = message.with(RslElement.BS_POWER, 0).with(RslElement.MS_POWER, tower.plan().powerLevel());
+        message = message.with(RslElement.BS_POWER, 0)
+                .with(RslElement.MS_POWER, tower.plan().powerLevel());
         if (purpose != Purpose.HANDOVER) {
             message = message.with(RslElement.TIMING_ADVANCE, accessDelay);
         }

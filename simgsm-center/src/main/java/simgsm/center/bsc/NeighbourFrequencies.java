@@ -25,7 +25,8 @@ record NeighbourFrequencies(List<Integer> first, List<Integer> more, List<Intege
     static NeighbourFrequencies of(int own, Collection<Integer> neighbours) {
         List<Integer> same = new ArrayList<>();
         List<Integer> other = new ArrayList<>();
-        for (int arfcn : neighbours.stream().distinct().sorted(FrequencyList.ORDER).toList()) {
+        for (int arfcn :
+                neighbours.stream().distinct().sorted(FrequencyList.ORDER).toList()) {
             (Band.of(arfcn) == Band.of(own) ? same : other).add(arfcn);
         }
         FrequencyList.encode(other);

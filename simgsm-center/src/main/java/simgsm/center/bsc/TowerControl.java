@@ -164,8 +164,7 @@ final class TowerControl implements PeerUser, Lifeline {
 
     /** SACCH FILLING or BCCH INFORMATION; without a block it ends the broadcast. */
     private static RslPdu information(boolean isDedicated, int type) {
-        RslPdu message =
-                isDedicated ? RslPdu.of(RslType.SACCH_FILLING) : RslPdu.of(RslType.BCCH_INFORMATION, BCCH);
+        RslPdu message = isDedicated ? RslPdu.of(RslType.SACCH_FILLING) : RslPdu.of(RslType.BCCH_INFORMATION, BCCH);
         return message.with(RslElement.SYSTEM_INFORMATION_TYPE, type);
     }
 

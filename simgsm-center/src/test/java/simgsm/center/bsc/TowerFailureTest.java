@@ -204,8 +204,7 @@ class TowerFailureTest extends TowerCalls {
 
         TestTower far = stage.tower("south arfcn=1024 bsic=13 lac=1", "6972/0/0", "192.0.2.1:1001");
 
-        assertTrue(
-                far.closedFor.orElse("").startsWith("is no tower: ARFCN 1024"), far.closedFor.toString());
+        assertTrue(far.closedFor.orElse("").startsWith("is no tower: ARFCN 1024"), far.closedFor.toString());
         assertEquals(Optional.empty(), first.closedFor);
     }
 

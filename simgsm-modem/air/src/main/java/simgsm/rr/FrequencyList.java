@@ -85,8 +85,9 @@ public final class FrequencyList {
         int lowest = inFrequency.first();
         if (place(inFrequency.last()) - place(lowest) <= VARIABLE_SPAN) {
             begin(octets, VARIABLE, lowest);
-            inFrequency.tailSet(lowest + 1).forEach(
-                    arfcn -> write(octets, AFTER_ORIGIN - 1 + place(arfcn) - place(lowest), 1, 1));
+            inFrequency
+                    .tailSet(lowest + 1)
+                    .forEach(arfcn -> write(octets, AFTER_ORIGIN - 1 + place(arfcn) - place(lowest), 1, 1));
             return Optional.of(OctetString.of(octets));
         }
         int origin = sorted.first();
@@ -184,8 +185,7 @@ public final class FrequencyList {
         return List.copyOf(arfcns);
     }
 
-    private static void addMap(
-            Collection<Integer> arfcns, OctetString octets, int from, IntUnaryOperator arfcnAt) {
+    private static void addMap(Collection<Integer> arfcns, OctetString octets, int from, IntUnaryOperator arfcnAt) {
         for (int at = from; at < BITS; at++) {
             if (read(octets, at, 1) == 1) {
                 arfcns.add(arfcnAt.applyAsInt(at - from));

@@ -31,7 +31,9 @@ class FrequencyListTest {
         "8a, 600 855",
         "88, 512 885",
         "80, 110 975",
-        "84, 0 700", "8e, 0 1023", "8e, 975 40",
+        "84, 0 700",
+        "8e, 0 1023",
+        "8e, 975 40",
         "80, 110 700 975"
     })
     void theMostCompactFormatWithRoomIsTaken(String firstOctet, String arfcns) throws ProtocolViolation {

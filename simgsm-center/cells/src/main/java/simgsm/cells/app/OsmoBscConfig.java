@@ -113,8 +113,8 @@ final class OsmoBscConfig {
                 .distinct()
                 .sorted()
                 .toList();
-        Map<Boolean, List<Integer>> byBand = all.stream()
-                .collect(Collectors.partitioningBy(arfcn -> Band.of(arfcn) != Band.of(tower.arfcn())));
+        Map<Boolean, List<Integer>> byBand =
+                all.stream().collect(Collectors.partitioningBy(arfcn -> Band.of(arfcn) != Band.of(tower.arfcn())));
         List<Integer> inReports = new ArrayList<>(byBand.get(false));
         inReports.addAll(byBand.get(true));
         boolean isRight = inReports.equals(all) && byBand.values().stream().noneMatch(FrequencyList::isRange);

@@ -262,8 +262,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
 
     @Override
     public void refused(TowerRefused refusal) {
-        note(new PassingStep(
-                timers.nowNanos(), "", PassingStep.Kind.TOWER_REFUSED, refusal.name(), refusal.text(), 0));
+        note(new PassingStep(timers.nowNanos(), "", PassingStep.Kind.TOWER_REFUSED, refusal.name(), refusal.text(), 0));
         onRefusal.accept(refusal);
     }
 

@@ -13,4 +13,11 @@ package simgsm.cells.snapshot;
  * @param channels all traffic channels
  */
 public record CellState(
-        String name, int area, boolean isOn, boolean isConnected, String refusal, double powerDbm, int freeChannels, int channels) {}
+        String name,
+        int area,
+        boolean isOn,
+        boolean isConnected,
+        String refusal,
+        double powerDbm,
+        int freeChannels,
+        int channels) {}

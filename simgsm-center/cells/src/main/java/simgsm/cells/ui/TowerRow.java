@@ -75,8 +75,7 @@ final class TowerRow extends JPanel {
     void show(CellState state) {
         on.setSelected(state.isOn());
         on.setForeground(Theme.color(state.refusal().isEmpty() ? Ink.TEXT : Ink.DANGER));
-        on.setToolTipText(
-                state.refusal().isEmpty() ? details : texts.of("tower.refused", details, state.refusal()));
+        on.setToolTipText(state.refusal().isEmpty() ? details : texts.of("tower.refused", details, state.refusal()));
         if (!fader.hasFocus() || !isShowing) {
             fader.show((int) Math.round(state.powerDbm()));
         }

@@ -34,8 +34,8 @@ import simgsm.cells.town.Town;
 import simgsm.cells.town.TownPlace;
 import simgsm.octets.OctetString;
 import simgsm.rr.ImmediateAssignment;
-import simgsm.rr.RequestReference;
 import simgsm.rr.NeighbourList;
+import simgsm.rr.RequestReference;
 import simgsm.rr.SystemInformation;
 import simgsm.rr.SystemInformation.ControlChannel;
 import simgsm.rr.SystemInformation.RandomAccess;
@@ -71,7 +71,9 @@ public final class ManyMobilesBench {
             down(RslPdu.of(RslType.BCCH_INFORMATION, ChannelNumber.of(Kind.BCCH, 0))
                     .with(RslElement.FULL_BCCH_INFORMATION, cell.encode()));
             down(RslPdu.of(RslType.SACCH_FILLING)
-                    .with(RslElement.L3_INFORMATION, new SystemInformation.Neighbours(NeighbourList.TYPE_5, frequencies).encode()));
+                    .with(
+                            RslElement.L3_INFORMATION,
+                            new SystemInformation.Neighbours(NeighbourList.TYPE_5, frequencies).encode()));
         }
 
         private void down(RslPdu message) {

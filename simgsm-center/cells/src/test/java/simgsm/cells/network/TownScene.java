@@ -45,8 +45,8 @@ import simgsm.cells.town.TownPlace;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 import simgsm.rr.ImmediateAssignment;
-import simgsm.rr.RequestReference;
 import simgsm.rr.NeighbourList;
+import simgsm.rr.RequestReference;
 import simgsm.rr.SystemInformation;
 import simgsm.rr.SystemInformation.ControlChannel;
 import simgsm.rr.SystemInformation.RandomAccess;
@@ -134,7 +134,9 @@ final class TownScene {
                     .with(RslElement.FULL_BCCH_INFORMATION, cell.encode()));
             down(RslPdu.of(RslType.SACCH_FILLING)
                     .with(RslElement.SYSTEM_INFORMATION_TYPE, 5)
-                    .with(RslElement.L3_INFORMATION, new SystemInformation.Neighbours(NeighbourList.TYPE_5, List.of(100, 110)).encode()));
+                    .with(
+                            RslElement.L3_INFORMATION,
+                            new SystemInformation.Neighbours(NeighbourList.TYPE_5, List.of(100, 110)).encode()));
         }
 
         void down(RslPdu message) {

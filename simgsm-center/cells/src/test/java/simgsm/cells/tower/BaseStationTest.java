@@ -65,8 +65,7 @@ class BaseStationTest {
     }
 
     private void down(String rsl) {
-        tower.frameArrived(
-                new IpaFrame(IpaFrame.RSL, OctetString.ofHex(rsl).toArray()));
+        tower.frameArrived(new IpaFrame(IpaFrame.RSL, OctetString.ofHex(rsl).toArray()));
     }
 
     /** Octets of osmo-bsc 1.9 for ARFCN 0 and 975, and our own for two of the other band. */
