@@ -7,7 +7,7 @@
 # allowed, everything runs in a network namespace of its own, so no port of the machine is taken. Needs the packages osmo-stp,
 # osmo-hlr, osmo-mgw, osmo-msc, osmo-bsc and osmo-bts; gcc too where the kernel has no SCTP. Root is not needed.
 # Logs stay in $OSMOCOM_LOGS, if that is set. With $OSMOCOM_SIMS, a file of SIMs as of --sim, those subscribers have its keys, and
-# the core authenticates. Emergency calls go to 5550200.
+# the core authenticates, and ciphers with the algorithms of $OSMOCOM_A5 ("0 1"; default 0, none). Emergency calls go to 5550200.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../../.." && pwd)
@@ -89,7 +89,9 @@ java=${JAVA_HOME:+$JAVA_HOME/bin/}java
 "$java" -jar "$root/target/dist/simgsm-cells.jar" --town "$town" --print-osmo-bsc >"$run/bsc.cfg" || exit
 cp "$here/msc.cfg" "$run/msc.cfg"
 if [ -n "${OSMOCOM_SIMS:-}" ]; then
-    sed -i "s/authentication optional/authentication required/" "$run/msc.cfg"
+    a5="encryption a5 ${OSMOCOM_A5:-0}"
+    sed -i "s/encryption a5 0/$a5/; s/authentication optional/authentication required/" "$run/msc.cfg"
+    sed -i "s/encryption a5 0/$a5/" "$run/bsc.cfg"
 fi
 start osmo-stp -c "$here/stp.cfg"
 listens 4239

@@ -73,7 +73,7 @@ public final class CellsMain {
     }
 
     private static CellNetwork network(CellsSettings settings, CellsEvents events, boolean prints) {
-        CellNetwork network = new CellNetwork(settings.town(), settings.seed(), prints ? events : event -> {});
+        CellNetwork network = new CellNetwork(settings.town(), settings.seed(), settings.algorithms(), prints ? events : event -> {});
         network.setHandoverRule(settings.handover());
         if (prints) {
             network.setOnRefusal(events::refused);

@@ -92,7 +92,8 @@ public enum RslType {
         };
     }
 
-    int code() {
+    /** The message type octet. */
+    public int code() {
         return code;
     }
 

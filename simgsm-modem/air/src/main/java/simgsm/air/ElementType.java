@@ -31,6 +31,7 @@ public final class ElementType<V> {
     public static final ElementType<Void> BEARER_CAPABILITY = unread("Bearer capability", "10.5.4.5");
     public static final ElementType<Void> CLASSMARK_1 = unread("Mobile station classmark 1", "10.5.1.5");
     public static final ElementType<Void> CLASSMARK_2 = unread("Mobile station classmark 2", "10.5.1.6");
+    static final ElementType<Void> CLASSMARK_3 = unread("Mobile station classmark 3", "10.5.1.7");
     static final ElementType<Void> SPARE = unread("Spare half octet", "10.5.1.8");
     static final ElementType<Void> TIME_ZONE = unread("Time zone", "10.5.3.8");
     static final ElementType<OffsetDateTime> TIME = plain(
@@ -106,6 +107,12 @@ public final class ElementType<V> {
             plain("Network name", "10.5.3.5a", NetworkName::write, NetworkName::read);
 
     static final ElementType<Integer> RR_CAUSE = number("RR cause", "10.5.2.31", 0xff);
+    static final ElementType<CipherAlgorithm> CIPHER_MODE_SETTING = plain(
+            "Cipher mode setting",
+            "10.5.2.9",
+            (out, algorithm) -> out.octet(algorithm.setting()),
+            in -> CipherAlgorithm.ofSetting(in.octet("cipher mode setting")));
+    static final ElementType<Integer> CIPHER_RESPONSE = number("Cipher response", "10.5.2.10", 0x0f);
     static final ElementType<Integer> POWER_COMMAND = number("Power command", "10.5.2.28", 0x1f);
     static final ElementType<Integer> POWER_AND_ACCESS =
             POWER_COMMAND.renamed("Power command and access type", "10.5.2.28a");

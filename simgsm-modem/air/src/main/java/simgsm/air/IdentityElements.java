@@ -27,22 +27,21 @@ public final class IdentityElements {
         }
     }
 
-    /** Reads an identity's value: an IMSI, IMEI or TMSI. */
+    /** Reads an identity's value: an IMSI, IMEI, IMEISV or TMSI. */
     public static MobileIdentity read(MessageReader in) throws ProtocolViolation {
         if (in.remaining() > MAX_LENGTH) {
             throw ProtocolViolation.invalid("a mobile identity of " + in.remaining() + " octets");
         }
         int first = in.octet("mobile identity");
-        MobileIdentity.Type type =
-                Coded.find(MobileIdentity.Type.values(), first & 0x07).orElse(MobileIdentity.Type.IMEISV);
+        MobileIdentity.Type type = Coded.find(MobileIdentity.Type.values(), first & 0x07)
+                .orElseThrow(() -> ProtocolViolation.invalid("mobile identity type " + (first & 0x07)
+                        + " where IMSI, IMEI, IMEISV or TMSI was expected"));
         try {
             return switch (type) {
                 case IMSI -> new Imsi(digits(first, in));
                 case IMEI -> new Imei(Imei.transmitted(digits(first, in)));
                 case TMSI -> new Tmsi((int) in.fourOctets("TMSI"));
-                case IMEISV ->
-                    throw ProtocolViolation.invalid(
-                            "mobile identity type " + (first & 0x07) + " where IMSI, IMEI or TMSI was expected");
+                case IMEISV -> new Imeisv(digits(first, in));
             };
         } catch (IllegalArgumentException wrong) {
             throw ProtocolViolation.invalid(wrong.getMessage());

@@ -60,6 +60,9 @@ public enum Layer3Type {
             .with(half(SPARE).sends("00"))),
     IDENTITY_RESPONSE(up(5, 0x19, IdentityResponse.class, "Identity Response", "9.2.11")
             .with(row(MOBILE_IDENTITY, M, LV, 2, 10).to("identity"))),
+    TMSI_REALLOCATION_COMMAND(down(5, 0x1a, TmsiReallocationCommand.class, "TMSI Reallocation Command", "9.2.17")
+            .with(row(LOCATION_AREA, M, V, 5).to("area"))
+            .with(row(MOBILE_IDENTITY, M, LV, 2, 9).to("identity"))),
     TMSI_REALLOCATION_COMPLETE(up(5, 0x1b, TmsiReallocationComplete.class, "TMSI Reallocation Complete", "9.2.18")),
     CM_SERVICE_ACCEPT(down(5, 0x21, CmServiceAccept.class, "CM Service Accept", "9.2.5")),
     CM_SERVICE_REJECT(down(5, 0x22, CmServiceReject.class, "CM Service Reject", "9.2.6")
@@ -68,8 +71,10 @@ public enum Layer3Type {
     CM_SERVICE_REQUEST(up(5, 0x24, CmServiceRequest.class, "CM Service Request", "9.2.9")
             .with(half(SERVICE_TYPE).to("service"))
             .with(half(KEY_SEQUENCE).to("keySequence"))
-            .with(row(CLASSMARK_2, M, LV, 4).sends("331981"))
+            .with(row(CLASSMARK_2, M, LV, 4).sends("331982"))
             .with(row(MOBILE_IDENTITY, M, LV, 2, 9).to("identity"))),
+    MM_ABORT(down(5, 0x29, MmAbort.class, "Abort", "9.2.8")
+            .with(row(REJECT_CAUSE, M, V, 1).to("cause"))),
     MM_STATUS(both(5, 0x31, MmStatus.class, "MM Status", "9.2.16")
             .with(row(REJECT_CAUSE, M, V, 1).to("cause"))),
     MM_INFORMATION(down(5, 0x32, MmInformation.class, "MM Information", "9.2.15a")
@@ -174,10 +179,19 @@ public enum Layer3Type {
             .with(row(RR_CAUSE, M, V, 1).to("cause"))),
     RR_STATUS(both(6, 0x12, RrStatus.class, "RR Status", "9.1.29")
             .with(row(RR_CAUSE, M, V, 1).to("cause"))),
+    CIPHERING_MODE_COMMAND(down(6, 0x35, CipheringModeCommand.class, "Ciphering Mode Command", "9.1.9")
+            .with(half(CIPHER_MODE_SETTING).to("algorithm"))
+            .with(half(CIPHER_RESPONSE).to("response"))),
+    CIPHERING_MODE_COMPLETE(up(6, 0x32, CipheringModeComplete.class, "Ciphering Mode Complete", "9.1.10")
+            .with(row(0x17, MOBILE_IDENTITY, O, TLV, 3, 11).to("equipment"))),
+    CLASSMARK_ENQUIRY(down(6, 0x13, ClassmarkEnquiry.class, "Classmark Enquiry", "9.1.12")),
+    CLASSMARK_CHANGE(up(6, 0x16, ClassmarkChange.class, "Classmark Change", "9.1.11")
+            .with(row(CLASSMARK_2, M, LV, 4).sends("331982"))
+            .with(row(0x20, CLASSMARK_3, C, TLV, 3, 34).sends("601400"))),
     PAGING_RESPONSE(up(6, 0x27, PagingResponse.class, "Paging Response", "9.1.25")
             .with(half(KEY_SEQUENCE).to("keySequence"))
             .with(half(SPARE).sends("00"))
-            .with(row(CLASSMARK_2, M, LV, 4).sends("331981"))
+            .with(row(CLASSMARK_2, M, LV, 4).sends("331982"))
             .with(row(MOBILE_IDENTITY, M, LV, 2, 9).to("identity"))),
 
     CP_DATA(both(9, 0x01, CpData.class, "CP-DATA", "7.2.1")

@@ -1,7 +1,7 @@
 package simgsm.air;
 
 /** An identity of a mobile in a message (TS 24.008, 10.5.1.4). */
-public sealed interface MobileIdentity permits Imsi, Imei, Tmsi {
+public sealed interface MobileIdentity permits Imsi, Imei, Imeisv, Tmsi {
     /** The kinds of identity in IDENTITY REQUEST, with their codes (TS 24.008, 10.5.3.4). */
     enum Type implements Coded {
         IMSI(1),

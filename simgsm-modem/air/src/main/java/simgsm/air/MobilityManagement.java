@@ -89,6 +89,8 @@ public sealed interface MobilityManagement extends Layer3Message {
 
     record AuthenticationFailure(RejectCause cause, Optional<OctetString> auts) implements MobilityManagement {}
 
+    record TmsiReallocationCommand(LocationArea area, MobileIdentity identity) implements MobilityManagement {}
+
     record TmsiReallocationComplete() implements MobilityManagement {}
 
     /** @param networkName for the phone's display, at most 64 characters; @param time with the local time zone */
@@ -116,6 +118,9 @@ public sealed interface MobilityManagement extends Layer3Message {
 
     /** The mobile cancels its CM SERVICE REQUEST and the radio connection. */
     record CmServiceAbort() implements MobilityManagement {}
+
+    /** The network ends all connections. @param cause 6: the equipment is illegal; 17: network failure */
+    record MmAbort(RejectCause cause) implements MobilityManagement {}
 
     record ImsiDetachIndication(MobileIdentity identity) implements MobilityManagement {}
 

@@ -103,6 +103,23 @@ public sealed interface RadioResource extends Layer3Message {
     /** The mobile has returned to the old channel. @param cause RR cause */
     record HandoverFailure(int cause) implements RadioResource {}
 
+    /** Starts or stops ciphering. @param algorithm A5/0 to stop; @param response 1 asks for the IMEISV, 0 does not */
+    record CipheringModeCommand(CipherAlgorithm algorithm, int response) implements RadioResource {
+        /** True if the answer has to name the equipment (TS 44.018, 10.5.2.10). */
+        public boolean isIdentityAsked() {
+            return (response & 1) != 0;
+        }
+    }
+
+    /** The first ciphered message. @param equipment IMEISV, if the network has asked for it */
+    record CipheringModeComplete(Optional<MobileIdentity> equipment) implements RadioResource {}
+
+    /** Asks for the mobile's capabilities. */
+    record ClassmarkEnquiry() implements RadioResource {}
+
+    /** The mobile's capabilities, which are the same for all terminals. */
+    record ClassmarkChange() implements RadioResource {}
+
     /** Stops the access bursts. @param timingAdvance 0 to 63, in bits of 3.69 us */
     record PhysicalInformation(int timingAdvance) implements RadioResource {}
 

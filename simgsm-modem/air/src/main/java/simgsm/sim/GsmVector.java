@@ -7,7 +7,7 @@ import simgsm.octets.Octets;
  * The GSM authentication vector of a challenge.
  *
  * @param sres the card's answer, 4 octets
- * @param kc the ciphering key, 8 octets; not used, because the suite does not cipher
+ * @param kc the ciphering key, 8 octets
  */
 public record GsmVector(OctetString sres, OctetString kc) {
     public static final int SRES_LENGTH = 4;

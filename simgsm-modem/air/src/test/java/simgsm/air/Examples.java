@@ -43,9 +43,11 @@ import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingReject;
 import simgsm.air.MobilityManagement.LocationUpdatingRequest;
 import simgsm.air.MobilityManagement.LocationUpdatingType;
+import simgsm.air.MobilityManagement.MmAbort;
 import simgsm.air.MobilityManagement.MmInformation;
 import simgsm.air.MobilityManagement.MmStatus;
 import simgsm.air.MobilityManagement.ServiceType;
+import simgsm.air.MobilityManagement.TmsiReallocationCommand;
 import simgsm.air.MobilityManagement.TmsiReallocationComplete;
 import simgsm.air.RadioResource.*;
 import simgsm.air.RelayMessage.RpAck;
@@ -107,6 +109,10 @@ public final class Examples {
             down(new LocationUpdatingAccept(AREA, Optional.empty()), "050262f2240001"),
             down(new LocationUpdatingReject(RejectCause.IMSI_UNKNOWN_IN_HLR), "050402"),
             new Example(new TmsiReallocationComplete(), UP, 1, "055b"),
+            down(
+                    new TmsiReallocationCommand(LocationArea.TEST, new Tmsi(0x1234abcd)),
+                    "051a00f110000105f41234abcd"),
+            down(new MmAbort(RejectCause.ILLEGAL_ME), "052906"),
             down(new MmInformation("SimGSM"), "0532430786d374fb386d02"),
             down(
                     new MmInformation("SimGSM", Optional.of(OffsetDateTime.parse("2026-11-21T12:00:30+01:00"))),
@@ -116,7 +122,7 @@ public final class Examples {
                     "0532430786d374fb386d024762112210030349"),
             up(
                     new CmServiceRequest(ServiceType.MOBILE_ORIGINATED_CALL, 7, new Tmsi(0x1234abcd)),
-                    "0524710333198105f41234abcd"),
+                    "0524710333198205f41234abcd"),
             down(new CmServiceAccept(), "0521"),
             new Example(new CmServiceAbort(), UP, 1, "0563"),
             down(new CmServiceReject(RejectCause.CONGESTION), "052216"),
@@ -207,9 +213,18 @@ public final class Examples {
             new ChannelDescription(ChannelNumber.of(ChannelNumber.Kind.TCH_F, 2), 2, 100);
 
     static final List<Example> RADIO_RESOURCE = List.of(
-            up(new PagingResponse(7, new Tmsi(0x1234abcd)), "0627070333198105f41234abcd"),
+            up(new PagingResponse(7, new Tmsi(0x1234abcd)), "0627070333198205f41234abcd"),
             down(new ChannelRelease(0), "060d00"),
             up(new RrStatus(97), "061261"),
+            down(new CipheringModeCommand(CipherAlgorithm.A5_1, 1), "063511"),
+            down(new CipheringModeCommand(CipherAlgorithm.A5_0, 0), "063500"),
+            down(new CipheringModeCommand(CipherAlgorithm.A5_3, 0), "063505"),
+            up(new CipheringModeComplete(Optional.empty()), "0632"),
+            up(
+                    new CipheringModeComplete(Optional.of(Imeisv.of(new Imei("001017500000010")))),
+                    "063217090310105700000001f1"),
+            down(new ClassmarkEnquiry(), "0613"),
+            up(new ClassmarkChange(), "0616033319822003601400"),
             down(new AssignmentCommand(TRAFFIC, 15, RadioResource.SPEECH_FULL_RATE), "062e0a40640f6301"),
             up(new AssignmentComplete(0), "062900"),
             down(new ChannelModeModify(TRAFFIC, RadioResource.SPEECH_FULL_RATE), "06100a406401"),

@@ -159,7 +159,7 @@ class RefusedMessagesTest {
     void radioResourceAnswersByRrStatus() {
         assertEquals(
                 List.of(new RadioResource.RrStatus(97)),
-                ProtocolErrorAnswers.to(refused("063501", Direction.DOWNLINK), 0));
+                ProtocolErrorAnswers.to(refused("0634", Direction.DOWNLINK), 0));
     }
 
     @Test

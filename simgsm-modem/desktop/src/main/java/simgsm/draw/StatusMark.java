@@ -18,6 +18,11 @@ public enum StatusMark {
     HALF_DISC(true, "A-.86 -.86 1.72 1.72 -90 180Z"),
     /** Ringing or waiting. */
     DIAMOND(true, "M0 -1L1 0L0 1L-1 0Z"),
+    /** Ciphered: a padlock. */
+    LOCK(
+            true,
+            "M-.75 -.05L.75 -.05L.75 .95L-.75 .95Z"
+                    + "M-.55 -.05L-.55 -.55L-.3 -.95L.3 -.95L.55 -.55L.55 -.05L.3 -.05L.3 -.45L.15 -.65L-.15 -.65L-.3 -.45L-.3 -.05Z"),
     /** Done. */
     TICK(false, "M-.8 .1L-.25 .65L.85 -.6"),
     /** Refused. */

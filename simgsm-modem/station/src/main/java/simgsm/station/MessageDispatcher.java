@@ -4,7 +4,10 @@ import java.lang.System.Logger.Level;
 import java.util.Optional;
 import simgsm.abis.RslMessage;
 import simgsm.air.CallControl;
+import simgsm.air.Cause;
+import simgsm.air.CipherAlgorithm;
 import simgsm.air.Direction;
+import simgsm.air.Imeisv;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Header;
 import simgsm.air.Layer3Message;
@@ -14,7 +17,12 @@ import simgsm.air.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.RadioResource.ChannelRelease;
+import simgsm.air.RadioResource.CipheringModeCommand;
+import simgsm.air.RadioResource.CipheringModeComplete;
+import simgsm.air.RadioResource.ClassmarkChange;
+import simgsm.air.RadioResource.ClassmarkEnquiry;
 import simgsm.air.RadioResource.PagingResponse;
+import simgsm.air.RadioResource.RrStatus;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.SupplementaryService;
 import simgsm.octets.OctetString;
@@ -127,9 +135,33 @@ final class MessageDispatcher {
             ussd.arrived(service);
         } else if (message instanceof ChannelRelease) {
             channelReleased();
-        } else if (message instanceof RadioResource) {
-            context.log().trace(Level.INFO, "{0}", message);
+        } else if (message instanceof CipheringModeCommand command) {
+            cipher(command);
+        } else if (message instanceof ClassmarkEnquiry) {
+            context.radio().send(new ClassmarkChange());
+        } else if (message instanceof RrStatus status) {
+            context.log().trace(Level.INFO, "{0}", status);
+        } else {
+            context.radio().send(new RrStatus(Cause.MESSAGE_TYPE_NON_EXISTENT.code()));
         }
+    }
+
+    /** Ciphers with the SIM's key, which the towers apply to the air. What is no valid change is refused (TS 44.018, 3.4.7.2). */
+    private void cipher(CipheringModeCommand command) {
+        boolean starts = command.algorithm() != CipherAlgorithm.A5_0;
+        boolean isPossible = command.algorithm() != CipherAlgorithm.A5_2
+                && registration.cipherKey().isPresent()
+                && !context.radio().isCiphered();
+        if (starts && !isPossible) {
+            context.radio().send(new RrStatus(Cause.PROTOCOL_ERROR.code()));
+            return;
+        }
+        context.radio().setCiphered(starts);
+        context.radio()
+                .send(new CipheringModeComplete(
+                        command.isIdentityAsked()
+                                ? Optional.of(Imeisv.of(context.identity().imei()))
+                                : Optional.empty()));
     }
 
     private void violated(ProtocolViolation violation) {

@@ -8,9 +8,14 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import simgsm.air.CipherAlgorithm;
 import simgsm.cells.net.FollowedRobot;
 import simgsm.cells.snapshot.HandoverRule;
 import simgsm.cells.town.Town;
@@ -29,6 +34,7 @@ import simgsm.console.UsageException;
  * @param controller the centre or osmo-bsc
  * @param isOsmocom true for osmo-bsc
  * @param handover the controller's rule, for the window
+ * @param algorithms of the air
  * @param followed robots whose poses move terminals
  */
 public record CellsSettings(
@@ -40,6 +46,7 @@ public record CellsSettings(
         long seed,
         HandoverRule handover,
         List<FollowedRobot> followed,
+        Set<CipherAlgorithm> algorithms,
         Locale language) {
     public static final String PROGRAM = "simgsm-cells";
     public static final int DEFAULT_PORT = 3013;
@@ -70,7 +77,18 @@ public record CellsSettings(
                 seed,
                 handover,
                 List.copyOf(followed),
+                arguments.value("a5", CellsSettings::algorithms).orElse(EnumSet.of(CipherAlgorithm.A5_1)),
                 arguments.language());
+    }
+
+    /** The algorithms of a list such as "0,1,3". */
+    private static Set<CipherAlgorithm> algorithms(String text) {
+        if (!text.matches("[013](,[013])*")) {
+            throw new IllegalArgumentException("expected some of 0,1,3, found " + text);
+        }
+        return Arrays.stream(text.split(","))
+                .map(number -> CipherAlgorithm.valueOf("A5_" + number))
+                .collect(Collectors.toCollection(() -> EnumSet.noneOf(CipherAlgorithm.class)));
     }
 
     /** Reads a file, or a built-in town. */

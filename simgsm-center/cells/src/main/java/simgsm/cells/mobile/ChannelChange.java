@@ -182,6 +182,11 @@ final class ChannelChange {
         next = timers.start(ACCESS_NANOS, () -> access(1));
     }
 
+    /** Decides randomly if a block of the other tower reaches the mobile now. */
+    private boolean isReceived() {
+        return network.towers().get(targetTower).isInService() && mobile.link().receivesBlock(targetTower);
+    }
+
     private String targetName() {
         return network.towers().get(targetTower).tower().name();
     }
@@ -191,7 +196,7 @@ final class ChannelChange {
         if (count == 1) {
             mobile.passed(PassingStep.Kind.HANDOVER_ACCESS, mobile.cell(), targetName(), handover.reference());
         }
-        if (target == null && mobile.receives(targetTower)) {
+        if (target == null && isReceived()) {
             Optional<TowerChannel> active =
                     network.towers().get(targetTower).channel(handover.channel().channel());
             if (active.isPresent()
@@ -210,7 +215,7 @@ final class ChannelChange {
     }
 
     void physicalInformation(TowerChannel from, int timingAdvance) {
-        if (from == target && handover != null && mobile.receives(targetTower)) {
+        if (from == target && handover != null && isReceived()) {
             mobile.passed(PassingStep.Kind.PHYSICAL_INFORMATION, mobile.cell(), targetName(), timingAdvance);
             arrive();
         }

@@ -6,6 +6,7 @@ import java.util.OptionalInt;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
+import simgsm.air.CipherAlgorithm;
 import simgsm.air.MobileIdentity;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
@@ -96,6 +97,11 @@ public final class Mobile {
         }
 
         @Override
+        public void ciphered(CipherAlgorithm algorithm) {
+            network.happened(new MobileEvent.Ciphered(Mobile.this, algorithm));
+        }
+
+        @Override
         public void channelLost(TowerChannel lost) {
             // the mobile notices the loss of its channel only by the radio link counter
             if (lost != channel) {
@@ -179,22 +185,22 @@ public final class Mobile {
     public void arrived(RslMessage message) {
         if (message instanceof RslMessage.EstablishIndication establish) {
             machine.fire(MobileRadioEvent.LEFT);
-            read(establish.layer3());
-            firstMessage = establish.layer3();
+            firstMessage = read(establish.layer3());
             machine.fire(MobileRadioEvent.FIRST_MESSAGE);
         } else if (message instanceof RslMessage.DataIndication data) {
-            read(data.layer3());
-            held.add(data);
+            held.add(new RslMessage.DataIndication(data.sapi(), read(data.layer3())));
         } else if (message instanceof RslMessage.ReleaseIndication) {
             machine.fire(MobileRadioEvent.LEFT);
         }
     }
 
-    private void read(OctetString layer3) {
+    /** Reads a message. @return it with the classmark of the mobile's radio */
+    private OctetString read(OctetString layer3) {
         if (identity.readUplink(layer3)) {
             network.identified(this);
             measurements.measure();
         }
+        return RadioClassmark.in(layer3, network.algorithms());
     }
 
     /** An RTP packet of the terminal. */
@@ -277,11 +283,8 @@ public final class Mobile {
             return;
         }
         passed(PassingStep.Kind.CHANNEL_REQUEST, cell(), "", 0);
-        requests.begin(
-                network.towers().get(tower),
-                reception.timingAdvance(tower, walker.place()),
-                firstMessage,
-                Math.max(0, idleNanos - timers.nowNanos()));
+        long delayNanos = Math.max(0, idleNanos - timers.nowNanos());
+        requests.begin(network.towers().get(tower), timingAdvance(tower), firstMessage, delayNanos);
     }
 
     private void establish() {
@@ -324,11 +327,6 @@ public final class Mobile {
 
     void fire(MobileRadioEvent event) {
         machine.fire(event);
-    }
-
-    /** Decides randomly if a block from a tower reaches the mobile now. */
-    boolean receives(int tower) {
-        return network.towers().get(tower).isInService() && link.receivesBlock(tower);
     }
 
     int timingAdvance(int tower) {

@@ -1,6 +1,7 @@
 package simgsm.cells.mobile;
 
 import java.util.List;
+import simgsm.air.CipherAlgorithm;
 import simgsm.cells.snapshot.PassingStep;
 import simgsm.cells.town.TownPlace;
 import simgsm.event.EventLine;
@@ -46,6 +47,10 @@ public sealed interface MobileEvent {
     /** Silence during a handover. */
     @EventLine("speech-gap number=mobile.number millis=")
     record SpeechGap(Mobile mobile, int millis) implements MobileEvent {}
+
+    /** The mobile has begun to cipher with {@code a5/1} or {@code a5/3}, or has ended it: {@code a5/0}. */
+    @EventLine("cipher number=mobile.number algorithm=")
+    record Ciphered(Mobile mobile, CipherAlgorithm algorithm) implements MobileEvent {}
 
     /** The channel is lost. */
     @EventLine("radio-link-failure number=mobile.number")

@@ -2,6 +2,8 @@ package simgsm.cells.mobile;
 
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.Set;
+import simgsm.air.CipherAlgorithm;
 import simgsm.air.RadioResource.CellDescription;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.town.TownPlace;
@@ -33,6 +35,9 @@ public interface MobileNetwork {
 
     /** A random number from 0 to less than 1, by the program's seed. */
     double random();
+
+    /** The algorithms of the mobiles' radios and the towers. */
+    Set<CipherAlgorithm> algorithms();
 
     /** True while walking mobiles are paused. */
     boolean isPaused();

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Deque;
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -14,6 +15,7 @@ import java.util.OptionalLong;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
+import simgsm.air.CipherAlgorithm;
 import simgsm.air.MobileIdentity;
 import simgsm.cells.mobile.Mobile;
 import simgsm.cells.mobile.MobileEvent;
@@ -48,6 +50,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     private final Deque<PassingStep> passing = new ArrayDeque<>();
     private final Consumer<MobileEvent> listener;
     private Consumer<TowerRefused> onRefusal = refusal -> {};
+    private final Set<CipherAlgorithm> algorithms;
     /** Walks of disconnected terminals, by number; each resumes when its terminal returns. */
     private final Map<String, Walker> walks = new HashMap<>();
 
@@ -55,14 +58,20 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     private HandoverRule handoverRule = HandoverRule.STANDARD;
     private boolean isServed;
 
-    /** Creates towers that are on and have no controller yet. */
+    /** Creates towers that are on, cipher with A5/1, and have no controller yet. */
     public CellNetwork(Town town, long seed, Consumer<MobileEvent> listener) {
+        this(town, seed, EnumSet.of(CipherAlgorithm.A5_1), listener);
+    }
+
+    /** As above. @param algorithms that the towers and the radios of the mobiles can cipher with */
+    public CellNetwork(Town town, long seed, Set<CipherAlgorithm> algorithms, Consumer<MobileEvent> listener) {
         this.town = town;
+        this.algorithms = algorithms;
         this.listener = listener;
         field = new RadioField(new Propagation(town, seed));
         random = new SplittableRandom(seed);
         town.towers().forEach(tower -> {
-            BaseStation station = new BaseStation(tower, town.radioLinkTimeout(), timers, this);
+            BaseStation station = new BaseStation(tower, town.radioLinkTimeout(), timers, this, algorithms);
             indices.put(station, towers.size());
             towers.add(station);
         });
@@ -176,6 +185,11 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
         } else if (!placed.containsKey(number)) {
             town.walkOf(number).ifPresent(walk -> mobile.walker().walk(walk.points(), walk.metresPerSecond()));
         }
+    }
+
+    @Override
+    public Set<CipherAlgorithm> algorithms() {
+        return algorithms;
     }
 
     // Towers.

@@ -24,6 +24,14 @@ final class PassingSteps {
                     new PassingStep(nanos, number, PassingStep.Kind.LOCATION_UPDATE, cell, "", updated.area()));
         } else if (event instanceof MobileEvent.SpeechGap gap) {
             return Optional.of(new PassingStep(nanos, number, PassingStep.Kind.SPEECH_GAP, cell, "", gap.millis()));
+        } else if (event instanceof MobileEvent.Ciphered ciphered) {
+            return Optional.of(new PassingStep(
+                    nanos,
+                    number,
+                    PassingStep.Kind.CIPHERING,
+                    cell,
+                    "",
+                    ciphered.algorithm().ordinal()));
         } else if (event instanceof MobileEvent.RadioLinkFailed) {
             return Optional.of(new PassingStep(nanos, number, PassingStep.Kind.RADIO_LINK_FAILURE, cell, "", 0));
         }

@@ -78,6 +78,7 @@ public final class TownSnapshots {
                 mobile.cell(),
                 state(mobile),
                 mobile.channel().filter(channel -> channel.isTraffic()).isPresent(),
+                mobile.channel().filter(channel -> channel.isCiphered()).isPresent(),
                 mobile.walker().ahead(),
                 levels(network, mobile, levels),
                 isConnected ? OptionalInt.of(mobile.link().quality()) : OptionalInt.empty(),

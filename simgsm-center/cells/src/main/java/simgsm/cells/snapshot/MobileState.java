@@ -11,6 +11,7 @@ import simgsm.cells.town.TownPlace;
  * @param number its number, or while that is unknown a word for its connection
  * @param cell the tower of its cell or connection; empty for none
  * @param isInCall true if it has a traffic channel
+ * @param isCiphered true while its connection is ciphered
  * @param path the points ahead on its walk; empty at rest
  * @param levels the serving cell first, then up to six neighbours, strongest first
  * @param quality RXQUAL of the serving cell, 0 to 7; empty in idle mode
@@ -27,6 +28,7 @@ public record MobileState(
         String cell,
         State state,
         boolean isInCall,
+        boolean isCiphered,
         List<TownPlace> path,
         List<Level> levels,
         OptionalInt quality,

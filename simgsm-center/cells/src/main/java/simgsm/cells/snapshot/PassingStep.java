@@ -34,6 +34,8 @@ public record PassingStep(long nanos, String number, Kind kind, String from, Str
         CHANNEL_REQUEST,
         IMMEDIATE_ASSIGNMENT,
         CHANNEL_RELEASE,
+        /** CIPHERING MODE COMPLETE; figure: N of A5/N. */
+        CIPHERING,
         PAGING,
         RADIO_LINK_FAILURE,
         TOWER_ON,

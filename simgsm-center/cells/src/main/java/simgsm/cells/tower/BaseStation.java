@@ -17,8 +17,10 @@ import simgsm.abis.RslElement;
 import simgsm.abis.RslPdu;
 import simgsm.abis.RslType;
 import simgsm.abis.TowerIdentity;
+import simgsm.air.Cause;
 import simgsm.air.ChannelNumber;
 import simgsm.air.ChannelNumber.Kind;
+import simgsm.air.CipherAlgorithm;
 import simgsm.air.IdentityElements;
 import simgsm.air.MobileIdentity;
 import simgsm.air.ProtocolViolation;
@@ -48,11 +50,11 @@ public final class BaseStation {
     private static final int MOST_ACCESSES = 1_000;
 
     private static final int VIOLATIONS_LOGGED = 3;
-
     private final Tower tower;
     private final int radioLinkTimeout;
     private final Timers timers;
     private final TowerListener listener;
+    private final Set<CipherAlgorithm> algorithms;
     private final KeepAlive keepAlive;
     private final Map<ChannelNumber, TowerChannel> channels = new LinkedHashMap<>();
     private final Set<AccessUser> accesses = new LinkedHashSet<>();
@@ -71,9 +73,16 @@ public final class BaseStation {
      * Creates a tower that is on, without a controller.
      *
      * @param radioLinkTimeout SACCH blocks, sent to a centre of this suite; osmo-bsc configures its own
+     * @param algorithms that the tower can cipher with
      */
-    public BaseStation(Tower tower, int radioLinkTimeout, Timers timers, TowerListener listener) {
+    public BaseStation(
+            Tower tower,
+            int radioLinkTimeout,
+            Timers timers,
+            TowerListener listener,
+            Set<CipherAlgorithm> algorithms) {
         this.tower = tower;
+        this.algorithms = algorithms;
         this.radioLinkTimeout = radioLinkTimeout;
         this.timers = timers;
         this.listener = listener;
@@ -213,6 +222,9 @@ public final class BaseStation {
             }
         } catch (ProtocolViolation e) {
             violated(e.getMessage());
+            if (frame.stream() == IpaFrame.RSL) {
+                RslErrors.report(e.statusCause(), frame.payload()).ifPresent(this::send);
+            }
         }
     }
 
@@ -257,6 +269,10 @@ public final class BaseStation {
         if (port != null) {
             port.send(new IpaFrame(IpaFrame.RSL, message.encode()));
         }
+    }
+
+    CipherKey cipherKey(RslPdu message) throws ProtocolViolation {
+        return CipherKey.of(message, algorithms);
     }
 
     TowerPort port() {
@@ -308,12 +324,21 @@ public final class BaseStation {
     private void activate(RslPdu message) throws ProtocolViolation {
         ChannelNumber number = message.channel();
         if (channels.containsKey(number)) {
-            send(RslPdu.of(RslType.CHANNEL_ACTIVATION_NEGATIVE_ACKNOWLEDGE, number)
-                    .with(RslElement.CAUSE, TowerChannel.CAUSE_CHANNEL_ACTIVATED));
+            refuse(number, RslErrors.CHANNEL_ACTIVATED);
             return;
         }
-        channels.put(number, new TowerChannel(this, timers, message));
+        try {
+            channels.put(number, new TowerChannel(this, timers, message));
+        } catch (ProtocolViolation e) {
+            violated(e.getMessage());
+            refuse(number, RslErrors.cause(e.statusCause()));
+            return;
+        }
         send(RslPdu.of(RslType.CHANNEL_ACTIVATION_ACKNOWLEDGE, number).with(RslElement.FRAME_NUMBER, frameOctets()));
+    }
+
+    private void refuse(ChannelNumber number, int cause) {
+        send(RslPdu.of(RslType.CHANNEL_ACTIVATION_NEGATIVE_ACKNOWLEDGE, number).with(RslElement.CAUSE, cause));
     }
 
     private OctetString frameOctets() {
@@ -358,7 +383,9 @@ public final class BaseStation {
         } else if (message.type() == RslType.RF_CHANNEL_RELEASE) {
             send(RslPdu.of(RslType.RF_CHANNEL_RELEASE_ACKNOWLEDGE, number));
         } else {
-            violated(message.type().title() + " for " + number + ", which is not active");
+            throw new ProtocolViolation(
+                    Cause.MESSAGE_NOT_COMPATIBLE_WITH_STATE,
+                    message.type().title() + " for " + number + ", which is not active");
         }
     }
 

@@ -1,5 +1,6 @@
 package simgsm.cells.tower;
 
+import simgsm.air.CipherAlgorithm;
 import simgsm.octets.OctetString;
 
 /** The mobile on a dedicated channel. */
@@ -12,6 +13,9 @@ public interface ChannelUser {
 
     /** PHYSICAL INFORMATION answers the mobile's HANDOVER ACCESS. */
     void physicalInformation(TowerChannel channel, int timingAdvance);
+
+    /** The mobile has completed a command to cipher. @param algorithm A5/0 if ciphering has ended */
+    void ciphered(CipherAlgorithm algorithm);
 
     /** The channel has ended. */
     void channelLost(TowerChannel channel);

@@ -1,13 +1,10 @@
 package simgsm.cells.tower;
 
-import java.lang.System.Logger.Level;
-import java.net.InetAddress;
-import java.net.UnknownHostException;
 import java.util.Optional;
-import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.abis.RslElement;
 import simgsm.abis.RslPdu;
 import simgsm.abis.RslType;
+import simgsm.air.Cause;
 import simgsm.air.ChannelNumber;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
@@ -15,16 +12,10 @@ import simgsm.air.MeasurementResults;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource.MeasurementReport;
 import simgsm.octets.OctetString;
-import simgsm.octets.OctetWriter;
-import simgsm.timer.RateLimit;
 import simgsm.timer.Timers;
 
 /** An active dedicated channel of a tower: its link layer, measurements and speech. */
 public final class TowerChannel {
-    /** Radio channel already activated (TS 48.058, 9.3.26). */
-    static final int CAUSE_CHANNEL_ACTIVATED = 0x05;
-
-    private static final System.Logger LOG = System.getLogger(TowerChannel.class.getName());
     private static final int SIGNALLING = 0;
     private static final int SHORT_MESSAGES = 3;
     /** Bit in a link identifier for the slow associated channel, which carries short messages during speech. */
@@ -40,14 +31,8 @@ public final class TowerChannel {
 
     private static final int NY1 = 10;
     private static final int NUMBERS = 256;
-    private static final int RTP_GSM = 3;
     /** Mask of the MS power octet (TS 48.058, 9.3.13). */
     private static final int POWER_LEVEL_MASK = 0x1f;
-
-    /** Maximum rate of the controller's packets: twice the rate of a call; more are dropped. */
-    private static final int SPEECH_PER_SECOND = 100;
-    /** Burst after a stall of 4 s. */
-    private static final int SPEECH_AT_ONCE = 200;
 
     private final BaseStation tower;
     private final Timers timers;
@@ -62,12 +47,12 @@ public final class TowerChannel {
     private boolean isReporting = true;
     private int orderedPowerLevel;
     private int measurement;
-    private int connection;
-    /** Null without a speech connection. */
-    private SpeechSocket speech;
+    private final TowerSpeech speech;
+    /** The commanded key; the air is ciphered once the mobile has completed it. */
+    private CipherKey key = CipherKey.NONE;
 
+    private boolean isCiphered;
     private final ConnectHold hold;
-    private final RateLimit speechRate = new RateLimit(SPEECH_PER_SECOND, SPEECH_AT_ONCE);
     private boolean isClosed;
 
     TowerChannel(BaseStation tower, Timers timers, RslPdu activated) throws ProtocolViolation {
@@ -76,6 +61,11 @@ public final class TowerChannel {
         number = activated.channel();
         activation = activated.octet(RslElement.ACTIVATION_TYPE) & 0x07;
         orderedPowerLevel = powerLevel(activated).orElse(0);
+        speech = new TowerSpeech(tower, number, timers, this::speechReceived);
+        if (activated.has(RslElement.ENCRYPTION_INFORMATION)) {
+            key = tower.cipherKey(activated);
+            isCiphered = key.isCiphering();
+        }
         hold = new ConnectHold(timers, layer3 -> indicate(SIGNALLING, layer3));
         handoverReference = activated.find(RslElement.HANDOVER_REFERENCE).map(value -> value.octet(0));
     }
@@ -116,6 +106,11 @@ public final class TowerChannel {
         return activation == HANDOVER_SYNCHRONOUS;
     }
 
+    /** True while the air is ciphered. */
+    public boolean isCiphered() {
+        return isCiphered;
+    }
+
     // From the controller.
 
     void arrived(RslPdu message) throws ProtocolViolation {
@@ -142,15 +137,22 @@ public final class TowerChannel {
             case MODE_MODIFY_REQUEST -> tower.send(RslPdu.of(RslType.MODE_MODIFY_ACKNOWLEDGE, number));
             case MS_POWER_CONTROL -> orderedPowerLevel = powerLevel(message).orElse(orderedPowerLevel);
             case BS_POWER_CONTROL, MEASUREMENT_PREPROCESSING_DEFAULTS -> {}
-            case CREATE_CONNECTION -> createConnection(message);
-            case MODIFY_CONNECTION -> modifyConnection(message);
-            case DELETE_CONNECTION -> {
-                closeSpeech();
-                tower.send(RslPdu.of(RslType.DELETE_CONNECTION_ACKNOWLEDGE, number)
-                        .with(RslElement.CONNECTION_IDENTIFIER, connectionOctets()));
-            }
+            case CREATE_CONNECTION -> speech.create(message);
+            case MODIFY_CONNECTION -> speech.modify(message, hold::speechConnected);
+            case DELETE_CONNECTION -> speech.delete();
+            case ENCRYPTION_COMMAND -> commandCiphering(message);
             default ->
-                LOG.log(Level.DEBUG, "{0}: {1} ignored", this, message.type().title());
+                throw new ProtocolViolation(
+                        Cause.MESSAGE_TYPE_NON_EXISTENT, message.type().title() + " is not for a tower");
+        }
+    }
+
+    private void commandCiphering(RslPdu message) throws ProtocolViolation {
+        CipherKey commanded = tower.cipherKey(message);
+        OctetString layer3 = message.value(RslElement.L3_INFORMATION);
+        key = commanded;
+        if (user != null) {
+            user.layer3Arrived(this, SIGNALLING, layer3);
         }
     }
 
@@ -162,79 +164,9 @@ public final class TowerChannel {
         }
     }
 
-    private void createConnection(RslPdu message) {
-        closeSpeech();
-        if (tower.port() == null) {
-            return;
-        }
-        Optional<SpeechSocket> opened = tower.port().openSpeech(this::speechReceived);
-        // the elements for addresses support only IPv4
-        if (opened.isEmpty() || opened.get().address().host().contains(":")) {
-            opened.ifPresent(SpeechSocket::close);
-            tower.send(RslPdu.of(RslType.CREATE_CONNECTION_NEGATIVE_ACKNOWLEDGE, number)
-                    .with(RslElement.CAUSE, 0x2f));
-            return;
-        }
-        speech = opened.get();
-        connection++;
-        connect(message);
-        tower.send(connected(RslType.CREATE_CONNECTION_ACKNOWLEDGE));
-    }
-
-    private void modifyConnection(RslPdu message) {
-        if (speech == null || !connect(message)) {
-            tower.send(RslPdu.of(RslType.MODIFY_CONNECTION_NEGATIVE_ACKNOWLEDGE, number)
-                    .with(RslElement.CONNECTION_IDENTIFIER, connectionOctets())
-                    .with(RslElement.CAUSE, 0x2f));
-        } else {
-            hold.speechConnected();
-            tower.send(connected(RslType.MODIFY_CONNECTION_ACKNOWLEDGE));
-        }
-    }
-
-    /** Connects to the address in the message, if there is one. */
-    private boolean connect(RslPdu message) {
-        if (!message.has(RslElement.REMOTE_IP) || !message.has(RslElement.REMOTE_PORT)) {
-            return true;
-        }
-        OctetString port = message.find(RslElement.REMOTE_PORT).orElseThrow();
-        try {
-            String host = InetAddress.getByAddress(
-                            message.find(RslElement.REMOTE_IP).orElseThrow().toArray())
-                    .getHostAddress();
-            return speech.connect(new MediaAddress(host, port.octet(0) << 8 | port.octet(1)));
-        } catch (UnknownHostException e) {
-            return false;
-        }
-    }
-
-    private RslPdu connected(RslType type) {
-        MediaAddress own = speech.address();
-        OctetWriter host = new OctetWriter();
-        for (String part : own.host().split("\\.")) {
-            host.octet(Integer.parseInt(part));
-        }
-        return RslPdu.of(type, number)
-                .with(RslElement.CONNECTION_IDENTIFIER, connectionOctets())
-                .with(RslElement.LOCAL_IP, host.toOctetString())
-                .with(RslElement.LOCAL_PORT, own.port() >> 8, own.port())
-                .with(RslElement.RTP_PAYLOAD_2, RTP_GSM);
-    }
-
-    private OctetString connectionOctets() {
-        return new OctetWriter().twoOctets(connection).toOctetString();
-    }
-
     private void speechReceived(byte[] rtp) {
-        if (user != null && isEstablished && speechRate.take(timers.nowNanos())) {
+        if (user != null && isEstablished) {
             user.speechArrived(this, rtp);
-        }
-    }
-
-    private void closeSpeech() {
-        if (speech != null) {
-            speech.close();
-            speech = null;
         }
     }
 
@@ -242,7 +174,7 @@ public final class TowerChannel {
     void close() {
         isClosed = true;
         hold.drain();
-        closeSpeech();
+        speech.close();
         ChannelUser last = user;
         user = null;
         if (last != null) {
@@ -273,9 +205,17 @@ public final class TowerChannel {
      */
     public void send(int sapi, OctetString layer3) {
         if (!isClosed && sapi == SIGNALLING) {
+            completeCiphering(layer3);
             hold.send(layer3);
         } else if (!isClosed) {
             indicate(sapi, layer3);
+        }
+    }
+
+    private void completeCiphering(OctetString layer3) {
+        if (user != null && CipherKey.isComplete(layer3)) {
+            isCiphered = key.isCiphering();
+            user.ciphered(key.algorithm());
         }
     }
 
@@ -380,7 +320,7 @@ public final class TowerChannel {
 
     /** Sends an RTP packet with the mobile's speech. */
     public void sendSpeech(byte[] rtp) {
-        if (speech != null && isEstablished) {
+        if (isEstablished) {
             speech.send(rtp);
         }
     }

@@ -193,10 +193,11 @@ final class MobileCard extends JPanel {
         }
         MobileState it = mobile.get();
         String word = texts.of("mobile.state." + it.state().name().toLowerCase(Locale.ROOT));
+        String said = it.isInCall() ? texts.of("mobile.call", word) : word;
         state.show(
-                TownPicture.markOf(it.state()),
+                it.isCiphered() ? StatusMark.LOCK : TownPicture.markOf(it.state()),
                 it.state() == MobileState.State.SEARCHING ? Ink.DANGER : Ink.TEXT,
-                it.isInCall() ? texts.of("mobile.call", word) : word);
+                it.isCiphered() ? texts.of("mobile.ciphered", said) : said);
         radio.setText(
                 it.quality().isPresent() || it.timingAdvance().isPresent()
                         ? texts.of(

@@ -89,7 +89,7 @@ final class PassingStrip extends PaintedComponent {
     private static Ink ink(PassingStep.Kind kind) {
         return switch (kind) {
             case HANDOVER_COMMAND, HANDOVER_ACCESS, PHYSICAL_INFORMATION, ASSIGNMENT_COMMAND -> Ink.ACCENT;
-            case HANDOVER_COMPLETE, ASSIGNMENT_COMPLETE, LOCATION_UPDATE, TOWER_ON -> Ink.GOOD;
+            case HANDOVER_COMPLETE, ASSIGNMENT_COMPLETE, LOCATION_UPDATE, CIPHERING, TOWER_ON -> Ink.GOOD;
             case HANDOVER_FAILURE, RADIO_LINK_FAILURE, TOWER_OFF, TOWER_REFUSED -> Ink.DANGER;
             case SPEECH_GAP -> Ink.WARNING;
             default -> Ink.CONTROL_LINE;

@@ -263,6 +263,9 @@ final class TownPicture {
             g.draw(Outline.circle(x, y, radius + g.px(5)));
         }
         markOf(mobile.state()).draw(g, x, y, radius, Ink.TEXT);
+        if (mobile.isCiphered()) {
+            StatusMark.LOCK.draw(g, x + radius * 1.6, y - radius, radius * 0.7, Ink.TEXT);
+        }
     }
 
     private void take(MobileState mobile) {

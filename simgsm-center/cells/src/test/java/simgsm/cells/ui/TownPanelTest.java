@@ -181,7 +181,7 @@ class TownPanelTest {
     @Test
     void theChosenMobileIsShownWithItsCellLevelsAndTheCountToTheDecision() {
         assertEquals("5550100", find("mobiles", JComboBox.class).getSelectedItem());
-        assertEquals("State of the mobile: connected, in a call", spoken("mobile.state"));
+        assertEquals("State of the mobile: connected, in a call, ciphered", spoken("mobile.state"));
         assertEquals(
                 "RXQUAL 0   TA 1   link 16", find("mobile.radio", JLabel.class).getText());
         assertEquals("decision in 2 reports, margin 3 dB", spoken("decision"));

@@ -21,6 +21,7 @@ public final class MobileRadioConnection {
     private final PendingEvents events;
     private Uplink uplink = Uplink.DISCONNECTED;
     private boolean open;
+    private boolean isCiphered;
     /** True if the centre has ended the media: the call is ending, and its last speech is dropped. */
     private boolean isMediaEnded;
     /** N(SD) of the next message that carries one (TS 24.007, 11.2.3.2.3). */
@@ -42,11 +43,22 @@ public final class MobileRadioConnection {
         return open;
     }
 
+    /** True if the open connection is ciphered. */
+    public boolean isCiphered() {
+        return isCiphered;
+    }
+
+    /** Ciphers the open connection, or no longer. */
+    public void setCiphered(boolean ciphered) {
+        isCiphered = ciphered;
+    }
+
     public void send(Layer3Message message) {
         OctetString octets = OctetString.of(Layer3Codec.encode(message, Direction.UPLINK, nextSequence(message)));
         Sapi sapi = message instanceof ShortMessageControl ? Sapi.SHORT_MESSAGES : Sapi.SIGNALLING;
         log.trace(Level.DEBUG, "up {0}", message);
         events.add(new StationEvent.MessagePassed(Direction.UPLINK, message));
+        isCiphered &= open;
         send(open ? new RslMessage.DataIndication(sapi, octets) : new RslMessage.EstablishIndication(sapi, octets));
         open = true;
     }

@@ -4,6 +4,7 @@ import java.util.Optional;
 import simgsm.air.RejectCause;
 import simgsm.octets.OctetString;
 import simgsm.octets.Octets;
+import simgsm.sim.GsmVector;
 import simgsm.sim.Milenage;
 import simgsm.sim.PinLock;
 import simgsm.sim.SimCard;
@@ -36,13 +37,14 @@ final class KeyedSim implements Sim {
 
     @Override
     public AuthenticationResult authenticate(OctetString rand, Optional<OctetString> autn) {
+        GsmVector vector = card.vector(rand);
         return autn.isPresent() && functions != null
-                ? answer(rand, autn.get().toArray())
-                : AuthenticationResult.response(card.vector(rand).sres());
+                ? answer(rand, autn.get().toArray(), vector.kc())
+                : AuthenticationResult.response(vector.sres(), vector.kc());
     }
 
     /** AUTN: SQN xor AK (6 octets), AMF (2), MAC-A (8). */
-    private AuthenticationResult answer(OctetString rand, byte[] autn) {
+    private AuthenticationResult answer(OctetString rand, byte[] autn, OctetString kc) {
         long sqn = xor(autn, functions.f5(rand));
         OctetString amf = part(autn, Milenage.SEQUENCE_LENGTH, Milenage.MANAGEMENT_LENGTH);
         int macAt = Milenage.SEQUENCE_LENGTH + Milenage.MANAGEMENT_LENGTH;
@@ -53,7 +55,7 @@ final class KeyedSim implements Sim {
             return AuthenticationResult.failure(RejectCause.SYNCH_FAILURE, Optional.of(resynchronisation(rand)));
         }
         sequence = sqn;
-        return AuthenticationResult.response(functions.f2(rand));
+        return AuthenticationResult.response(functions.f2(rand), kc);
     }
 
     /** AUTS: the highest SQN xor AK* (6 octets), MAC-S (8). */

@@ -12,9 +12,11 @@ import simgsm.air.MobilityManagement.ImsiDetachIndication;
 import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingRequest;
 import simgsm.air.MobilityManagement.LocationUpdatingType;
+import simgsm.air.MobilityManagement.TmsiReallocationCommand;
 import simgsm.air.MobilityManagement.TmsiReallocationComplete;
 import simgsm.air.RejectCause;
 import simgsm.air.Tmsi;
+import simgsm.octets.OctetString;
 import simgsm.sim.PinLock;
 import simgsm.state.StateMachine;
 import simgsm.station.context.StationContext;
@@ -61,6 +63,9 @@ public final class MobileRegistration {
     private final StateMachine<MobileRegistrationState, MobileRegistrationEvent, MobileRegistrationAction> machine;
     private boolean cellFound;
     private int keySequence = NO_KEY;
+    /** The ciphering key Kc of the latest challenge. */
+    private Optional<OctetString> cipherKey = Optional.empty();
+
     private int failures;
     private boolean isSimInvalid;
     private Optional<Tmsi> tmsi = Optional.empty();
@@ -163,8 +168,14 @@ public final class MobileRegistration {
         return keySequence;
     }
 
-    void setKeySequence(int newKeySequence) {
+    /** The ciphering key Kc; empty before a challenge, and without a SIM. */
+    public Optional<OctetString> cipherKey() {
+        return cipherKey;
+    }
+
+    void setKey(int newKeySequence, OctetString newKey) {
         keySequence = newKeySequence;
+        cipherKey = Optional.of(newKey);
     }
 
     public void cellFound() {
@@ -269,10 +280,31 @@ public final class MobileRegistration {
 
     /** TS 24.008, 4.3.2.5. */
     void authenticationRejected() {
-        rejectCause = Optional.of(RejectCause.ILLEGAL_MS);
         cardRefused = true;
+        barred(RejectCause.ILLEGAL_MS);
+    }
+
+    /** TS 24.008, 4.3.5.2: cause 6 ends the registration; any other only the connections. */
+    void aborted(RejectCause cause) {
+        if (cause == RejectCause.ILLEGAL_ME) {
+            barred(cause);
+        }
+    }
+
+    private void barred(RejectCause cause) {
+        rejectCause = Optional.of(cause);
         isSimInvalid = isOverTowers();
         fire(MobileRegistrationEvent.AUTHENTICATION_REJECTED);
+    }
+
+    /** TS 24.008, 4.3.1.2. */
+    void reallocated(TmsiReallocationCommand command) {
+        area = command.area();
+        offeredIdentity = Optional.of(command.identity());
+        if (!(command.identity() instanceof Tmsi)) {
+            context.radio().send(new TmsiReallocationComplete());
+        }
+        takeNewIdentity();
     }
 
     private void perform(MobileRegistrationAction action) {
@@ -329,6 +361,7 @@ public final class MobileRegistration {
     private void forgetIdentity() {
         tmsi = Optional.empty();
         keySequence = NO_KEY;
+        cipherKey = Optional.empty();
     }
 
     /** Sent on its own connection: the network no longer reads one that it is about to release. */

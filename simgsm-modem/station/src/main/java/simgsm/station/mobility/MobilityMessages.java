@@ -1,6 +1,7 @@
 package simgsm.station.mobility;
 
 import java.lang.System.Logger.Level;
+import simgsm.air.Imeisv;
 import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
 import simgsm.air.MobilityManagement.AuthenticationFailure;
@@ -13,8 +14,10 @@ import simgsm.air.MobilityManagement.IdentityRequest;
 import simgsm.air.MobilityManagement.IdentityResponse;
 import simgsm.air.MobilityManagement.LocationUpdatingAccept;
 import simgsm.air.MobilityManagement.LocationUpdatingReject;
+import simgsm.air.MobilityManagement.MmAbort;
 import simgsm.air.MobilityManagement.MmInformation;
 import simgsm.air.MobilityManagement.MmStatus;
+import simgsm.air.MobilityManagement.TmsiReallocationCommand;
 import simgsm.air.RejectCause;
 import simgsm.station.context.StationContext;
 import simgsm.station.context.StationEvent;
@@ -59,6 +62,11 @@ public final class MobilityMessages {
             authenticate(request);
         } else if (message instanceof AuthenticationReject) {
             registration.authenticationRejected();
+        } else if (message instanceof TmsiReallocationCommand command) {
+            registration.reallocated(command);
+        } else if (message instanceof MmAbort abort) {
+            services.aborted(abort.cause());
+            registration.aborted(abort.cause());
         } else if (message instanceof MmInformation information) {
             networkName = information.networkName();
             information.time().ifPresent(time -> context.events().add(new StationEvent.NetworkTimeReceived(time)));
@@ -74,7 +82,8 @@ public final class MobilityMessages {
         MobileIdentity identity = switch (type) {
             case IMSI -> context.identity().imsi();
             case TMSI -> registration.identity();
-            case IMEI, IMEISV -> context.identity().imei();
+            case IMEI -> context.identity().imei();
+            case IMEISV -> Imeisv.of(context.identity().imei());
         };
         context.radio().send(new IdentityResponse(identity));
     }
@@ -83,7 +92,7 @@ public final class MobilityMessages {
     private void authenticate(AuthenticationRequest request) {
         Sim.AuthenticationResult answer = sim.authenticate(request.rand(), request.autn());
         answer.response().ifPresent(response -> {
-            registration.setKeySequence(request.keySequence());
+            registration.setKey(request.keySequence(), answer.kc().orElseThrow());
             context.radio().send(new AuthenticationResponse(response));
         });
         answer.failure().ifPresent(cause -> context.radio().send(new AuthenticationFailure(cause, answer.auts())));

@@ -178,9 +178,7 @@ public final class ServiceRequests {
         boolean needed = !pendingReleased;
         aborting = false;
         clearPending();
-        Set<ServiceType> lost = EnumSet.copyOf(active);
-        active.clear();
-        lost.forEach(service -> users.get(service).lost());
+        loseActive();
         if (unanswered != null && ++repeats <= MAX_REPEATS) {
             repeat(unanswered, needed);
         } else if (unanswered != null) {
@@ -188,6 +186,21 @@ public final class ServiceRequests {
             users.get(unanswered).refused(RejectCause.NETWORK_FAILURE);
         }
         serve();
+    }
+
+    private void loseActive() {
+        Set<ServiceType> lost = EnumSet.copyOf(active);
+        active.clear();
+        lost.forEach(service -> users.get(service).lost());
+    }
+
+    /** The network has ended all connections (TS 24.008, 4.3.5): no further request before the channel is released. */
+    void aborted(RejectCause cause) {
+        aborting = true;
+        if (pending != null) {
+            refused(cause);
+        }
+        loseActive();
     }
 
     /** The station has left a channel that the network did not release. */

@@ -41,23 +41,27 @@ public interface Sim {
      * A response or the cause of its absence.
      *
      * @param response SRES or RES, 4 to 16 octets
+     * @param kc the ciphering key of the challenge, 8 octets, with a response only
      * @param failure MAC_FAILURE or SYNCH_FAILURE
      * @param auts resynchronisation token, 14 octets, with SYNCH_FAILURE only
      */
     record AuthenticationResult(
-            Optional<OctetString> response, Optional<RejectCause> failure, Optional<OctetString> auts) {
+            Optional<OctetString> response,
+            Optional<OctetString> kc,
+            Optional<RejectCause> failure,
+            Optional<OctetString> auts) {
         public AuthenticationResult {
             if (response.isPresent() == failure.isPresent()) {
                 throw new IllegalArgumentException("expected either a response or a failure");
             }
         }
 
-        public static AuthenticationResult response(OctetString response) {
-            return new AuthenticationResult(Optional.of(response), Optional.empty(), Optional.empty());
+        public static AuthenticationResult response(OctetString response, OctetString kc) {
+            return new AuthenticationResult(Optional.of(response), Optional.of(kc), Optional.empty(), Optional.empty());
         }
 
         public static AuthenticationResult failure(RejectCause cause, Optional<OctetString> auts) {
-            return new AuthenticationResult(Optional.empty(), Optional.of(cause), auts);
+            return new AuthenticationResult(Optional.empty(), Optional.empty(), Optional.of(cause), auts);
         }
     }
 }

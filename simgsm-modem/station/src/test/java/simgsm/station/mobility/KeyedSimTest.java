@@ -15,6 +15,8 @@ class KeyedSimTest {
     private static final OctetString RAND = OctetString.ofHex("23553cbe9637a89d218ae64dae47bf35");
     private static final OctetString AUTN = OctetString.ofHex("55f328b43577b9b94a9ffac354dfafb3");
 
+    private static final OctetString KC = OctetString.ofHex("eae4be823af9a08b");
+
     private final Sim sim = Sim.of(new SimCard(
             new Imsi("001010005550100"),
             new Msisdn("5550100"),
@@ -24,14 +26,14 @@ class KeyedSimTest {
     @Test
     void aGsmChallengeIsAnsweredWithSres() {
         assertEquals(
-                Sim.AuthenticationResult.response(OctetString.ofHex("46f8416a")),
+                Sim.AuthenticationResult.response(OctetString.ofHex("46f8416a"), KC),
                 sim.authenticate(RAND, Optional.empty()));
     }
 
     @Test
     void aChallengeOfItsOwnNetworkIsAnsweredWithRes() {
         assertEquals(
-                Sim.AuthenticationResult.response(OctetString.ofHex("a54211d5e3ba50bf")),
+                Sim.AuthenticationResult.response(OctetString.ofHex("a54211d5e3ba50bf"), KC),
                 sim.authenticate(RAND, Optional.of(AUTN)));
     }
 
