@@ -73,6 +73,7 @@ final class TownScene {
                 heard.isEmpty() ? "" : heard.get(0).cell(),
                 state,
                 isInCall,
+                false,
                 List.of(),
                 heard,
                 isInCall ? OptionalInt.of(3) : OptionalInt.empty(),

@@ -28,6 +28,9 @@ final class OsmocomSession extends Scenario {
 
     private final Path capture;
     private RunningProgram cells;
+    /** Options of terminals with keys; none without authentication. */
+    private List<String> sims = List.of();
+
     /** Where terminals connect. */
     private String cellsAddress;
 
@@ -36,7 +39,7 @@ final class OsmocomSession extends Scenario {
         this.capture = capture;
     }
 
-    /** @param args what to play, session, crowd, calls, halves or browser, and the capture to write */
+    /** @param args what to play, session, ciphered, crowd, calls, halves or browser, and the capture to write */
     public static void main(String[] args) throws Exception {
         try (OsmocomSession session = new OsmocomSession(Path.of(args[1]))) {
             switch (args[0]) {
@@ -45,9 +48,16 @@ final class OsmocomSession extends Scenario {
                 case "halves" -> session.halves();
                 case "browser" -> session.browser();
                 case "cards" -> session.cardsRegister();
+                case "ciphered" -> session.ciphered();
                 default -> session.play();
             }
         }
+    }
+
+    /** As {@link #play}, but the core authenticates the SIMs and ciphers. */
+    private void ciphered() throws IOException, InterruptedException {
+        sims = List.of("--sim", capture.resolveSibling("sims.txt").toString());
+        play();
     }
 
     private void play() throws IOException, InterruptedException {
@@ -115,10 +125,19 @@ final class OsmocomSession extends Scenario {
         List<String> arguments = new ArrayList<>(
                 List.of("--headless", "--lang", "en", "--no-sound", "--center", cellsAddress, "--number", number));
         arguments.addAll(List.of(more));
+        arguments.addAll(sims);
         RunningProgram terminal = start(name, program, arguments.toArray(String[]::new));
         terminal.expect("registered", "number", number);
+        requireCiphered(number);
         tell(name + " " + number + " is registered");
         return terminal;
+    }
+
+    private void requireCiphered(String number) {
+        if (!sims.isEmpty()) {
+            cells.expect("cipher", "number", number, "algorithm", "a5/1");
+            tell(number + " is ciphered");
+        }
     }
 
     /** An order by short message, with delivery report and reply; then one by tones. */

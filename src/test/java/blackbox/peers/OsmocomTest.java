@@ -53,6 +53,21 @@ class OsmocomTest {
         assertTrue(told.contains("handed over in the middle of an order"), told);
     }
 
+    /** The core asks for authentication and A5/1; the keys are those of Milenage's test sets 1 and 3 (TS 35.207). */
+    @Test
+    void aCoreThatAuthenticatesAndCiphersServesPhoneAndRobot(@TempDir Path folder) throws Exception {
+        Files.writeString(
+                folder.resolve("sims.txt"),
+                """
+                sim number=5550100 imsi=001010005550100 k=465b5ce8b199b49faa5f0a2ee238a6bc opc=cd63cb71954a9f4e48a5994e37a02baf
+                sim number=5550200 imsi=001010005550200 k=fec86ba6eb707ed08905757b1bb44b8f opc=1006020f0a478bf6b699f15c062e42b3
+                """);
+        Path town = Dist.root().resolve("worlds").resolve("village.town");
+        String told = session(folder, "ciphered", town, "5550100,5550200");
+        assertTrue(told.contains("handed over in the middle of an order"), told);
+        assertTrue(told.contains("5550100 is ciphered"), told);
+    }
+
     @Test
     void aHundredPhonesRegisterAndSendEachOtherMessages(@TempDir Path folder) throws Exception {
         String told = session(folder, "crowd", Path.of(Peer.source("osmocom/crowd.town")), "7000000-7000099");
@@ -170,6 +185,9 @@ class OsmocomTest {
         ProcessBuilder core = Peer.BASH.process(Peer.source("osmocom/core.sh"), town.toString(), numbers, command);
         core.environment().putAll(environment);
         core.environment().put("OSMOCOM_LOGS", folder.resolve("logs").toString());
+        if (Files.exists(folder.resolve("sims.txt"))) {
+            core.environment().put("OSMOCOM_SIMS", folder.resolve("sims.txt").toString());
+        }
         core.environment().put("JAVA_HOME", System.getProperty("java.home"));
         core.environment().put("SIMGSM_DIST", System.getProperty("simgsm.dist"));
         Path output = folder.resolve("told.txt");

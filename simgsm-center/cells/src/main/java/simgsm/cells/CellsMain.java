@@ -6,7 +6,9 @@ import simgsm.cells.app.CellsEvents;
 import simgsm.cells.app.CellsSettings;
 import simgsm.cells.app.CellsWindow;
 import simgsm.cells.net.CellsLoop;
+import simgsm.cells.net.GsmtapSocket;
 import simgsm.cells.network.CellNetwork;
+import simgsm.cells.tower.AirInterface;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
 import simgsm.console.Event;
@@ -45,8 +47,12 @@ public final class CellsMain {
         try (Console console = Console.onStandardOutput()) {
             CellsEvents events = new CellsEvents(console);
             boolean prints = window.isEmpty() || arguments.has("console");
-            CellNetwork network = network(settings, events, prints);
-            try (CellsLoop loop = new CellsLoop(network, settings.address(), settings.port())) {
+            GsmtapSocket capture = settings.gsmtap().isPresent()
+                    ? new GsmtapSocket(settings.gsmtap().get())
+                    : null;
+            CellNetwork network = network(settings, capture, events, prints);
+            try (capture;
+                    CellsLoop loop = new CellsLoop(network, settings.address(), settings.port())) {
                 loop.start(settings.controllerAddress(), cause -> FatalError.end(CellsSettings.PROGRAM, cause));
                 settings.followed()
                         .forEach(robot -> robot.start(place -> loop.post(cells -> cells.place(robot.number(), place))));
@@ -72,8 +78,10 @@ public final class CellsMain {
         }
     }
 
-    private static CellNetwork network(CellsSettings settings, CellsEvents events, boolean prints) {
-        CellNetwork network = new CellNetwork(settings.town(), settings.seed(), settings.algorithms(), prints ? events : event -> {});
+    private static CellNetwork network(
+            CellsSettings settings, GsmtapSocket capture, CellsEvents events, boolean prints) {
+        AirInterface air = new AirInterface(settings.algorithms(), capture);
+        CellNetwork network = new CellNetwork(settings.town(), settings.seed(), air, prints ? events : event -> {});
         network.setHandoverRule(settings.handover());
         if (prints) {
             network.setOnRefusal(events::refused);

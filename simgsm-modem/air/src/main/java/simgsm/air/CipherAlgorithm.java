@@ -36,8 +36,7 @@ public enum CipherAlgorithm {
     }
 
     /** As "a5/1". */
-    @Override
-    public String toString() {
+    public String title() {
         return "a5/" + ordinal();
     }
 }

@@ -18,6 +18,7 @@ import java.util.stream.Collectors;
 import simgsm.air.CipherAlgorithm;
 import simgsm.cells.net.FollowedRobot;
 import simgsm.cells.snapshot.HandoverRule;
+import simgsm.cells.tower.AirInterface;
 import simgsm.cells.town.Town;
 import simgsm.cells.town.TownFile;
 import simgsm.cells.town.TownReader;
@@ -35,6 +36,7 @@ import simgsm.console.UsageException;
  * @param isOsmocom true for osmo-bsc
  * @param handover the controller's rule, for the window
  * @param algorithms of the air
+ * @param gsmtap receiver of the air capture
  * @param followed robots whose poses move terminals
  */
 public record CellsSettings(
@@ -47,6 +49,7 @@ public record CellsSettings(
         HandoverRule handover,
         List<FollowedRobot> followed,
         Set<CipherAlgorithm> algorithms,
+        Optional<HostPort> gsmtap,
         Locale language) {
     public static final String PROGRAM = "simgsm-cells";
     public static final int DEFAULT_PORT = 3013;
@@ -77,7 +80,8 @@ public record CellsSettings(
                 seed,
                 handover,
                 List.copyOf(followed),
-                arguments.value("a5", CellsSettings::algorithms).orElse(EnumSet.of(CipherAlgorithm.A5_1)),
+                arguments.value("a5", CellsSettings::algorithms).orElse(AirInterface.STANDARD.algorithms()),
+                arguments.hostPort("gsmtap"),
                 arguments.language());
     }
 

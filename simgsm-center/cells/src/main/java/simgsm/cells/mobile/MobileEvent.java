@@ -49,7 +49,7 @@ public sealed interface MobileEvent {
     record SpeechGap(Mobile mobile, int millis) implements MobileEvent {}
 
     /** The mobile has begun to cipher with {@code a5/1} or {@code a5/3}, or has ended it: {@code a5/0}. */
-    @EventLine("cipher number=mobile.number algorithm=")
+    @EventLine("cipher number=mobile.number algorithm=algorithm.title")
     record Ciphered(Mobile mobile, CipherAlgorithm algorithm) implements MobileEvent {}
 
     /** The channel is lost. */

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Deque;
-import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -27,6 +26,7 @@ import simgsm.cells.radio.RadioField;
 import simgsm.cells.radio.TowerState;
 import simgsm.cells.snapshot.HandoverRule;
 import simgsm.cells.snapshot.PassingStep;
+import simgsm.cells.tower.AirInterface;
 import simgsm.cells.tower.BaseStation;
 import simgsm.cells.tower.TowerListener;
 import simgsm.cells.tower.TowerRefused;
@@ -50,7 +50,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
     private final Deque<PassingStep> passing = new ArrayDeque<>();
     private final Consumer<MobileEvent> listener;
     private Consumer<TowerRefused> onRefusal = refusal -> {};
-    private final Set<CipherAlgorithm> algorithms;
+    private final AirInterface air;
     /** Walks of disconnected terminals, by number; each resumes when its terminal returns. */
     private final Map<String, Walker> walks = new HashMap<>();
 
@@ -60,18 +60,18 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
 
     /** Creates towers that are on, cipher with A5/1, and have no controller yet. */
     public CellNetwork(Town town, long seed, Consumer<MobileEvent> listener) {
-        this(town, seed, EnumSet.of(CipherAlgorithm.A5_1), listener);
+        this(town, seed, AirInterface.STANDARD, listener);
     }
 
-    /** As above. @param algorithms that the towers and the radios of the mobiles can cipher with */
-    public CellNetwork(Town town, long seed, Set<CipherAlgorithm> algorithms, Consumer<MobileEvent> listener) {
+    /** As above, with other settings of the air interface. */
+    public CellNetwork(Town town, long seed, AirInterface air, Consumer<MobileEvent> listener) {
         this.town = town;
-        this.algorithms = algorithms;
+        this.air = air;
         this.listener = listener;
         field = new RadioField(new Propagation(town, seed));
         random = new SplittableRandom(seed);
         town.towers().forEach(tower -> {
-            BaseStation station = new BaseStation(tower, town.radioLinkTimeout(), timers, this, algorithms);
+            BaseStation station = new BaseStation(tower, town.radioLinkTimeout(), timers, this, air);
             indices.put(station, towers.size());
             towers.add(station);
         });
@@ -189,7 +189,7 @@ public final class CellNetwork implements MobileNetwork, TowerListener {
 
     @Override
     public Set<CipherAlgorithm> algorithms() {
-        return algorithms;
+        return air.algorithms();
     }
 
     // Towers.

@@ -20,10 +20,11 @@ import simgsm.abis.TowerIdentity;
 import simgsm.air.Cause;
 import simgsm.air.ChannelNumber;
 import simgsm.air.ChannelNumber.Kind;
-import simgsm.air.CipherAlgorithm;
 import simgsm.air.IdentityElements;
 import simgsm.air.MobileIdentity;
 import simgsm.air.ProtocolViolation;
+import simgsm.cells.capture.AirCapture;
+import simgsm.cells.cipher.CipherKey;
 import simgsm.cells.town.Tower;
 import simgsm.event.EventLine;
 import simgsm.octets.OctetString;
@@ -54,7 +55,8 @@ public final class BaseStation {
     private final int radioLinkTimeout;
     private final Timers timers;
     private final TowerListener listener;
-    private final Set<CipherAlgorithm> algorithms;
+    private final AirInterface air;
+    private final AirCapture capture;
     private final KeepAlive keepAlive;
     private final Map<ChannelNumber, TowerChannel> channels = new LinkedHashMap<>();
     private final Set<AccessUser> accesses = new LinkedHashSet<>();
@@ -73,16 +75,17 @@ public final class BaseStation {
      * Creates a tower that is on, without a controller.
      *
      * @param radioLinkTimeout SACCH blocks, sent to a centre of this suite; osmo-bsc configures its own
-     * @param algorithms that the tower can cipher with
      */
     public BaseStation(
             Tower tower,
             int radioLinkTimeout,
             Timers timers,
             TowerListener listener,
-            Set<CipherAlgorithm> algorithms) {
+            AirInterface air) {
         this.tower = tower;
-        this.algorithms = algorithms;
+        this.air = air;
+        capture = new AirCapture(
+                tower.arfcn(), tower.bsic(), () -> FrameClock.frameAt(timers.nowNanos()), air.capture());
         this.radioLinkTimeout = radioLinkTimeout;
         this.timers = timers;
         this.listener = listener;
@@ -91,6 +94,9 @@ public final class BaseStation {
                 port.drop(reason);
             }
         });
+        if (capture.isOn()) {
+            captureMultiframe();
+        }
     }
 
     public Tower tower() {
@@ -175,6 +181,13 @@ public final class BaseStation {
         isIdentified = false;
         keepAlive.start();
         listener.changed(this);
+    }
+
+    private void captureMultiframe() {
+        if (isInService()) {
+            capture.multiframe();
+        }
+        timers.start(FrameClock.untilMultiframeNanos(timers.nowNanos()), this::captureMultiframe);
     }
 
     /** Handles the loss of the connection. One that ends after the unit id without a reason is that of osmo-bsc. */
@@ -272,7 +285,11 @@ public final class BaseStation {
     }
 
     CipherKey cipherKey(RslPdu message) throws ProtocolViolation {
-        return CipherKey.of(message, algorithms);
+        return CipherKey.of(message, air.algorithms());
+    }
+
+    AirCapture capture() {
+        return capture;
     }
 
     TowerPort port() {
@@ -283,11 +300,13 @@ public final class BaseStation {
         switch (message.type()) {
             case BCCH_INFORMATION -> {
                 if (message.has(RslElement.FULL_BCCH_INFORMATION)) {
+                    capture.broadcast(message.value(RslElement.FULL_BCCH_INFORMATION));
                     informed(message.value(RslElement.FULL_BCCH_INFORMATION));
                 }
             }
             case SACCH_FILLING -> {
                 if (message.has(RslElement.L3_INFORMATION)) {
+                    capture.slow(message.value(RslElement.L3_INFORMATION));
                     informed(message.value(RslElement.L3_INFORMATION));
                 } else {
                     int type = message.octet(RslElement.SYSTEM_INFORMATION_TYPE);
@@ -348,6 +367,7 @@ public final class BaseStation {
     }
 
     private void answerAccess(OctetString octets) throws ProtocolViolation {
+        capture.grant(octets);
         if (ImmediateAssignment.isOne(octets)) {
             ImmediateAssignment assignment = ImmediateAssignment.decode(octets);
             List.copyOf(accesses).forEach(access -> access.granted(assignment));
@@ -369,6 +389,7 @@ public final class BaseStation {
                             timers.nowNanos(), group, control.pagingBlocks(), control.pagingMultiframes()),
                     () -> {
                         if (isInService()) {
+                            capture.page(control.blocksForAccessGrant() + group % control.pagingBlocks(), identity);
                             listener.paged(this, group, identity);
                         }
                     });
@@ -406,6 +427,7 @@ public final class BaseStation {
      */
     public RequestReference requestChannel(int access, int delay, AccessUser user) {
         RequestReference reference = RequestReference.at(access, FrameClock.frameAt(timers.nowNanos()));
+        capture.access(access);
         if (accesses.size() < MOST_ACCESSES) {
             accesses.add(user);
             send(RslPdu.of(RslType.CHANNEL_REQUIRED, RACH)

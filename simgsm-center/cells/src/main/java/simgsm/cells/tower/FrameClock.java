@@ -20,6 +20,11 @@ public final class FrameClock {
         return frames * MULTIFRAME_NANOS / FRAMES;
     }
 
+    /** The time until the next multiframe of the common channels. */
+    static long untilMultiframeNanos(long nowNanos) {
+        return nanos(COMMON_FRAMES - frameAt(nowNanos) % COMMON_FRAMES);
+    }
+
     /**
      * The time until the end of a paging group's next block.
      *

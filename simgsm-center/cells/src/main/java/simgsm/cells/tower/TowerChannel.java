@@ -8,9 +8,15 @@ import simgsm.air.Cause;
 import simgsm.air.ChannelNumber;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
+import simgsm.air.Layer3Header;
+import simgsm.air.Layer3Type;
 import simgsm.air.MeasurementResults;
 import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
 import simgsm.air.RadioResource.MeasurementReport;
+import simgsm.air.RadioResource.PhysicalInformation;
+import simgsm.cells.capture.ChannelCapture;
+import simgsm.cells.cipher.CipherKey;
 import simgsm.octets.OctetString;
 import simgsm.timer.Timers;
 
@@ -48,6 +54,7 @@ public final class TowerChannel {
     private int orderedPowerLevel;
     private int measurement;
     private final TowerSpeech speech;
+    private final ChannelCapture capture;
     /** The commanded key; the air is ciphered once the mobile has completed it. */
     private CipherKey key = CipherKey.NONE;
 
@@ -59,12 +66,15 @@ public final class TowerChannel {
         this.tower = tower;
         this.timers = timers;
         number = activated.channel();
+        capture = tower.capture().channel(number);
         activation = activated.octet(RslElement.ACTIVATION_TYPE) & 0x07;
         orderedPowerLevel = powerLevel(activated).orElse(0);
         speech = new TowerSpeech(tower, number, timers, this::speechReceived);
         if (activated.has(RslElement.ENCRYPTION_INFORMATION)) {
             key = tower.cipherKey(activated);
             isCiphered = key.isCiphering();
+            capture.cipher(true, key);
+            capture.cipher(false, key);
         }
         hold = new ConnectHold(timers, layer3 -> indicate(SIGNALLING, layer3));
         handoverReference = activated.find(RslElement.HANDOVER_REFERENCE).map(value -> value.octet(0));
@@ -115,11 +125,8 @@ public final class TowerChannel {
 
     void arrived(RslPdu message) throws ProtocolViolation {
         switch (message.type()) {
-            case DATA_REQUEST, UNIT_DATA_REQUEST -> {
-                if (user != null) {
-                    user.layer3Arrived(this, message.sapi(), message.value(RslElement.L3_INFORMATION));
-                }
-            }
+            case DATA_REQUEST, UNIT_DATA_REQUEST ->
+                sendDown(message.sapi(), message.value(RslElement.L3_INFORMATION));
             case ESTABLISH_REQUEST -> establishRequested(message);
             case RELEASE_REQUEST -> {
                 if (message.sapi() == SHORT_MESSAGES) {
@@ -151,8 +158,13 @@ public final class TowerChannel {
         CipherKey commanded = tower.cipherKey(message);
         OctetString layer3 = message.value(RslElement.L3_INFORMATION);
         key = commanded;
+        sendDown(SIGNALLING, layer3);
+    }
+
+    private void sendDown(int sapi, OctetString layer3) {
         if (user != null) {
-            user.layer3Arrived(this, SIGNALLING, layer3);
+            capture.message(false, sapi, layer3);
+            user.layer3Arrived(this, sapi, layer3);
         }
     }
 
@@ -195,6 +207,7 @@ public final class TowerChannel {
         }
         user = newUser;
         isEstablished = true;
+        capture.establish(layer3);
         RslPdu indication = RslPdu.of(RslType.ESTABLISH_INDICATION, number, SIGNALLING);
         tower.send(layer3 == null ? indication : indication.with(RslElement.L3_INFORMATION, layer3));
     }
@@ -204,19 +217,30 @@ public final class TowerChannel {
      * temporarily.
      */
     public void send(int sapi, OctetString layer3) {
-        if (!isClosed && sapi == SIGNALLING) {
-            completeCiphering(layer3);
+        if (isClosed) {
+            return;
+        }
+        boolean isComplete = user != null && sapi == SIGNALLING && isCipheringComplete(layer3);
+        if (isComplete) {
+            isCiphered = key.isCiphering();
+            capture.cipher(true, key);
+        }
+        capture.message(true, sapi, layer3);
+        if (isComplete) {
+            capture.cipher(false, key);
+            user.ciphered(key.algorithm());
+        }
+        if (sapi == SIGNALLING) {
             hold.send(layer3);
-        } else if (!isClosed) {
+        } else {
             indicate(sapi, layer3);
         }
     }
 
-    private void completeCiphering(OctetString layer3) {
-        if (user != null && CipherKey.isComplete(layer3)) {
-            isCiphered = key.isCiphering();
-            user.ciphered(key.algorithm());
-        }
+    private static boolean isCipheringComplete(OctetString layer3) {
+        return layer3.length() > 1
+                && layer3.octet(0) == Layer3Header.RADIO_RESOURCE
+                && layer3.octet(1) == Layer3Type.CIPHERING_MODE_COMPLETE.code();
     }
 
     /** Sends the messages held by another channel of the same mobile. */
@@ -237,6 +261,7 @@ public final class TowerChannel {
     public void leave() {
         hold.drain();
         if (user != null) {
+            capture.release();
             user = null;
             if (isEstablished && !isClosed) {
                 tower.send(RslPdu.of(RslType.RELEASE_INDICATION, number, SIGNALLING));
@@ -273,6 +298,7 @@ public final class TowerChannel {
     private void sendPhysicalInformation(int timingAdvance, int count) {
         timers.start(T3105_NANOS, () -> {
             if (user != null && !isEstablished && !isClosed) {
+                capture.unacknowledged(encoded(new PhysicalInformation(timingAdvance), Direction.DOWNLINK));
                 user.physicalInformation(this, timingAdvance);
                 if (count < NY1) {
                     sendPhysicalInformation(timingAdvance, count + 1);
@@ -308,14 +334,14 @@ public final class TowerChannel {
                 }))
                 .with(RslElement.BS_POWER, 0)
                 .with(RslElement.L1_INFORMATION, powerLevel << 3, timingAdvance);
-        tower.send(
-                report.isEmpty()
-                        ? result
-                        : result.with(
-                                RslElement.L3_INFORMATION,
-                                OctetString.of(
-                                        Layer3Codec.encode(new MeasurementReport(report.get()), Direction.UPLINK, 0))));
+        Optional<OctetString> layer3 = report.map(results -> encoded(new MeasurementReport(results), Direction.UPLINK));
+        capture.measured(powerLevel, timingAdvance, layer3);
+        tower.send(layer3.map(octets -> result.with(RslElement.L3_INFORMATION, octets)).orElse(result));
         return now;
+    }
+
+    private static OctetString encoded(RadioResource message, Direction direction) {
+        return OctetString.of(Layer3Codec.encode(message, direction, 0));
     }
 
     /** Sends an RTP packet with the mobile's speech. */
