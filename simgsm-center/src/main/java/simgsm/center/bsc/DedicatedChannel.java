@@ -188,6 +188,14 @@ final class DedicatedChannel {
         }
     }
 
+    /** Lets the tower cipher, and sends the command to the mobile. */
+    void cipher(OctetString information, OctetString command) {
+        tower.send(RslPdu.of(RslType.ENCRYPTION_COMMAND, number)
+                .with(RslElement.ENCRYPTION_INFORMATION, information)
+                .with(RslElement.LINK_IDENTIFIER, 0)
+                .with(RslElement.L3_INFORMATION, command));
+    }
+
     void send(RslPdu message) {
         tower.send(message);
     }
@@ -287,8 +295,8 @@ final class DedicatedChannel {
             case SEND_RELEASE_REQUEST -> closeLinks();
             case START_T3111 -> speech.close();
             case SEND_RF_RELEASE -> tower.send(RslPdu.of(RslType.RF_CHANNEL_RELEASE, number));
-            case TELL_ACTIVE -> user.channelActive(this);
-            case TELL_FAILED -> user.channelFailed(this);
+            case TELL_ACTIVE -> user.channelActivated(true);
+            case TELL_FAILED -> user.channelActivated(false);
             case TELL_FREE -> {
                 isSapi3Open = false;
                 isSapi3Opening = false;
@@ -317,6 +325,11 @@ final class DedicatedChannel {
                 .with(RslElement.ACTIVATION_TYPE, purpose.code)
                 .with(RslElement.CHANNEL_MODE, mode(isForSpeech))
                 .with(RslElement.CHANNEL_IDENTIFICATION, identification);
+        if (user.cipher().information().isPresent()) {
+            message = message.with(
+                    RslElement.ENCRYPTION_INFORMATION,
+                    user.cipher().information().get());
+        }
         if (purpose == Purpose.HANDOVER) {
             message = message.with(RslElement.HANDOVER_REFERENCE, handoverReference);
         }

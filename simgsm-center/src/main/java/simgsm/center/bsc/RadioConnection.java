@@ -10,7 +10,6 @@ import simgsm.abis.RslPdu;
 import simgsm.air.Cause;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
-import simgsm.air.Layer3Message;
 import simgsm.air.Layer3Type;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
@@ -26,7 +25,6 @@ import simgsm.timer.Timer;
 /** One mobile's radio connection: {@link ConnectionTable} driven by its channels, its messages and the exchange. */
 final class RadioConnection {
     private static final System.Logger LOG = System.getLogger(RadioConnection.class.getName());
-
     private static final int SAPI_0 = 0;
 
     private final BaseStationController controller;
@@ -34,6 +32,7 @@ final class RadioConnection {
     private final StateMachine<ConnectionState, ConnectionEvent, ConnectionAction> machine =
             new StateMachine<>(ConnectionTable.ROWS, this, this::perform).onEntry(this::entered);
     private final HeldDownlink held = new HeldDownlink();
+    private final ConnectionCipher cipher = new ConnectionCipher(this);
     private DedicatedChannel channel;
     /** The channel of a running assignment or handover; null otherwise. */
     private DedicatedChannel target;
@@ -70,7 +69,7 @@ final class RadioConnection {
         mobile = proved;
     }
 
-    private boolean isSuspended() {
+    boolean isSuspended() {
         return machine.state() == ConnectionState.ASSIGNING || machine.state() == ConnectionState.HANDING_OVER;
     }
 
@@ -80,6 +79,14 @@ final class RadioConnection {
         } else if (machine.state() != ConnectionState.ENDED) {
             channel.send(sapi, layer3);
         }
+    }
+
+    TowerMobile mobile() {
+        return mobile;
+    }
+
+    ConnectionCipher cipher() {
+        return cipher;
     }
 
     void release() {
@@ -149,14 +156,8 @@ final class RadioConnection {
         machine.fire(ConnectionEvent.LOST);
     }
 
-    // Handles the activation of a channel.
-
-    void channelActive(DedicatedChannel active) {
-        machine.fire(ConnectionEvent.CHANNEL_ACTIVE);
-    }
-
-    void channelFailed(DedicatedChannel failed) {
-        machine.fire(ConnectionEvent.CHANNEL_FAILED);
+    void channelActivated(boolean isDone) {
+        machine.fire(isDone ? ConnectionEvent.CHANNEL_ACTIVE : ConnectionEvent.CHANNEL_FAILED);
     }
 
     /** Handles the end of a channel, which the mobile has left by now. */
@@ -232,7 +233,7 @@ final class RadioConnection {
         if (machine.state() == ConnectionState.GRANTED) {
             firstMessage = layer3;
             machine.fire(ConnectionEvent.MOBILE_ARRIVED);
-        } else if (mobile != null && !receiveRadioResource(from, layer3)) {
+        } else if (mobile != null && !cipher.receive(layer3) && !receiveRadioResource(from, layer3)) {
             if (sapi == RslMessage.Sapi.SHORT_MESSAGES.code()) {
                 controller.uplink().established(mobile.link(), RslMessage.Sapi.SHORT_MESSAGES, layer3);
             } else {
@@ -241,11 +242,7 @@ final class RadioConnection {
         }
     }
 
-    /**
-     * Handles the end of an assignment or handover.
-     *
-     * @return false for any other message
-     */
+    /** Handles the end of an assignment or handover. @return false for any other message */
     private boolean receiveRadioResource(DedicatedChannel from, OctetString layer3) {
         Optional<ChannelOutcome> outcome = ChannelOutcome.of(layer3);
         outcome.ifPresent(found -> {
@@ -264,13 +261,12 @@ final class RadioConnection {
             return;
         }
         HandoverTarget targets = new HandoverTarget(controller);
-        Optional<DedicatedChannel> found = machine.state() == ConnectionState.QUEUED
-                ? targets.elsewhere(channel, measurement)
-                : targets.better(channel, channel.decision());
-        found.ifPresent(free -> {
-            target = free;
-            machine.fire(ConnectionEvent.HANDOVER);
-        });
+        boolean isQueued = machine.state() == ConnectionState.QUEUED;
+        (isQueued ? targets.elsewhere(channel, measurement) : targets.better(channel, channel.decision()))
+                .ifPresent(free -> {
+                    target = free;
+                    machine.fire(ConnectionEvent.HANDOVER);
+                });
     }
 
     // The table.
@@ -342,6 +338,7 @@ final class RadioConnection {
     }
 
     private void arrived() {
+        cipher.readClassmark(firstMessage);
         mobile = controller.mobileOf(firstMessage, channel.tower());
         mobile.connected(this);
         controller.uplink().established(mobile.link(), RslMessage.Sapi.SIGNALLING, firstMessage);
@@ -358,9 +355,14 @@ final class RadioConnection {
     }
 
     private void command(RadioResource message) {
-        OctetString layer3 = OctetString.of(Layer3Codec.encode((Layer3Message) message, Direction.DOWNLINK, 0));
+        channel.send(SAPI_0, traced(message));
+    }
+
+    /** The octets of a message to the mobile, which is traced. */
+    OctetString traced(RadioResource message) {
+        OctetString layer3 = OctetString.of(Layer3Codec.encode(message, Direction.DOWNLINK, 0));
         mobile.link().trace(Direction.DOWNLINK, Layer3Type.of(message).title(), layer3);
-        channel.send(SAPI_0, layer3);
+        return layer3;
     }
 
     private void switchChannels() {

@@ -65,6 +65,11 @@ final class TowerMobile implements RadioAccess {
     }
 
     @Override
+    public void cipher(OctetString kc, Runnable done) {
+        connection.ifPresent(own -> own.cipher().begin(kc, done));
+    }
+
+    @Override
     public void release() {
         connection.ifPresent(RadioConnection::release);
     }

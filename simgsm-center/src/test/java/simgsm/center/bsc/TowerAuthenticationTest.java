@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import simgsm.abis.RslElement;
 import simgsm.abis.RslType;
 import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.ExchangeEvent;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.octets.OctetString;
+import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
 import simgsm.sim.Subscription;
 
@@ -36,7 +38,12 @@ class TowerAuthenticationTest {
         String request = west.nextLayer3();
         assertTrue(request.startsWith("0512"), request);
         OctetString rand = OctetString.ofHex(request.substring(6));
-        west.tell(channel, header + card.vector(rand).sres());
+        GsmVector vector = card.vector(rand);
+        west.tell(channel, header + vector.sres());
+        String command = "082601" + channel + "070902" + vector.kc() + "02000b0003063501";
+        if (west.received.remove(OctetString.ofHex(command))) {
+            west.tell(channel, "0632");
+        }
     }
 
     private String register(SimCard card, String imei) {
@@ -49,6 +56,42 @@ class TowerAuthenticationTest {
         west.tell(channel, "055b");
         west.leave(channel);
         return accept.substring(accept.length() - 8);
+    }
+
+    @Test
+    void aCardWithItsKeyIsCipheredBeforeItsServiceAndStaysSoOnATrafficChannel() {
+        register(EVA, TowerStage.OTHER_IMEI);
+        String tmsi = register(ANA, TowerStage.IMEI);
+        String channel = west.access("e1", SERVICE.replace("0524 14", "0524 11").replace("981", "982") + tmsi);
+        String request = west.nextLayer3();
+        GsmVector vector = ANA.vector(OctetString.ofHex(request.substring(6)));
+        west.tell(channel, "0554" + vector.sres());
+        // a phone that has A5/3
+        OctetString information = OctetString.ofHex("04" + vector.kc());
+        assertEquals(
+                information,
+                west.next(RslType.ENCRYPTION_COMMAND)
+                        .find(RslElement.ENCRYPTION_INFORMATION)
+                        .orElseThrow());
+        assertTrue(west.received.isEmpty(), "no service before ciphering");
+        west.tell(channel, "0632");
+        assertEquals("0521", west.nextLayer3());
+        west.received.clear();
+        west.tell(channel, TowerCalls.SETUP.replace("0345", "0305"));
+        assertEquals(
+                information,
+                west.next(RslType.CHANNEL_ACTIVATION)
+                        .find(RslElement.ENCRYPTION_INFORMATION)
+                        .orElseThrow());
+    }
+
+    /** Classmark 1 with the bit that says that A5/1 is not available. */
+    @Test
+    void aMobileWithoutAnAlgorithmIsServedInTheClear() {
+        String channel = west.access("05", "0508 70 00f110 fffe 3b " + TestTower.imsi("5550100"));
+        String request = west.nextLayer3();
+        west.tell(channel, "0554" + ANA.vector(OctetString.ofHex(request.substring(6))).sres());
+        assertEquals("051802", west.nextLayer3());
     }
 
     @Test

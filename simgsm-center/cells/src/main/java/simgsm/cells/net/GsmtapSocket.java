@@ -12,27 +12,28 @@ import simgsm.console.HostPort;
 public final class GsmtapSocket implements Consumer<byte[]>, AutoCloseable {
     private static final System.Logger LOG = System.getLogger(GsmtapSocket.class.getName());
 
+    /** Not connected: a refusal by a host without a listener would cost the next packet. */
     private final DatagramChannel channel;
+
+    private final InetSocketAddress address;
     private boolean isFailureLogged;
 
     /** @throws IOException naming an address that does not exist */
     public GsmtapSocket(HostPort receiver) throws IOException {
-        InetSocketAddress address = new InetSocketAddress(receiver.host(), receiver.port());
+        address = new InetSocketAddress(receiver.host(), receiver.port());
         if (address.isUnresolved()) {
             throw new IOException("--gsmtap: no host " + receiver.host());
         }
         channel = DatagramChannel.open();
         channel.configureBlocking(false);
-        channel.connect(address);
     }
 
     @Override
     public void accept(byte[] packet) {
         try {
-            channel.write(ByteBuffer.wrap(packet));
+            channel.send(ByteBuffer.wrap(packet), address);
         } catch (IOException e) {
-            // loopback reports that nobody listens
-            LOG.log(isFailureLogged ? Level.DEBUG : Level.INFO, "no GSMTAP receiver: {0}", e.getMessage());
+            LOG.log(isFailureLogged ? Level.DEBUG : Level.INFO, "GSMTAP not sent: {0}", e.getMessage());
             isFailureLogged = true;
         }
     }

@@ -38,6 +38,16 @@ public interface RadioAccess {
     /** Sends speech if there is a path for it. */
     void sendSpeech(IpaFrame frame);
 
+    /**
+     * Ciphers the radio connection.
+     *
+     * @param done runs once the mobile ciphers, or at once where that is not possible: on a terminal's own link, and for a
+     *     mobile without an algorithm
+     */
+    default void cipher(OctetString kc, Runnable done) {
+        done.run();
+    }
+
     /** True if the mobile is reached by towers, which other mobiles share. */
     boolean isShared();
 

@@ -8,6 +8,7 @@ import simgsm.air.MobilityManagement;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.octets.OctetString;
+import simgsm.sim.GsmVector;
 import simgsm.sim.SimCard;
 import simgsm.timer.Timer;
 
@@ -26,6 +27,7 @@ public final class CardAuthentication {
     private final Deque<OctetString> outdated = new ArrayDeque<>();
 
     private OctetString expected;
+    private OctetString cipherKey;
     /** Receives the outcome of the current challenge; null without one. */
     private Consumer<Boolean> ended;
 
@@ -56,11 +58,13 @@ public final class CardAuthentication {
     /**
      * Challenges the card. Without an answer within T3260 the radio connection is released.
      *
-     * @param outcome receives true if the card has its key
+     * @param outcome receives true if the card has its key; its radio connection is then ciphered
      */
     void begin(SimCard card, OctetString rand, Consumer<Boolean> outcome) {
         cancel();
-        expected = card.vector(rand).sres();
+        GsmVector vector = card.vector(rand);
+        expected = vector.sres();
+        cipherKey = vector.kc();
         ended = outcome;
         challengeSequence = (challengeSequence + 1) % MobilityManagement.NO_KEY;
         guard = link.timers().start(NetworkTimer.T3260.nanos(), this::unanswered);
@@ -74,7 +78,7 @@ public final class CardAuthentication {
         }
         if (message instanceof MobilityManagement.AuthenticationResponse response) {
             if (!outdated.remove(response.response())) {
-                end(response.response().equals(expected));
+                answered(response.response().equals(expected));
             }
             return true;
         }
@@ -83,6 +87,20 @@ public final class CardAuthentication {
             return true;
         }
         return false;
+    }
+
+    /** A card with its key is first ciphered, within the time of T3260. */
+    private void answered(boolean hasKey) {
+        if (!hasKey) {
+            end(false);
+            return;
+        }
+        Consumer<Boolean> awaited = ended;
+        link.access().cipher(cipherKey, () -> {
+            if (ended == awaited) {
+                end(true);
+            }
+        });
     }
 
     private void end(boolean hasKey) {
