@@ -26,7 +26,12 @@ import java.util.concurrent.TimeUnit;
  */
 final class OsmocomSession extends Scenario {
 
+    private static final int AIR_PORT = 4729;
+
     private final Path capture;
+    /** Of the core and the cells, where it ciphers. */
+    private String algorithm = "a5/1";
+
     private RunningProgram cells;
     /** Options of terminals with keys; none without authentication. */
     private List<String> sims = List.of();
@@ -39,7 +44,7 @@ final class OsmocomSession extends Scenario {
         this.capture = capture;
     }
 
-    /** @param args what to play, session, ciphered, crowd, calls, halves or browser, and the capture to write */
+    /** @param args what to play, session, a5/1, a5/3, crowd, calls, halves or browser, and the capture to write */
     public static void main(String[] args) throws Exception {
         try (OsmocomSession session = new OsmocomSession(Path.of(args[1]))) {
             switch (args[0]) {
@@ -48,16 +53,63 @@ final class OsmocomSession extends Scenario {
                 case "halves" -> session.halves();
                 case "browser" -> session.browser();
                 case "cards" -> session.cardsRegister();
-                case "ciphered" -> session.ciphered();
+                case "a5/1", "a5/3" -> session.ciphered(args[0]);
                 default -> session.play();
             }
         }
     }
 
-    /** As {@link #play}, but the core authenticates the SIMs and ciphers. */
-    private void ciphered() throws IOException, InterruptedException {
+    /** As {@link #play}, but the core authenticates the SIMs and ciphers; what the air shows is captured, too. */
+    private void ciphered(String a5) throws IOException, InterruptedException {
+        algorithm = a5;
         sims = List.of("--sim", capture.resolveSibling("sims.txt").toString());
         play();
+        airIsSound();
+        String deciphered = Peer.PYTHON
+                .run(Peer.source("osmocom/decipher.py"), capture.toString(), String.valueOf(AIR_PORT), "3003")
+                .expectSuccess()
+                .strip();
+        String last = deciphered.substring(deciphered.lastIndexOf('\n') + 1);
+        assertTrue(last.matches("readable ([1-9][0-9]+) of \\1 without-key 0"), last);
+        assertTrue(deciphered.contains(" " + a5 + " "), deciphered);
+        tell("libosmogsm and libosmocoding: of the ciphered blocks of SDCCH and SACCH are " + last);
+    }
+
+    /** Wireshark names all before ciphering, and finds nothing that is sent after it. */
+    private void airIsSound() throws IOException {
+        String decoding = "udp.port==" + AIR_PORT + ",gsmtap";
+        List<String> clear = Wireshark.decoded(capture, decoding, "gsmtap.type==1");
+        for (String name : List.of(
+                "System Information Type 1",
+                "System Information Type 2",
+                "System Information Type 3",
+                "System Information Type 4",
+                "System Information Type 5",
+                "System Information Type 6",
+                "Paging Request Type 1",
+                "Immediate Assignment",
+                "SABM(DTAP) (MM) Location Updating Request",
+                "SABM(DTAP) (MM) CM Service Request",
+                "SABM(DTAP) (RR) Paging Response",
+                "Authentication Request",
+                "Authentication Response",
+                "Ciphering Mode Command",
+                "Measurement Report")) {
+            assertTrue(clear.stream().anyMatch(line -> line.contains(name)), name + " is not on the air");
+        }
+        for (String name :
+                List.of("Accept", "Complete", "CP-DATA", "Setup", "Handover", "Assignment Command", "Alerting")) {
+            assertTrue(clear.stream().noneMatch(line -> line.contains(name)), name + " is on the air in the clear");
+        }
+        int bursts = Wireshark.decoded(capture, decoding, "gsmtap.type==3").size();
+        int accesses =
+                Wireshark.decoded(capture, decoding, "gsmtap.chan_type==3").size();
+        assertTrue(accesses > 0 && bursts > 0, accesses + " access bursts, " + bursts + " ciphered bursts");
+        tell("on the air: " + clear.size() + " blocks in the clear, " + accesses + " of them access bursts; " + bursts
+                + " ciphered bursts");
+        assertEquals(
+                List.of(),
+                Wireshark.decoded(capture, decoding, "gsmtap && (_ws.malformed || _ws.expert.severity >= 0x800000)"));
     }
 
     private void play() throws IOException, InterruptedException {
@@ -117,7 +169,11 @@ final class OsmocomSession extends Scenario {
                 "--center",
                 "127.0.0.1:3003",
                 "--port",
-                "0");
+                "0",
+                "--a5",
+                "0,1," + algorithm.substring(3),
+                "--gsmtap",
+                "127.0.0.1:" + AIR_PORT);
         cellsAddress = "127.0.0.1:" + cells.expect("ready").field("port");
     }
 
@@ -135,7 +191,7 @@ final class OsmocomSession extends Scenario {
 
     private void requireCiphered(String number) {
         if (!sims.isEmpty()) {
-            cells.expect("cipher", "number", number, "algorithm", "a5/1");
+            cells.expect("cipher", "number", number, "algorithm", algorithm);
             tell(number + " is ciphered");
         }
     }

@@ -1,6 +1,7 @@
 package simgsm.center.bsc;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.air.CipherAlgorithm;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Header;
@@ -20,8 +21,9 @@ final class ConnectionCipher {
     private CipherAlgorithm available = CipherAlgorithm.A5_0;
     private CipherAlgorithm algorithm = CipherAlgorithm.A5_0;
     private OctetString key;
+    private boolean isOn;
     /** Null unless the mobile's answer is awaited. */
-    private Runnable awaiting;
+    private Consumer<Boolean> awaiting;
 
     ConnectionCipher(RadioConnection connection) {
         this.connection = connection;
@@ -32,10 +34,10 @@ final class ConnectionCipher {
         available = best(firstMessage);
     }
 
-    /** Ciphers the connection, unless it is, or the mobile cannot. @param done runs when that has been decided */
-    void begin(OctetString kc, Runnable done) {
+    /** Ciphers the connection, unless it is, or the mobile cannot. @param done receives true if it has begun */
+    void begin(OctetString kc, Consumer<Boolean> done) {
         if (algorithm != CipherAlgorithm.A5_0 || available == CipherAlgorithm.A5_0 || connection.isSuspended()) {
-            done.run();
+            done.accept(false);
             return;
         }
         algorithm = available;
@@ -49,14 +51,19 @@ final class ConnectionCipher {
     private static CipherAlgorithm best(OctetString message) {
         int discriminator = message.octet(0);
         int type = message.octet(1) & 0x3f;
-        boolean isClassmark2 = discriminator == Layer3Header.RADIO_RESOURCE
-                || type == Layer3Type.CM_SERVICE_REQUEST.code();
+        boolean isClassmark2 =
+                discriminator == Layer3Header.RADIO_RESOURCE || type == Layer3Type.CM_SERVICE_REQUEST.code();
         int at = isClassmark2 ? 4 : type == Layer3Type.LOCATION_UPDATING_REQUEST.code() ? 8 : 2;
         if (isClassmark2 && message.length() > at + 2 && (message.octet(at + 2) & A5_3) != 0) {
             return CipherAlgorithm.A5_3;
         }
         boolean hasA51 = message.length() > at && (message.octet(at) & NO_A5_1) == 0;
         return hasA51 ? CipherAlgorithm.A5_1 : CipherAlgorithm.A5_0;
+    }
+
+    /** True once the mobile ciphers. */
+    boolean isOn() {
+        return isOn;
     }
 
     /** TS 48.058, 9.3.7; empty without ciphering. */
@@ -74,10 +81,11 @@ final class ConnectionCipher {
                 && layer3.octet(0) == Layer3Header.RADIO_RESOURCE
                 && layer3.octet(1) == Layer3Type.CIPHERING_MODE_COMPLETE.code();
         if (isComplete) {
+            isOn = true;
             connection.mobile().link().trace(Direction.UPLINK, Layer3Type.CIPHERING_MODE_COMPLETE.title(), layer3);
-            Runnable done = awaiting;
+            Consumer<Boolean> done = awaiting;
             awaiting = null;
-            done.run();
+            done.accept(true);
         }
         return isComplete;
     }

@@ -1,6 +1,7 @@
 package simgsm.center.bsc;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RslMessage;
 import simgsm.air.LocationArea;
@@ -65,8 +66,13 @@ final class TowerMobile implements RadioAccess {
     }
 
     @Override
-    public void cipher(OctetString kc, Runnable done) {
+    public void cipher(OctetString kc, Consumer<Boolean> done) {
         connection.ifPresent(own -> own.cipher().begin(kc, done));
+    }
+
+    @Override
+    public boolean isCiphered() {
+        return connection.filter(own -> own.cipher().isOn()).isPresent();
     }
 
     @Override

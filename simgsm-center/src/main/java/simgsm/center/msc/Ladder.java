@@ -50,6 +50,7 @@ final class Ladder implements Trace {
         private final Direction direction;
         private final Instant time;
         private final String name;
+        private final boolean isCiphered;
         private final OctetString octets;
         private LadderEntry entry;
         private boolean isFinal;
@@ -59,6 +60,7 @@ final class Ladder implements Trace {
             this.direction = direction;
             this.time = time;
             this.name = name;
+            isCiphered = party.isCiphered();
             this.octets = octets;
         }
 
@@ -72,8 +74,8 @@ final class Ladder implements Trace {
 
         private LadderEntry made(String terminal) {
             return direction == Direction.UPLINK
-                    ? new LadderEntry(time, terminal, LadderEntry.CENTER, name, octets)
-                    : new LadderEntry(time, LadderEntry.CENTER, terminal, name, octets);
+                    ? new LadderEntry(time, terminal, LadderEntry.CENTER, name, isCiphered, octets)
+                    : new LadderEntry(time, LadderEntry.CENTER, terminal, name, isCiphered, octets);
         }
     }
 }

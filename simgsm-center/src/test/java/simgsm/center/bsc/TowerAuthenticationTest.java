@@ -75,8 +75,7 @@ class TowerAuthenticationTest {
                         .orElseThrow());
         assertTrue(west.received.isEmpty(), "no service before ciphering");
         west.tell(channel, "0632");
-        assertEquals("0521", west.nextLayer3());
-        west.received.clear();
+        assertTrue(west.received.isEmpty(), "ciphering accepts the service");
         west.tell(channel, TowerCalls.SETUP.replace("0345", "0305"));
         assertEquals(
                 information,
@@ -151,7 +150,6 @@ class TowerAuthenticationTest {
         prove(ANA, channel, "0554");
 
         west.down("082501" + old, "082e01" + old);
-        assertEquals("0521", west.nextLayer3());
         west.tell(channel, "0305 0406600402000581 5e0581550502f0");
         assertEquals("8302", west.nextLayer3());
         assertEquals(1, stage.exchange.linkCount());
@@ -232,7 +230,7 @@ class TowerAuthenticationTest {
     private String beginService(SimCard card, String tmsi) {
         String channel = west.access("11", SERVICE + tmsi);
         prove(card, channel, "0554");
-        assertEquals("0521", west.nextLayer3());
+        // ciphering accepts the service
         return channel;
     }
 

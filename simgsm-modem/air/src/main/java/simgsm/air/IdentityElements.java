@@ -34,8 +34,8 @@ public final class IdentityElements {
         }
         int first = in.octet("mobile identity");
         MobileIdentity.Type type = Coded.find(MobileIdentity.Type.values(), first & 0x07)
-                .orElseThrow(() -> ProtocolViolation.invalid("mobile identity type " + (first & 0x07)
-                        + " where IMSI, IMEI, IMEISV or TMSI was expected"));
+                .orElseThrow(() -> ProtocolViolation.invalid(
+                        "mobile identity type " + (first & 0x07) + " where IMSI, IMEI, IMEISV or TMSI was expected"));
         try {
             return switch (type) {
                 case IMSI -> new Imsi(digits(first, in));

@@ -109,9 +109,7 @@ public final class Examples {
             down(new LocationUpdatingAccept(AREA, Optional.empty()), "050262f2240001"),
             down(new LocationUpdatingReject(RejectCause.IMSI_UNKNOWN_IN_HLR), "050402"),
             new Example(new TmsiReallocationComplete(), UP, 1, "055b"),
-            down(
-                    new TmsiReallocationCommand(LocationArea.TEST, new Tmsi(0x1234abcd)),
-                    "051a00f110000105f41234abcd"),
+            down(new TmsiReallocationCommand(LocationArea.TEST, new Tmsi(0x1234abcd)), "051a00f110000105f41234abcd"),
             down(new MmAbort(RejectCause.ILLEGAL_ME), "052906"),
             down(new MmInformation("SimGSM"), "0532430786d374fb386d02"),
             down(

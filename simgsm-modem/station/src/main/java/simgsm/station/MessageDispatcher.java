@@ -162,6 +162,10 @@ final class MessageDispatcher {
                         command.isIdentityAsked()
                                 ? Optional.of(Imeisv.of(context.identity().imei()))
                                 : Optional.empty()));
+        if (starts) {
+            // it answers a CM SERVICE REQUEST, in place of CM SERVICE ACCEPT (TS 24.008, 4.5.1.1)
+            services.accepted();
+        }
     }
 
     private void violated(ProtocolViolation violation) {

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.air.CallControl.Setup;
 import simgsm.air.CipherAlgorithm;
 import simgsm.air.Imei;
 import simgsm.air.Imeisv;
@@ -45,8 +46,8 @@ class CipheringTest {
         scene.linkUp();
         scene.identify();
         scene.expectFirst(LocationUpdatingRequest.class);
-        scene.down(new AuthenticationRequest(
-                2, OctetString.ofHex("23553cbe9637a89d218ae64dae47bf35"), Optional.empty()));
+        scene.down(
+                new AuthenticationRequest(2, OctetString.ofHex("23553cbe9637a89d218ae64dae47bf35"), Optional.empty()));
         scene.expect(AuthenticationResponse.class);
     }
 
@@ -76,6 +77,18 @@ class CipheringTest {
         assertEquals(2, scene.expectFirst(PagingResponse.class).keySequence());
         scene.down(A5_1);
         scene.expect(new CipheringModeComplete(Optional.empty()));
+    }
+
+    @Test
+    void cipheringAcceptsARequestedService() {
+        authenticate();
+        scene.grantLocationUpdating();
+        scene.releaseChannel();
+        scene.station.dial(new Msisdn("5550200"));
+        scene.expectFirst(CmServiceRequest.class);
+        scene.down(A5_1);
+        scene.expect(new CipheringModeComplete(Optional.empty()));
+        scene.expect(Setup.class);
     }
 
     @Test
@@ -120,7 +133,8 @@ class CipheringTest {
         scene.page(new Tmsi(0x12345678));
         scene.expectNothing();
         scene.page(scene.identity.imsi());
-        assertEquals(scene.identity.imsi(), scene.expectFirst(PagingResponse.class).identity());
+        assertEquals(
+                scene.identity.imsi(), scene.expectFirst(PagingResponse.class).identity());
     }
 
     @Test
@@ -139,7 +153,8 @@ class CipheringTest {
         scene.page(Scene.TMSI);
         scene.expectFirst(PagingResponse.class);
         scene.down(new MmAbort(RejectCause.ILLEGAL_ME));
-        assertEquals(Optional.of(RejectCause.ILLEGAL_ME), scene.station.snapshot().rejectCause());
+        assertEquals(
+                Optional.of(RejectCause.ILLEGAL_ME), scene.station.snapshot().rejectCause());
         assertEquals(List.of(), List.copyOf(scene.up));
     }
 }

@@ -238,7 +238,8 @@ class RegistrationTest {
     @Test
     void aCardWithAKeyAnswersAndItsKeySequenceIsUsed() {
         OctetString response = OctetString.ofHex("46f8416a");
-        Scene scene = new Scene((rand, autn) -> Sim.AuthenticationResult.response(response, OctetString.ofHex("0011223344556677")));
+        Scene scene = new Scene(
+                (rand, autn) -> Sim.AuthenticationResult.response(response, OctetString.ofHex("0011223344556677")));
         scene.linkUp();
         scene.identify();
         scene.expect(LocationUpdatingRequest.class);

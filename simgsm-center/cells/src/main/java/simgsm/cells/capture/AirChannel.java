@@ -11,8 +11,7 @@ import simgsm.air.ChannelNumber;
  * @param step frames from burst to burst
  * @param bursts 4, or 8 of which halves are used
  */
-record AirChannel(
-        int type, int timeslot, int subslot, int period, int start, int uplinkDelay, int step, int bursts) {
+record AirChannel(int type, int timeslot, int subslot, int period, int start, int uplinkDelay, int step, int bursts) {
     static final int BCCH = 1;
     static final int CCCH = 2;
     static final int RACH = 3;

@@ -76,16 +76,11 @@ public final class BaseStation {
      *
      * @param radioLinkTimeout SACCH blocks, sent to a centre of this suite; osmo-bsc configures its own
      */
-    public BaseStation(
-            Tower tower,
-            int radioLinkTimeout,
-            Timers timers,
-            TowerListener listener,
-            AirInterface air) {
+    public BaseStation(Tower tower, int radioLinkTimeout, Timers timers, TowerListener listener, AirInterface air) {
         this.tower = tower;
         this.air = air;
-        capture = new AirCapture(
-                tower.arfcn(), tower.bsic(), () -> FrameClock.frameAt(timers.nowNanos()), air.capture());
+        capture =
+                new AirCapture(tower.arfcn(), tower.bsic(), () -> FrameClock.frameAt(timers.nowNanos()), air.capture());
         this.radioLinkTimeout = radioLinkTimeout;
         this.timers = timers;
         this.listener = listener;

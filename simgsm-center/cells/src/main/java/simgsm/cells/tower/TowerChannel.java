@@ -125,8 +125,7 @@ public final class TowerChannel {
 
     void arrived(RslPdu message) throws ProtocolViolation {
         switch (message.type()) {
-            case DATA_REQUEST, UNIT_DATA_REQUEST ->
-                sendDown(message.sapi(), message.value(RslElement.L3_INFORMATION));
+            case DATA_REQUEST, UNIT_DATA_REQUEST -> sendDown(message.sapi(), message.value(RslElement.L3_INFORMATION));
             case ESTABLISH_REQUEST -> establishRequested(message);
             case RELEASE_REQUEST -> {
                 if (message.sapi() == SHORT_MESSAGES) {
@@ -336,7 +335,8 @@ public final class TowerChannel {
                 .with(RslElement.L1_INFORMATION, powerLevel << 3, timingAdvance);
         Optional<OctetString> layer3 = report.map(results -> encoded(new MeasurementReport(results), Direction.UPLINK));
         capture.measured(powerLevel, timingAdvance, layer3);
-        tower.send(layer3.map(octets -> result.with(RslElement.L3_INFORMATION, octets)).orElse(result));
+        tower.send(layer3.map(octets -> result.with(RslElement.L3_INFORMATION, octets))
+                .orElse(result));
         return now;
     }
 

@@ -7,4 +7,9 @@ public interface Lifeline {
 
     /** True if this name is final: a mobile's number, not the address before its registration. */
     boolean hasNumber();
+
+    /** True while its radio connection is ciphered on the air. */
+    default boolean isCiphered() {
+        return false;
+    }
 }

@@ -77,6 +77,11 @@ public final class Link implements Lifeline {
         return access;
     }
 
+    @Override
+    public boolean isCiphered() {
+        return access.isCiphered();
+    }
+
     public TerminalRateLimits rateLimits() {
         return rateLimits;
     }

@@ -1,5 +1,6 @@
 package simgsm.center.msc.link;
 
+import java.util.function.Consumer;
 import simgsm.abis.IpaFrame;
 import simgsm.abis.RslMessage;
 import simgsm.air.LocationArea;
@@ -41,11 +42,16 @@ public interface RadioAccess {
     /**
      * Ciphers the radio connection.
      *
-     * @param done runs once the mobile ciphers, or at once where that is not possible: on a terminal's own link, and for a
-     *     mobile without an algorithm
+     * @param done receives true once the mobile has begun to cipher; false at once where it does already, and where that is not
+     *     possible: on a terminal's own link, and for a mobile without an algorithm
      */
-    default void cipher(OctetString kc, Runnable done) {
-        done.run();
+    default void cipher(OctetString kc, Consumer<Boolean> done) {
+        done.accept(false);
+    }
+
+    /** True while the radio connection is ciphered. */
+    default boolean isCiphered() {
+        return false;
     }
 
     /** True if the mobile is reached by towers, which other mobiles share. */

@@ -28,6 +28,7 @@ public final class CardAuthentication {
 
     private OctetString expected;
     private OctetString cipherKey;
+    private boolean isCipheringBegun;
     /** Receives the outcome of the current challenge; null without one. */
     private Consumer<Boolean> ended;
 
@@ -45,6 +46,11 @@ public final class CardAuthentication {
     /** True if a challenge is unanswered. */
     boolean isAwaited() {
         return ended != null;
+    }
+
+    /** True if the latest challenge was followed by the begin of ciphering, which accepts a service (TS 24.008, 4.5.1.1). */
+    boolean beganToCipher() {
+        return isCipheringBegun;
     }
 
     /** Counts a service with the mobile's key number; false if that key is not valid for one. */
@@ -96,8 +102,9 @@ public final class CardAuthentication {
             return;
         }
         Consumer<Boolean> awaited = ended;
-        link.access().cipher(cipherKey, () -> {
+        link.access().cipher(cipherKey, begins -> {
             if (ended == awaited) {
+                isCipheringBegun = begins;
                 end(true);
             }
         });

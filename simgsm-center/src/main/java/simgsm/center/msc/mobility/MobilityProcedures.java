@@ -121,7 +121,6 @@ public final class MobilityProcedures implements LinkUser {
         }
     }
 
-    /** Called by the update itself. */
     void updateEnded(Link link) {
         updates.remove(link);
         authenticationOf(link).cancel();
@@ -273,12 +272,13 @@ public final class MobilityProcedures implements LinkUser {
             return;
         }
         Link named = namedBy(link, request.identity()).orElseThrow();
-        // over towers a mobile can learn another's identity and key number, because they are not ciphered
+        // over towers a mobile can learn another's identity and key number, because requests are not ciphered
         boolean isKeyTrusted = !mustProve(named) && authenticationOf(link).useKey(request.keySequence());
         if (isKeyTrusted || cardOf(named.subscriber()).isEmpty()) {
-            admit(link, request);
+            admit(link, request, false);
         } else {
-            prove(link, named.subscriber(), own -> admit(own, request));
+            CardAuthentication proof = authenticationOf(link);
+            prove(link, named.subscriber(), own -> admit(own, request, proof.beganToCipher()));
         }
     }
 
@@ -295,15 +295,20 @@ public final class MobilityProcedures implements LinkUser {
         link.radio().release();
     }
 
-    private void admit(Link link, MobilityManagement.CmServiceRequest request) {
+    private void admit(Link link, MobilityManagement.CmServiceRequest request, boolean isAcceptedByCiphering) {
         boolean isCall = request.service() == MobilityManagement.ServiceType.MOBILE_ORIGINATED_CALL;
         if (EmergencyCalls.isAskedBy(request)) {
             EmergencyCalls.admit(link, request.identity());
         } else if (isCall && !link.rateLimits().admitCall()) {
             link.send(new MobilityManagement.CmServiceReject(RejectCause.CONGESTION));
+            if (isAcceptedByCiphering) {
+                link.radio().release();
+            }
             return;
         } else {
-            link.send(new MobilityManagement.CmServiceAccept());
+            if (!isAcceptedByCiphering) {
+                link.send(new MobilityManagement.CmServiceAccept());
+            }
             link.radio().awaitService();
         }
         heard(link);

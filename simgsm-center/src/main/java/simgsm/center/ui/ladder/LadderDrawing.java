@@ -5,6 +5,7 @@ import simgsm.draw.Canvas;
 import simgsm.draw.Face;
 import simgsm.draw.Ink;
 import simgsm.draw.Outline;
+import simgsm.draw.StatusMark;
 
 /**
  * Draws the ladder, row by row: the heads of the lifelines, and rungs of time, arrow, name and protocol. Widths and heights
@@ -75,6 +76,9 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         canvas.ink(protocol.ink());
         double tag = canvas.width(protocol.tag(), Face.SMALL);
         beginning(protocol.tag(), Face.SMALL, px(widthUnits - MARGIN_UNITS) - tag, middle);
+        if (row.entry().isCiphered()) {
+            StatusMark.LOCK.draw(canvas, px(widthUnits - MARGIN_UNITS) - tag - px(9), middle, px(4.5), Ink.QUIET);
+        }
         arrow(row, heightUnits, behind);
     }
 

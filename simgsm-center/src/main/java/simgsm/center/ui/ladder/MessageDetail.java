@@ -72,7 +72,8 @@ public final class MessageDetail extends DressedPanel {
     void show(LadderRow row) {
         shown = MessageFields.of(row, language);
         String way = row.entry().from() + " \u2192 " + row.entry().to();
-        title.setText(row.entry().name() + "   " + way + "   " + row.clock());
+        String ciphered = row.entry().isCiphered() ? "   " + texts.of("window.ladder.ciphered") : "";
+        title.setText(row.entry().name() + "   " + way + "   " + row.clock() + ciphered);
         title.setToolTipText(title.getText());
         fields.show(shown.fields());
         octets.show(shown.octets());

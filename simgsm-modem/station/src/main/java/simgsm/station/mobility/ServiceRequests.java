@@ -136,7 +136,8 @@ public final class ServiceRequests {
         }
     }
 
-    void accepted() {
+    /** The network has accepted the request, by CM SERVICE ACCEPT or by ciphering. */
+    public void accepted() {
         if (pending == null) {
             context.log().trace(Level.DEBUG, "CM SERVICE ACCEPT without a request");
             return;
