@@ -52,6 +52,7 @@ class EventReferenceTest {
     /** Fields of classes that only a running network has; {@link CellsConsoleTest} reads their lines. */
     private static final Set<String> OF_A_NETWORK = Set.of(
             "camped",
+            "cipher",
             "location-update",
             "report",
             "handover",

@@ -37,6 +37,7 @@ class LayeringTest {
             vericommand              : simgsm.state
             simgsm.air               : simgsm.event simgsm.octets
             simgsm.abis              : simgsm.octets simgsm.timer simgsm.net simgsm.air
+            simgsm.air.answer        : simgsm.air
             simgsm.rr                : simgsm.octets simgsm.air
             simgsm.sim               : simgsm.file simgsm.octets simgsm.air
             simgsm.sms               : simgsm.octets simgsm.air
@@ -60,10 +61,10 @@ class LayeringTest {
             simgsm.ui.window         : simgsm.console simgsm.draw simgsm.file simgsm.lesson simgsm.ui simgsm.ui.file simgsm.ui.glossary simgsm.ui.lesson
             simgsm.station.context   : simgsm.event simgsm.sms simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
             simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context
-            simgsm.station.call      : simgsm.ss simgsm.state simgsm.air simgsm.abis simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility
+            simgsm.station.call      : simgsm.ss simgsm.state simgsm.air simgsm.air.answer simgsm.abis simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility
             simgsm.station.sms       : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.station.context simgsm.station.mobility
             simgsm.station.ss        : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.ss simgsm.station.context simgsm.station.mobility
-            simgsm.station           : simgsm.octets simgsm.net simgsm.timer simgsm.air simgsm.sim simgsm.abis simgsm.rr simgsm.sms simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.station.sms simgsm.station.ss
+            simgsm.station           : simgsm.octets simgsm.net simgsm.timer simgsm.air simgsm.air.answer simgsm.sim simgsm.abis simgsm.rr simgsm.sms simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.station.sms simgsm.station.ss
             simgsm.modem             : simgsm.air simgsm.sim simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.modem.at          : simgsm.timer simgsm.dtmf simgsm.speech simgsm.station.call
             simgsm.modem.at.state    : simgsm.octets simgsm.air simgsm.sim simgsm.sms simgsm.station.context
@@ -92,7 +93,7 @@ class LayeringTest {
             simgsm.center.msc.ss     : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.ss simgsm.center.subscriber simgsm.center.msc.link simgsm.lesson
             simgsm.center.bsc.handover : simgsm.octets
             simgsm.center.bsc        : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.center.subscriber simgsm.center.msc.link simgsm.center.bsc.handover
-            simgsm.center.msc        : simgsm.event simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sms simgsm.trace simgsm.tone simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss simgsm.lesson
+            simgsm.center.msc        : simgsm.event simgsm.center.bsc simgsm.center.bsc.handover simgsm.octets simgsm.timer simgsm.air simgsm.air.answer simgsm.abis simgsm.sms simgsm.trace simgsm.tone simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.link simgsm.center.msc.mobility simgsm.center.msc.call simgsm.center.msc.sms simgsm.center.msc.ss simgsm.lesson
             simgsm.center.records    : simgsm.file simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.web        : simgsm.event simgsm.air simgsm.sms simgsm.web simgsm.center.subscriber simgsm.center.smsc simgsm.center.msc.call simgsm.center.msc
             simgsm.center.capture    : simgsm.file simgsm.octets simgsm.abis
@@ -110,12 +111,14 @@ class LayeringTest {
             simgsm.cells.radio       : simgsm.cells.town
             simgsm.cells.snapshot    : simgsm.cells.town
             simgsm.cells.ui          : simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.window simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot
-            simgsm.cells.tower       : simgsm.event simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.cells.town
+            simgsm.cells.cipher      : simgsm.octets simgsm.air simgsm.abis
+            simgsm.cells.capture     : simgsm.octets simgsm.air simgsm.cells.cipher
+            simgsm.cells.tower       : simgsm.event simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.cells.town simgsm.cells.cipher simgsm.cells.capture
             simgsm.cells.mobile      : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower
             simgsm.cells.network     : simgsm.octets simgsm.timer simgsm.air simgsm.rr simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile
             simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.town simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
             simgsm.cells.app         : simgsm.event simgsm.octets simgsm.air simgsm.rr simgsm.console simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
-            simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.net simgsm.cells.network
+            simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.tower simgsm.cells.net simgsm.cells.network
             simgsm.gateway.speech    : simgsm.speech simgsm.station.call
             simgsm.gateway.sip       : simgsm.state simgsm.timer simgsm.air simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.gateway.speech
             simgsm.gateway           : simgsm.event simgsm.file simgsm.net simgsm.timer simgsm.gateway.speech simgsm.gateway.sip simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web

@@ -64,7 +64,7 @@ def keys(capture, port):
 def blocks(capture, port):
     """Groups of four bursts of one channel and direction, all of whose bits are stolen."""
     bursts = {}
-    for packet in fields(capture, "-Y", "udp.dstport==" + port, "-d", "udp.port==%s,data" % port, "-e", "udp.payload"):
+    for packet in fields(capture, "-Y", "!icmp && udp.dstport==" + port, "-d", "udp.port==%s,data" % port, "-e", "udp.payload"):
         packet = bytes.fromhex(packet)
         if packet[2] == 3:
             bursts.setdefault((packet[4] >> 6 & 1, packet[3], packet[5]), []).append(

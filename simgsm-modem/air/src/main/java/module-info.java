@@ -4,6 +4,7 @@ module simgsm.air {
 
     exports simgsm.abis;
     exports simgsm.air;
+    exports simgsm.air.answer;
     exports simgsm.rr;
     exports simgsm.sim;
     exports simgsm.sms;

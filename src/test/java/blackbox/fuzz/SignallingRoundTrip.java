@@ -6,7 +6,7 @@ import simgsm.air.CallControl;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
-import simgsm.air.ProtocolErrorAnswers;
+import simgsm.air.answer.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RelayMessage;
 import simgsm.air.ShortMessageControl;

@@ -10,6 +10,7 @@ import blackbox.Scenario;
 import blackbox.SpeechGap;
 import blackbox.WebPhone;
 import java.io.IOException;
+import java.net.DatagramSocket;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -64,7 +65,6 @@ final class OsmocomSession extends Scenario {
         algorithm = a5;
         sims = List.of("--sim", capture.resolveSibling("sims.txt").toString());
         play();
-        airIsSound();
         String deciphered = Peer.PYTHON
                 .run(Peer.source("osmocom/decipher.py"), capture.toString(), String.valueOf(AIR_PORT), "3003")
                 .expectSuccess()
@@ -75,46 +75,68 @@ final class OsmocomSession extends Scenario {
         tell("libosmogsm and libosmocoding: of the ciphered blocks of SDCCH and SACCH are " + last);
     }
 
-    /** Wireshark names all before ciphering, and finds nothing that is sent after it. */
+    /** Wireshark names all that is in the clear, and finds nothing that is sent after ciphering. */
     private void airIsSound() throws IOException {
+        boolean isCiphered = !sims.isEmpty();
         String decoding = "udp.port==" + AIR_PORT + ",gsmtap";
         List<String> clear = Wireshark.decoded(capture, decoding, "gsmtap.type==1");
-        for (String name : List.of(
-                "System Information Type 1",
-                "System Information Type 2",
-                "System Information Type 3",
-                "System Information Type 4",
-                "System Information Type 5",
-                "System Information Type 6",
-                "Paging Request Type 1",
-                "Immediate Assignment",
-                "SABM(DTAP) (MM) Location Updating Request",
-                "SABM(DTAP) (MM) CM Service Request",
-                "SABM(DTAP) (RR) Paging Response",
-                "Authentication Request",
-                "Authentication Response",
-                "Ciphering Mode Command",
-                "Measurement Report")) {
-            assertTrue(clear.stream().anyMatch(line -> line.contains(name)), name + " is not on the air");
-        }
-        for (String name :
-                List.of("Accept", "Complete", "CP-DATA", "Setup", "Handover", "Assignment Command", "Alerting")) {
-            assertTrue(clear.stream().noneMatch(line -> line.contains(name)), name + " is on the air in the clear");
-        }
         int bursts = Wireshark.decoded(capture, decoding, "gsmtap.type==3").size();
         int accesses =
                 Wireshark.decoded(capture, decoding, "gsmtap.chan_type==3").size();
-        assertTrue(accesses > 0 && bursts > 0, accesses + " access bursts, " + bursts + " ciphered bursts");
-        tell("on the air: " + clear.size() + " blocks in the clear, " + accesses + " of them access bursts; " + bursts
-                + " ciphered bursts");
+        requireOnAir(
+                clear,
+                true,
+                List.of(
+                        "System Information Type 1",
+                        "System Information Type 2",
+                        "System Information Type 3",
+                        "System Information Type 4",
+                        "Paging Request Type 1",
+                        "Immediate Assignment",
+                        "SABM(DTAP) (MM) Location Updating Request",
+                        "SABM(DTAP) (MM) CM Service Request",
+                        "SABM(DTAP) (RR) Paging Response"));
+        requireOnAir(
+                clear,
+                isCiphered,
+                List.of("Authentication Request", "Authentication Response", "Ciphering Mode Command"));
+        requireOnAir(
+                clear,
+                !isCiphered,
+                List.of(
+                        "Accept",
+                        "Complete",
+                        "CP-DATA",
+                        "Setup",
+                        "Handover Command",
+                        "Assignment Command",
+                        "Alerting"));
+        if (!isCiphered) {
+            requireOnAir(
+                    clear,
+                    true,
+                    List.of("System Information Type 5", "System Information Type 6", "Measurement Report"));
+        }
+        assertTrue(accesses > 0, "no access bursts");
+        assertEquals(isCiphered, bursts > 0, bursts + " ciphered bursts");
         assertEquals(
                 List.of(),
                 Wireshark.decoded(capture, decoding, "gsmtap && (_ws.malformed || _ws.expert.severity >= 0x800000)"));
+        tell("on the air: " + clear.size() + " blocks in the clear, none malformed, " + accesses
+                + " of them access bursts; " + bursts + " ciphered bursts");
+    }
+
+    private static void requireOnAir(List<String> clear, boolean isExpected, List<String> names) {
+        for (String name : names) {
+            assertEquals(isExpected, clear.stream().anyMatch(line -> line.contains(name)), name + " on the air");
+        }
     }
 
     private void play() throws IOException, InterruptedException {
         Process tshark = capture();
-        try {
+        // a receiver: without one the system answers each packet of the air by ICMP
+        try (DatagramSocket air = new DatagramSocket(AIR_PORT)) {
+            assertTrue(air.isBound());
             openCells(world("village.town"));
             RunningProgram phone = terminal("phone", "simgsm-phone", PHONE);
             RunningProgram robot = terminal(
@@ -134,6 +156,7 @@ final class OsmocomSession extends Scenario {
         String port = cellsAddress.substring(cellsAddress.indexOf(':') + 1);
         soundAs("osmo-bsc's side", "tcp.port==3003,gsm_ipa");
         soundAs("the terminals' side", "tcp.port==" + port + ",gsm_ipa");
+        airIsSound();
     }
 
     /** Starts tshark, which creates its file once it has opened the interface. */

@@ -47,21 +47,18 @@ public final class CellsMain {
         try (Console console = Console.onStandardOutput()) {
             CellsEvents events = new CellsEvents(console);
             boolean prints = window.isEmpty() || arguments.has("console");
-            GsmtapSocket capture = settings.gsmtap().isPresent()
-                    ? new GsmtapSocket(settings.gsmtap().get())
-                    : null;
+            GsmtapSocket capture = GsmtapSocket.to(settings.gsmtap());
             CellNetwork network = network(settings, capture, events, prints);
             try (capture;
                     CellsLoop loop = new CellsLoop(network, settings.address(), settings.port())) {
                 loop.start(settings.controllerAddress(), cause -> FatalError.end(CellsSettings.PROGRAM, cause));
                 settings.followed()
                         .forEach(robot -> robot.start(place -> loop.post(cells -> cells.place(robot.number(), place))));
-                Event ready = Event.of("ready")
-                        .with("port", loop.port())
-                        .with("cells", settings.town().towers().size());
                 CellsCommands commands = new CellsCommands(loop, console, events);
                 if (prints) {
-                    console.ready(ready);
+                    console.ready(Event.of("ready")
+                            .with("port", loop.port())
+                            .with("cells", settings.town().towers().size()));
                 }
                 if (window.isPresent()) {
                     if (prints) {

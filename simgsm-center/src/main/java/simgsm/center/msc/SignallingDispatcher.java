@@ -11,7 +11,7 @@ import simgsm.air.Layer3Header;
 import simgsm.air.Layer3Message;
 import simgsm.air.Layer3Type;
 import simgsm.air.MobilityManagement;
-import simgsm.air.ProtocolErrorAnswers;
+import simgsm.air.answer.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
 import simgsm.air.ShortMessageControl;

@@ -13,7 +13,7 @@ public enum CauseLocation {
     INTERNATIONAL_NETWORK;
 
     /** The party that sends in this direction; the other one if it answers. */
-    static CauseLocation of(Direction direction, boolean answers) {
+    public static CauseLocation of(Direction direction, boolean answers) {
         return (direction == Direction.UPLINK) != answers ? USER : PUBLIC_NETWORK_OF_LOCAL_USER;
     }
 

@@ -38,7 +38,7 @@ public final class Layer3Codec {
     /**
      * The message in these octets; an uplink message's N(SD) is masked out, see {@link #sendSequence}.
      *
-     * @throws ProtocolViolation for a breach of the standard, with the cause for a STATUS answer; see {@link
+     * @throws ProtocolViolation for a breach of the standard, with the cause for a STATUS answer; see {@code
      *     ProtocolErrorAnswers} for the messages to send
      */
     public static Layer3Message decode(byte[] octets, Direction direction) throws ProtocolViolation {

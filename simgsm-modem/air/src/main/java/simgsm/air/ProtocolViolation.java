@@ -4,7 +4,7 @@ import java.util.Optional;
 
 /**
  * A received message or frame that breaks its standard; the text names the fault and the expected form. Contains the
- * readable header of a layer-3 message, for {@link ProtocolErrorAnswers}.
+ * readable header of a layer-3 message, for {@code ProtocolErrorAnswers}.
  *
  * <p>It has no stack trace: a peer may cause any number of violations, and the trace would only show the codec.
  */

@@ -16,6 +16,7 @@ import simgsm.abis.RslMessageTest;
 import simgsm.abis.RtpPacket;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
+import simgsm.air.answer.ProtocolErrorAnswers;
 
 /** Spoilt messages by the hundred thousand: each gives a message or a violation, and nothing else ever. */
 class MutationTest {

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.octets.OctetString;
+import simgsm.air.answer.ProtocolErrorAnswers;
 
 /** What breaks its standard, the cause that says so, and what is answered. */
 class RefusedMessagesTest {

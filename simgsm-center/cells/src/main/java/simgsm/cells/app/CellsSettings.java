@@ -49,7 +49,7 @@ public record CellsSettings(
         HandoverRule handover,
         List<FollowedRobot> followed,
         Set<CipherAlgorithm> algorithms,
-        Optional<HostPort> gsmtap,
+        Optional<InetSocketAddress> gsmtap,
         Locale language) {
     public static final String PROGRAM = "simgsm-cells";
     public static final int DEFAULT_PORT = 3013;
@@ -81,7 +81,7 @@ public record CellsSettings(
                 handover,
                 List.copyOf(followed),
                 arguments.value("a5", CellsSettings::algorithms).orElse(AirInterface.STANDARD.algorithms()),
-                arguments.hostPort("gsmtap"),
+                arguments.hostPort("gsmtap").map(to -> new InetSocketAddress(to.host(), to.port())),
                 arguments.language());
     }
 

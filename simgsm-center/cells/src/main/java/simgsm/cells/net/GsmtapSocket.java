@@ -5,8 +5,8 @@ import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
+import java.util.Optional;
 import java.util.function.Consumer;
-import simgsm.console.HostPort;
 
 /** Sends GSMTAP packets to one address over UDP; what cannot be sent at once is dropped. */
 public final class GsmtapSocket implements Consumer<byte[]>, AutoCloseable {
@@ -18,14 +18,18 @@ public final class GsmtapSocket implements Consumer<byte[]>, AutoCloseable {
     private final InetSocketAddress address;
     private boolean isFailureLogged;
 
-    /** @throws IOException naming an address that does not exist */
-    public GsmtapSocket(HostPort receiver) throws IOException {
-        address = new InetSocketAddress(receiver.host(), receiver.port());
-        if (address.isUnresolved()) {
-            throw new IOException("--gsmtap: no host " + receiver.host());
-        }
+    private GsmtapSocket(InetSocketAddress address) throws IOException {
+        this.address = address;
         channel = DatagramChannel.open();
         channel.configureBlocking(false);
+    }
+
+    /** The socket to a receiver; null for none. @throws IOException naming a host that does not exist */
+    public static GsmtapSocket to(Optional<InetSocketAddress> receiver) throws IOException {
+        if (receiver.filter(InetSocketAddress::isUnresolved).isPresent()) {
+            throw new IOException("--gsmtap: no host " + receiver.get().getHostString());
+        }
+        return receiver.isPresent() ? new GsmtapSocket(receiver.get()) : null;
     }
 
     @Override

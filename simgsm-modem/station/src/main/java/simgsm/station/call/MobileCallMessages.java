@@ -7,7 +7,7 @@ import simgsm.air.CallControl;
 import simgsm.air.Cause;
 import simgsm.air.Layer3Header;
 import simgsm.air.Layer3Type;
-import simgsm.air.ProtocolErrorAnswers;
+import simgsm.air.answer.ProtocolErrorAnswers;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.TransactionIdentifier;
 import simgsm.ss.HoldNotification;

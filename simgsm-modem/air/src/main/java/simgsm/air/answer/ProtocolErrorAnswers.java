@@ -1,7 +1,22 @@
-package simgsm.air;
+package simgsm.air.answer;
 
 import java.util.List;
 import java.util.Optional;
+import simgsm.air.CallControl;
+import simgsm.air.Cause;
+import simgsm.air.CauseLocation;
+import simgsm.air.Layer3Header;
+import simgsm.air.Layer3Message;
+import simgsm.air.Layer3Type;
+import simgsm.air.MobilityManagement;
+import simgsm.air.ProtocolViolation;
+import simgsm.air.RadioResource;
+import simgsm.air.RejectCause;
+import simgsm.air.RelayMessage;
+import simgsm.air.RpCause;
+import simgsm.air.ShortMessageControl;
+import simgsm.air.SupplementaryService;
+import simgsm.air.TransactionIdentifier;
 
 /**
  * The answers to a received layer-3 message that breaks its standard (TS 24.008, 8; TS 24.011, 9; TS 24.010, 4.2), in the opposite
