@@ -14,9 +14,9 @@ import simgsm.abis.CcmCodecTest;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessageTest;
 import simgsm.abis.RtpPacket;
+import simgsm.air.answer.ProtocolErrorAnswers;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
-import simgsm.air.answer.ProtocolErrorAnswers;
 
 /** Spoilt messages by the hundred thousand: each gives a message or a violation, and nothing else ever. */
 class MutationTest {

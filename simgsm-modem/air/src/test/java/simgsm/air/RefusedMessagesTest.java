@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.octets.OctetString;
 import simgsm.air.answer.ProtocolErrorAnswers;
+import simgsm.octets.OctetString;
 
 /** What breaks its standard, the cause that says so, and what is answered. */
 class RefusedMessagesTest {
