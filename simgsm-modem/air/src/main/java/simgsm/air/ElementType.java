@@ -3,6 +3,7 @@ package simgsm.air;
 import java.time.OffsetDateTime;
 import java.util.function.BiConsumer;
 import simgsm.octets.Bounds;
+import simgsm.octets.NetworkName;
 import simgsm.octets.OctetString;
 import simgsm.octets.OctetWriter;
 import simgsm.octets.Timestamp;
@@ -104,7 +105,7 @@ public final class ElementType<V> {
             (out, cause, direction) -> out.octet(cause.code()),
             (in, direction) -> RejectCause.ofCode(in.octet("reject cause"), direction));
     static final ElementType<String> NETWORK_NAME =
-            plain("Network name", "10.5.3.5a", NetworkName::write, NetworkName::read);
+            plain("Network name", "10.5.3.5a", NetworkName::write, in -> NetworkName.read(in.octet("network name"), in.rest().toArray()));
 
     static final ElementType<Integer> RR_CAUSE = number("RR cause", "10.5.2.31", 0xff);
     static final ElementType<CipherAlgorithm> CIPHER_MODE_SETTING = plain(

@@ -104,20 +104,14 @@ public sealed interface RadioResource extends Layer3Message {
     record HandoverFailure(int cause) implements RadioResource {}
 
     /** Starts or stops ciphering. @param algorithm A5/0 to stop; @param response 1 asks for the IMEISV, 0 does not */
-    record CipheringModeCommand(CipherAlgorithm algorithm, int response) implements RadioResource {
-        /** True if the answer has to name the equipment (TS 44.018, 10.5.2.10). */
-        public boolean isIdentityAsked() {
-            return (response & 1) != 0;
-        }
-    }
+    record CipheringModeCommand(CipherAlgorithm algorithm, int response) implements RadioResource {}
 
     /** The first ciphered message. @param equipment IMEISV, if the network has asked for it */
     record CipheringModeComplete(Optional<MobileIdentity> equipment) implements RadioResource {}
 
-    /** Asks for the mobile's capabilities. */
     record ClassmarkEnquiry() implements RadioResource {}
 
-    /** The mobile's capabilities, which are the same for all terminals. */
+    /** The capabilities of all terminals. */
     record ClassmarkChange() implements RadioResource {}
 
     /** Stops the access bursts. @param timingAdvance 0 to 63, in bits of 3.69 us */

@@ -159,7 +159,7 @@ final class MessageDispatcher {
         context.radio().setCiphered(starts);
         context.radio()
                 .send(new CipheringModeComplete(
-                        command.isIdentityAsked()
+                        command.response() != 0
                                 ? Optional.of(Imeisv.of(context.identity().imei()))
                                 : Optional.empty()));
         if (starts) {

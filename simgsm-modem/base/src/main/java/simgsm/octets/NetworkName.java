@@ -1,25 +1,24 @@
-package simgsm.air;
+package simgsm.octets;
 
 import java.nio.charset.StandardCharsets;
-import simgsm.octets.OctetWriter;
-import simgsm.octets.Septets;
 
 /**
  * The network's name for a phone's display (TS 24.008, 10.5.3.5a): septets if every character has the same code in the
  * GSM alphabet and in ASCII, else UCS-2.
  */
-final class NetworkName {
+public final class NetworkName {
     private static final String SAME_IN_GSM_AND_ASCII = "A-Za-z0-9 !\"#%&'()*+,\\-./:;<=>?";
     private static final String OTHERS = "[^" + SAME_IN_GSM_AND_ASCII + "]";
     private static final int EXTENSION_BIT = 0x80;
     private static final int UCS2 = 0x10;
     private static final int CODING_MASK = 0x70;
     private static final String UNKNOWN = "?";
+    private static final int MAX_LENGTH = 64;
 
     private NetworkName() {}
 
-    /** Writes a name of at most 64 characters, see {@link MobilityManagement.MmInformation}. */
-    static void write(OctetWriter out, String name) {
+    /** Writes a name of at most 64 characters. */
+    public static void write(OctetWriter out, String name) {
         if (name.matches("[" + SAME_IN_GSM_AND_ASCII + "]*")) {
             byte[] packed = Septets.pack(name.getBytes(StandardCharsets.US_ASCII), 0);
             int spareBits = packed.length * 8 - name.length() * 7;
@@ -29,11 +28,10 @@ final class NetworkName {
         }
     }
 
-    static String read(MessageReader value) throws ProtocolViolation {
-        int coding = value.octet("network name");
-        byte[] octets = value.rest().toArray();
+    /** The first 64 characters of a name. @param coding the first octet of the value; @param octets the others */
+    public static String read(int coding, byte[] octets) {
         String name = (coding & CODING_MASK) == UCS2 ? ucs2(octets) : septets(octets, coding & 0x07);
-        return name.substring(0, Math.min(name.length(), MobilityManagement.MmInformation.MAX_NAME_LENGTH));
+        return name.substring(0, Math.min(name.length(), MAX_LENGTH));
     }
 
     private static String ucs2(byte[] octets) {
