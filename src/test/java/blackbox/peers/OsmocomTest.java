@@ -63,7 +63,13 @@ class OsmocomTest {
                 sim number=5550200 imsi=001010005550200 k=fec86ba6eb707ed08905757b1bb44b8f opc=1006020f0a478bf6b699f15c062e42b3
                 """);
         Path town = Dist.root().resolve("worlds").resolve("village.town");
-        String told = session(folder, a5, town, "5550100,5550200");
+        String sims = folder.resolve("sims.txt").toString();
+        String told = session(
+                folder,
+                a5,
+                town,
+                "5550100,5550200",
+                Map.of("OSMOCOM_SIMS", sims, "OSMOCOM_A5", a5.equals("a5/3") ? "0 1 3" : "0 1"));
         assertTrue(told.contains("handed over in the middle of an order"), told);
         assertTrue(told.contains("without-key 0"), told);
     }
@@ -185,10 +191,6 @@ class OsmocomTest {
         ProcessBuilder core = Peer.BASH.process(Peer.source("osmocom/core.sh"), town.toString(), numbers, command);
         core.environment().putAll(environment);
         core.environment().put("OSMOCOM_LOGS", folder.resolve("logs").toString());
-        if (Files.exists(folder.resolve("sims.txt"))) {
-            core.environment().put("OSMOCOM_SIMS", folder.resolve("sims.txt").toString());
-            core.environment().put("OSMOCOM_A5", kind.equals("a5/3") ? "0 1 3" : "0 1");
-        }
         core.environment().put("JAVA_HOME", System.getProperty("java.home"));
         core.environment().put("SIMGSM_DIST", System.getProperty("simgsm.dist"));
         Path output = folder.resolve("told.txt");

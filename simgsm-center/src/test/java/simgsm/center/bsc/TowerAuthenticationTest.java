@@ -89,7 +89,9 @@ class TowerAuthenticationTest {
     void aMobileWithoutAnAlgorithmIsServedInTheClear() {
         String channel = west.access("05", "0508 70 00f110 fffe 3b " + TestTower.imsi("5550100"));
         String request = west.nextLayer3();
-        west.tell(channel, "0554" + ANA.vector(OctetString.ofHex(request.substring(6))).sres());
+        west.tell(
+                channel,
+                "0554" + ANA.vector(OctetString.ofHex(request.substring(6))).sres());
         assertEquals("051802", west.nextLayer3());
     }
 

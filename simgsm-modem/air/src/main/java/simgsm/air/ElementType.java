@@ -104,8 +104,11 @@ public final class ElementType<V> {
             "10.5.3.6",
             (out, cause, direction) -> out.octet(cause.code()),
             (in, direction) -> RejectCause.ofCode(in.octet("reject cause"), direction));
-    static final ElementType<String> NETWORK_NAME =
-            plain("Network name", "10.5.3.5a", NetworkName::write, in -> NetworkName.read(in.octet("network name"), in.rest().toArray()));
+    static final ElementType<String> NETWORK_NAME = plain(
+            "Network name",
+            "10.5.3.5a",
+            NetworkName::write,
+            in -> NetworkName.read(in.octet("network name"), in.rest().toArray()));
 
     static final ElementType<Integer> RR_CAUSE = number("RR cause", "10.5.2.31", 0xff);
     static final ElementType<CipherAlgorithm> CIPHER_MODE_SETTING = plain(

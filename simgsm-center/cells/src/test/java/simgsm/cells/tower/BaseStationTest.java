@@ -23,7 +23,10 @@ class BaseStationTest {
 
     private final List<TowerRefused> refusals = new ArrayList<>();
     private final BaseStation tower = new BaseStation(
-            new Tower("west", new TownPlace(0, 0), 30, 43, 600, 10, 1, 6969), 32, new Timers(), new TowerListener() {
+            new Tower("west", new TownPlace(0, 0), 30, 43, 600, 10, 1, 6969),
+            32,
+            new Timers(),
+            new TowerListener() {
                 @Override
                 public void paged(BaseStation from, int group, MobileIdentity identity) {}
 
@@ -37,7 +40,8 @@ class BaseStationTest {
 
                 @Override
                 public void changed(BaseStation from) {}
-            });
+            },
+            AirInterface.STANDARD);
 
     private final class Link implements TowerPort {
         @Override
