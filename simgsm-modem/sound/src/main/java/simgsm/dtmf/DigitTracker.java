@@ -324,10 +324,8 @@ final class DigitTracker {
                 fit.error[0],
                 fit.error[1]);
         sounding.tuneTo(current.key().ordinal());
-        double both = fit.amplitude[0]
-                * fit.amplitude[1]
-                * GoertzelBank.gain(fit.hertz[0])
-                * GoertzelBank.gain(fit.hertz[1]);
+        double both =
+                fit.amplitude[0] * fit.amplitude[1] * GoertzelBank.gain(fit.hertz[0]) * GoertzelBank.gain(fit.hertz[1]);
         perLevel = 1 / (both * both);
         silence = 0;
         lastSounding = hop;
@@ -352,7 +350,8 @@ final class DigitTracker {
         current = null;
         ended = digit;
         barrier = lastSounding;
-        long duration = Math.max(0, Math.round(GoertzelBank.HOP * (lastSounding + 1 - ToneFit.LAG)) - digit.startedAtSample());
+        long duration =
+                Math.max(0, Math.round(GoertzelBank.HOP * (lastSounding + 1 - ToneFit.LAG)) - digit.startedAtSample());
         listener.keyEnded(digit.withDuration(duration));
     }
 

@@ -167,7 +167,12 @@ final class ToneFit {
         product[slot] = pair.measure(bank, hop);
         int second = (int) Math.floorMod(hop, (long) GoertzelBank.HOPS_PER_SECOND);
         put(ROW, slot, pair.rowReal, pair.rowImaginary, second * nominal(ROW) % GoertzelBank.HOPS_PER_SECOND);
-        put(COLUMN, slot, pair.columnReal, pair.columnImaginary, second * nominal(COLUMN) % GoertzelBank.HOPS_PER_SECOND);
+        put(
+                COLUMN,
+                slot,
+                pair.columnReal,
+                pair.columnImaginary,
+                second * nominal(COLUMN) % GoertzelBank.HOPS_PER_SECOND);
     }
 
     private int slot(int i) {

@@ -12,8 +12,7 @@ class GoertzelBankTest {
     private static short[] sine(double hertz, int degrees, int blocks) {
         short[] samples = new short[2 + 20 * blocks];
         for (int i = 0; i < samples.length; i++) {
-            samples[i] =
-                    (short) Math.rint(12_000 * Math.sin(2 * Math.PI * hertz * i / 8000 + Math.toRadians(degrees)));
+            samples[i] = (short) Math.rint(12_000 * Math.sin(2 * Math.PI * hertz * i / 8000 + Math.toRadians(degrees)));
         }
         return samples;
     }

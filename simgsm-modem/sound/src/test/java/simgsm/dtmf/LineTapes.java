@@ -55,12 +55,15 @@ final class LineTapes {
                 new Line("speech 10 dB under, GSM", keys(100, 80, tape -> gsm(over(tape, speech, 10), 1))),
                 new Line("a room of 80 ms", keys(80, 80, tape -> tape.room(80, 8))),
                 new Line("a room of 200 ms", keys(90, 110, tape -> tape.room(200, 9))),
-                new Line("a room, noise 15 dB", keys(80, 80, tape -> tape.room(100, 9).noiseBelowTones(15))),
+                new Line(
+                        "a room, noise 15 dB",
+                        keys(80, 80, tape -> tape.room(100, 9).noiseBelowTones(15))),
                 new Line("echo 8 dB, noise 12 dB, A-law", keys(70, 70, tape -> {
                     tape.echo(tape.uniform(3, 18), 8).noiseBelowTones(12);
                     through(tape, SpeechCodec.Kind.A_LAW);
                 })),
-                new Line("hum, noise 9 dB", keys(60, 60, tape -> tape.hum(50, -8).noiseBelowTones(9))),
+                new Line(
+                        "hum, noise 9 dB", keys(60, 60, tape -> tape.hum(50, -8).noiseBelowTones(9))),
                 new Line("frames lost", keys(110, 90, tape -> gsm(tape.frameLoss(0.02), 1))));
     }
 

@@ -48,7 +48,8 @@ final class ReceiverBench {
         List<DtmfDigit> heard = Bench.hear(sound);
         rows.computeIfAbsent(group, name -> new Count()).add("", Bench.text(heard));
         for (DtmfDigit digit : heard) {
-            System.out.printf("false %s at %.3f s of %s, %s%n", digit.key(), digit.startedAtSample() / 8000.0, kind, group);
+            System.out.printf(
+                    "false %s at %.3f s of %s, %s%n", digit.key(), digit.startedAtSample() / 8000.0, kind, group);
         }
     }
 
@@ -98,7 +99,8 @@ final class ReceiverBench {
             voices.add(speech);
             hours += speech.length / 28.8e6;
             VoiceTapes.treated(speech)
-                    .forEach((name, sound) -> silent(name.equals("as it is") ? "7 voices" : "7 voices, treated", file + " " + name, sound));
+                    .forEach((name, sound) -> silent(
+                            name.equals("as it is") ? "7 voices" : "7 voices, treated", file + " " + name, sound));
         }
         short[] speech = voices.isEmpty() ? new short[0] : voices.get(0);
         if (speech.length > 0) {
@@ -107,7 +109,9 @@ final class ReceiverBench {
         rows.forEach((name, row) ->
                 System.out.printf("%-50s %6d keys %5d missed %4d extra%n", name, row.keys, row.missed, row.extra));
         double[] sorted = delays.stream().mapToDouble(d -> d).sorted().toArray();
-        System.out.printf("delay %.1f, median %.1f, 95 %% %.1f ms; %.2f h of voices%n", sorted[0], sorted[sorted.length / 2], sorted[sorted.length * 95 / 100], hours);
+        System.out.printf(
+                "delay %.1f, median %.1f, 95 %% %.1f ms; %.2f h of voices%n",
+                sorted[0], sorted[sorted.length / 2], sorted[sorted.length * 95 / 100], hours);
     }
 
     public static void main(String[] args) throws Exception {
