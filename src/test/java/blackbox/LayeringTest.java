@@ -47,6 +47,7 @@ class LayeringTest {
             simgsm.tone              : simgsm.speech
             simgsm.dtmf              : simgsm.speech simgsm.tone
             simgsm.scope             : simgsm.tone simgsm.dtmf
+            simgsm.words             : simgsm.speech
             simgsm.console           : simgsm.event simgsm.file
             simgsm.lesson            : simgsm.file simgsm.console
             simgsm.web               : simgsm.file simgsm.timer simgsm.net simgsm.event simgsm.console
@@ -65,7 +66,7 @@ class LayeringTest {
             simgsm.station.sms       : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.station.context simgsm.station.mobility
             simgsm.station.ss        : simgsm.octets simgsm.state simgsm.air simgsm.sms simgsm.ss simgsm.station.context simgsm.station.mobility
             simgsm.station           : simgsm.octets simgsm.net simgsm.timer simgsm.air simgsm.air.answer simgsm.sim simgsm.abis simgsm.rr simgsm.sms simgsm.dtmf simgsm.speech simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.station.sms simgsm.station.ss
-            simgsm.modem             : simgsm.air simgsm.sim simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
+            simgsm.modem             : simgsm.air simgsm.sim simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.words
             simgsm.modem.at          : simgsm.timer simgsm.dtmf simgsm.speech simgsm.station.call
             simgsm.modem.at.state    : simgsm.octets simgsm.air simgsm.sim simgsm.sms simgsm.station.context
             simgsm.modem.at.sms      : simgsm.modem.at simgsm.modem.at.state simgsm.octets simgsm.air simgsm.sms
@@ -75,7 +76,7 @@ class LayeringTest {
             simgsm.modem.client      : simgsm.modem.line simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.station.context simgsm.modem simgsm.modem.at
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
-            simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load
+            simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.tone simgsm.dtmf simgsm.speech simgsm.words simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load
             simgsm.phone.store       : simgsm.event simgsm.air simgsm.sim simgsm.station.context
             simgsm.phone.screen      : simgsm.air simgsm.sim simgsm.ss simgsm.dtmf simgsm.speech simgsm.draw simgsm.station.context simgsm.phone.store
             simgsm.phone.handset     : simgsm.event simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
@@ -139,7 +140,7 @@ class LayeringTest {
             simrobot.drawing         : vericommand simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : simgsm.timer simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing
             simrobot.ros             : simgsm.net simgsm.web vericommand simrobot.robot simrobot.simulation simrobot.camera
-            simrobot.control         : simgsm.event simgsm.file simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.speech simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simgsm.modem.line simrobot.behaviour simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
+            simrobot.control         : simgsm.event simgsm.file simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.speech simgsm.words simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simgsm.modem.line simrobot.behaviour simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer
             simrobot.ui              : vericommand simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.file simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
@@ -147,7 +148,7 @@ class LayeringTest {
             simrobot.ui.telephone    : vericommand simgsm.air simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.scope simrobot.ui
             simrobot.ui.inspector    : vericommand simgsm.modem simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor
             simrobot.ui.panel        : vericommand simgsm.air simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay simrobot.ui.telephone simrobot.ui.inspector
-            simrobot.app             : simgsm.file simgsm.air simgsm.audio simgsm.console simgsm.modem simgsm.modem.client simgsm.net simgsm.sim simgsm.speech simgsm.station simrobot.bitmap simrobot.control simrobot.pioneer simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.source simrobot.world vericommand
+            simrobot.app             : simgsm.file simgsm.air simgsm.audio simgsm.console simgsm.modem simgsm.modem.client simgsm.net simgsm.sim simgsm.speech simgsm.station simgsm.words simrobot.bitmap simrobot.control simrobot.pioneer simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.source simrobot.world vericommand
             simrobot.app.ports       : simgsm.air simgsm.console simgsm.modem simgsm.modem.at simgsm.modem.at.port simgsm.modem.client simgsm.net simgsm.web vericommand simrobot.app simrobot.control simrobot.http simrobot.p2os simrobot.robot simrobot.ros simrobot.simulation simrobot.world
             simrobot.app.window      : simgsm.air simgsm.console simgsm.speech simgsm.station simgsm.tone simgsm.ui.window simrobot.app simrobot.app.ports simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.ui simrobot.ui.floor simrobot.ui.inspector simrobot.world vericommand
             simrobot.app.batch       : simgsm.console simgsm.draw simgsm.file simgsm.modem.client simgsm.modem.line simgsm.net simgsm.sim simrobot.app simrobot.behaviour simrobot.control simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.world vericommand

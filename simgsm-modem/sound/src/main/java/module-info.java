@@ -4,4 +4,5 @@ module simgsm.sound {
     exports simgsm.scope;
     exports simgsm.speech;
     exports simgsm.tone;
+    exports simgsm.words;
 }

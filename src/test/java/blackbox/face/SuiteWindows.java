@@ -114,6 +114,7 @@ final class SuiteWindows {
                 suite.telephone.heard(),
                 suite.telephone.veriCommand(),
                 "1637",
+                "",
                 false);
         robot = snapshot(suite, List.of(line), log.newest(), Optional.empty());
         List<TimelineMarker> markers = List.of(

@@ -134,6 +134,7 @@ final class SuitePicture {
                 telephone.heard(),
                 telephone.veriCommand(),
                 sentTones,
+                "",
                 false);
         return new WindowSnapshot(
                 suite.simulation.snapshot(),

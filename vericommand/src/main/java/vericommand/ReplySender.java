@@ -45,7 +45,7 @@ final class ReplySender {
                 listener.message(origin.from(), reply.message());
             }
         } else if (byTone) {
-            listener.tone(reply.tone());
+            listener.answer(reply);
             if (reply.tone() == ReplyTone.CONNECTION_DENIED) {
                 listener.clearCall();
             }

@@ -20,6 +20,7 @@ public final class VeriCommand {
     private final VeriCommandListener listener;
     private final ReplyTexts texts;
     private final CommandRecognizer recognizer = new CommandRecognizer();
+    private final ListeningRequest listening = new ListeningRequest();
     private final OrderDisplay display;
     private final ReplySender replies;
     private final AnswerLimit answerLimit = new AnswerLimit();
@@ -100,8 +101,8 @@ public final class VeriCommand {
         if (isTaken) {
             robot.pressKey(key);
         }
-        if (isTaken && key != '*') {
-            // it belongs to the process, and is no stray key of an order
+        if (isTaken && key != '*' || listening.key(key, recognizer.isOpen()) && listener.listen()) {
+            // it belongs to the process or opens the ear, and is no stray key of an order
             recognizer.reset();
             return;
         }

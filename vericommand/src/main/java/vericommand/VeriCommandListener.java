@@ -5,6 +5,16 @@ public interface VeriCommandListener {
     /** Send this tone to the caller. */
     void tone(ReplyTone tone);
 
+    /** Send this outcome's tone to the caller; its text may follow in words. */
+    default void answer(Reply reply) {
+        tone(reply.tone());
+    }
+
+    /** The caller asks by {@code *#} to be heard. @return false if no orders by voice are taken; the keys are stray then */
+    default boolean listen() {
+        return false;
+    }
+
     /** Clear the call once the tones sent so far have left: the robot is off. */
     void clearCall();
 

@@ -1,6 +1,8 @@
 package simrobot.app;
 
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.Locale;
 import java.util.Optional;
@@ -12,10 +14,13 @@ import simgsm.console.Arguments;
 import simgsm.console.Options;
 import simgsm.console.UsageException;
 import simgsm.modem.ModemOptions;
+import simgsm.modem.VoiceStore;
 import simgsm.sim.InsertedCard;
 import simgsm.sim.SimSlot;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
+import simgsm.words.Prompts;
+import simgsm.words.SpokenLanguage;
 import simrobot.control.Fleet;
 import simrobot.control.RobotConsole;
 import simrobot.process.BehaviourKind;
@@ -58,12 +63,48 @@ public final class SimRobotOptions {
                         ModemOptions.DEFAULT_ANSWER_AFTER_MILLIS,
                         0,
                         ModemOptions.MAX_ANSWER_AFTER_MILLIS),
+                prompts(arguments),
+                voices(arguments),
                 recordings,
                 number -> {
                     Optional<InsertedCard> card = Arguments.checked(() -> slot.card(Optional.of(number)));
                     card.ifPresent(inserted -> pin.ifPresent(inserted::enter));
                     return card;
                 });
+    }
+
+    /** The prompts of {@code --speak} in the program's language; recordings of {@code --prompts} replace some. */
+    private static Optional<Prompts> prompts(Arguments arguments) throws UsageException {
+        Optional<Path> folder = arguments.path("prompts");
+        if (folder.isPresent() && !arguments.has("speak") && !arguments.has("voice")) {
+            throw new UsageException("--prompts: expected with --speak or --voice");
+        }
+        if (folder.isPresent() && !Files.isDirectory(folder.get())) {
+            throw new UsageException("--prompts: expected a folder, found " + folder.get());
+        }
+        SpokenLanguage language = SpokenLanguage.of(arguments.language());
+        return arguments.has("speak") || arguments.has("voice")
+                ? Optional.of(Arguments.checked(() -> new Prompts(language, name -> recording(folder, name))))
+                : Optional.empty();
+    }
+
+    /** Callers' templates in the folder {@code voices} of {@code --data}, one folder a number. */
+    private static Optional<VoiceStore> voices(Arguments arguments) throws UsageException {
+        if (!arguments.has("voice")) {
+            return Optional.empty();
+        }
+        Path data = arguments.path("data").orElseThrow(() -> new UsageException("--voice: expected with --data DIR"));
+        return Optional.of(new CallerVoices(data.resolve("voices")));
+    }
+
+    /** The file {@code NAME.gsm} of the folder, if there is one. */
+    private static Optional<byte[]> recording(Optional<Path> folder, String name) {
+        Optional<Path> file = folder.map(in -> in.resolve(name + ".gsm")).filter(Files::exists);
+        try {
+            return file.isPresent() ? Optional.of(Files.readAllBytes(file.get())) : Optional.empty();
+        } catch (IOException e) {
+            throw new IllegalArgumentException("prompt " + name + ": " + e.getMessage(), e);
+        }
     }
 
     /** Settings of the processes of {@code --behaviours}. */

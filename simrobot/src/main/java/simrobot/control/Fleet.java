@@ -10,11 +10,13 @@ import simgsm.air.Imsi;
 import simgsm.air.Msisdn;
 import simgsm.console.UsageException;
 import simgsm.modem.ModemOptions;
+import simgsm.modem.VoiceStore;
 import simgsm.net.LineAddress;
 import simgsm.sim.InsertedCard;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationOptions;
+import simgsm.words.Prompts;
 import simrobot.pioneer.PioneerCall;
 import simrobot.pioneer.RealPioneer;
 import simrobot.pioneer.RobotParameters;
@@ -72,6 +74,8 @@ public final class Fleet {
      * @param power true if robots start switched on
      * @param motors true if their motors start switched on
      * @param answerAfterMillis time that a modem rings before it answers
+     * @param prompts modems say replies in words with these
+     * @param voices modems take orders by voice from the callers in there
      */
     public record Kit(
             long seed,
@@ -80,6 +84,8 @@ public final class Fleet {
             BehaviourKind behaviour,
             SpeechCodec.Kind codec,
             int answerAfterMillis,
+            Optional<Prompts> prompts,
+            Optional<VoiceStore> voices,
             CallRecorders recording,
             Cards cards) {}
 
@@ -268,7 +274,8 @@ public final class Fleet {
 
     private TelephoneRobot join(
             Pioneer robot, RobotName name, Optional<InsertedCard> card, CallAudioListener recorder) {
-        ModemOptions options = new ModemOptions(new StationOptions(kit.codec(), recorder), kit.answerAfterMillis());
+        ModemOptions options = new ModemOptions(
+                new StationOptions(kit.codec(), recorder), kit.answerAfterMillis(), kit.prompts(), kit.voices());
         Imei imei = imei(name.number());
         return card.isPresent()
                 ? simRobot.add(robot, card.get(), imei, options)

@@ -165,6 +165,14 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
             simulation.execute(
                     () -> control.tell(new RobotEvent.ToneSent(sent.key().symbol())));
             toneLeft();
+        } else if (event instanceof ModemEvent.WordsBegun words) {
+            simulation.execute(() -> control.tell(new RobotEvent.Said(words.text())));
+        } else if (event instanceof ModemEvent.WordHeard word) {
+            RobotEvent heard = RobotEvent.WordHeard.of(word.heard());
+            simulation.execute(() -> control.tell(heard));
+        } else if (event instanceof ModemEvent.OrderSpoken order) {
+            long now = clockNanos.getAsLong();
+            simulation.execute(() -> order.keys().chars().forEach(key -> control.key((char) key, now)));
         } else if (event instanceof ModemEvent.ReplyToneFailed failed) {
             LOG.log(Level.INFO, "tone " + failed.key().symbol() + " was not sent: the modem refuses it");
             toneLeft();
@@ -217,6 +225,25 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
                 tonesToLeave++;
             }
         });
+    }
+
+    @Override
+    public void say(long call, String reply) {
+        stations.execute(() -> {
+            if (call == callNumber) {
+                modem.say(reply);
+            }
+        });
+    }
+
+    @Override
+    public boolean listen(long call) {
+        stations.execute(() -> {
+            if (call == callNumber) {
+                modem.listen();
+            }
+        });
+        return modem.listensToVoice();
     }
 
     @Override

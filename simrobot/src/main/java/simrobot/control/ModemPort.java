@@ -10,6 +10,12 @@ interface ModemPort {
      */
     void sendTone(long call, char key);
 
+    /** Says a reply in words after its tone, if the modem speaks; parameters as for {@link #sendTone}. */
+    void say(long call, String reply);
+
+    /** Listens for an order by voice. @return false if the modem takes none */
+    boolean listen(long call);
+
     /** Clears this call, and no later one, after the tones requested so far. */
     void clearCall(long call);
 

@@ -182,6 +182,17 @@ final class RobotControl {
         }
 
         @Override
+        public void answer(Reply reply) {
+            tone(reply.tone());
+            modem.say(callNumber, reply.text());
+        }
+
+        @Override
+        public boolean listen() {
+            return modem.listen(callNumber);
+        }
+
+        @Override
         public void clearCall() {
             modem.clearCall(callNumber);
         }

@@ -4,6 +4,7 @@ import java.util.Map;
 import simgsm.console.Event;
 import simgsm.event.EventLine;
 import simgsm.modem.ModemState;
+import simgsm.words.HeardWord;
 import simrobot.process.BehaviourKind;
 import vericommand.Pose;
 import vericommand.RobotStatus;
@@ -62,6 +63,26 @@ public sealed interface RobotEvent {
     /** A reply tone has been sent. */
     @EventLine("tone robot= key=")
     record ToneSent(char key) implements RobotEvent {}
+
+    /** The modem says a reply in words. */
+    @EventLine("said robot= text=")
+    record Said(String text) implements RobotEvent {}
+
+    /**
+     * The ear has compared a word of the caller with the caller's templates.
+     *
+     * @param ratio distance to the nearest word by that to the second, 0 to 1; over 0.90 the word is refused
+     */
+    @EventLine("heard robot= word= second= ratio=:2 verdict=")
+    record WordHeard(String word, String second, double ratio, boolean isSure) implements RobotEvent {
+        static WordHeard of(HeardWord heard) {
+            return new WordHeard(heard.word(), heard.second(), heard.ratio(), heard.isSure());
+        }
+
+        public String verdict() {
+            return isSure ? "sure" : "refused";
+        }
+    }
 
     /** A reply SMS was submitted. */
     @EventLine("reply robot= to= text=")

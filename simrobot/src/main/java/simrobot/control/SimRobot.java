@@ -121,8 +121,11 @@ public final class SimRobot implements AutoCloseable {
         requireFree(identity.number());
         StationOptions station = options.station();
         CallAudioListener listener = CallAudioListener.both(station.recorder(), callMonitor.listener(robot.name()));
-        ModemOptions heard =
-                new ModemOptions(new StationOptions(station.codec(), listener), options.answerAfterMillis());
+        ModemOptions heard = new ModemOptions(
+                new StationOptions(station.codec(), listener),
+                options.answerAfterMillis(),
+                options.prompts(),
+                options.voices());
         TelephoneRobot added = new TelephoneRobot(robot, identity, sim, heard, settings, drivers);
         join(
                 added,

@@ -11,6 +11,7 @@ import vericommand.VeriCommandSnapshot;
  * @param robot the robot's name
  * @param number the modem's number
  * @param tones the reply tones sent in the current or last call, newest last
+ * @param words said after the newest of them; empty if there are none
  * @param audible true if a sound device plays
  */
 public record TelephoneSnapshot(
@@ -20,6 +21,7 @@ public record TelephoneSnapshot(
         ToneTrace heard,
         VeriCommandSnapshot orders,
         String tones,
+        String words,
         boolean audible) {
     /** True if a call is active or being set up. */
     public boolean isInCall() {

@@ -31,6 +31,17 @@ final class ControlBench implements ModemPort {
         control.listen(event -> log.add(event.line("robot").toString()));
     }
 
+    @Override
+    public void say(long call, String reply) {
+        log.add("says " + reply);
+    }
+
+    @Override
+    public boolean listen(long call) {
+        log.add("listens");
+        return true;
+    }
+
     void press(String keys) {
         keys.chars().forEach(key -> control.key((char) key, simulation.timeNanos()));
     }

@@ -46,6 +46,8 @@ class RealRobotRemovalTest {
                 BehaviourKind.NONE,
                 SpeechCodec.Kind.A_LAW,
                 1500,
+                Optional.empty(),
+                Optional.empty(),
                 name -> CallAudioListener.NONE,
                 number -> Optional.empty());
         robot = new Fleet(simRobot, kit)

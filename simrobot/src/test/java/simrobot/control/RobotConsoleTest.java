@@ -71,6 +71,8 @@ class RobotConsoleTest {
                         BehaviourKind.NONE,
                         SpeechCodec.Kind.A_LAW,
                         1500,
+                        Optional.empty(),
+                        Optional.empty(),
                         robot -> CallAudioListener.NONE,
                         number -> Optional.empty()));
         simRobot.simulation().setPaused(true);
@@ -109,6 +111,8 @@ class RobotConsoleTest {
                 }),
                 SpeechCodec.Kind.A_LAW,
                 1500,
+                Optional.empty(),
+                Optional.empty(),
                 robot -> CallAudioListener.NONE,
                 number -> Optional.empty());
         fleet = new Fleet(simRobot, kit);

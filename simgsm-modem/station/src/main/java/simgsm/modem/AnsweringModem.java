@@ -44,6 +44,22 @@ public interface AnsweringModem {
     boolean sendTone(DtmfKey key);
 
     /**
+     * Says a reply in words after its tone; a key ends them. @return false if there is no such call, or the modem has no
+     * prompts
+     */
+    default boolean say(String reply) {
+        return false;
+    }
+
+    /** True if the modem takes orders by voice; callable on any thread. */
+    default boolean listensToVoice() {
+        return false;
+    }
+
+    /** Listens for an order by voice in the accepted call, if it takes any. */
+    default void listen() {}
+
+    /**
      * Sends a short message; without service or in a congested network it is repeated for 10 minutes before it fails.
      *
      * @return the message's id

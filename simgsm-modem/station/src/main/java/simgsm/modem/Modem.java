@@ -51,6 +51,8 @@ public final class Modem implements AnsweringModem {
     private final Replies replies;
     private final DtmfGenerator generator = new DtmfGenerator(this::toneGenerated);
     private final DtmfReceiver receiver;
+    private final Optional<WordPlayer> words;
+    private final Optional<VoiceDialogue> voice;
     private final OutageWatch outages = new OutageWatch();
     /** Tones with their last sample in the frame filled last; sent once the next frame is requested. */
     private final Queue<DtmfKey> generated = new ArrayDeque<>();
@@ -93,10 +95,19 @@ public final class Modem implements AnsweringModem {
         this.admission = admission;
         this.listener = listener;
         answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(options.answerAfterMillis());
+        words = options.prompts()
+                .map(prompts -> new WordPlayer(prompts, text -> listener.accept(new ModemEvent.WordsBegun(text))));
+        voice = options.voices()
+                .map(voices -> new VoiceDialogue(
+                        words.orElseThrow(), options.prompts().orElseThrow().language(), voices, listener::accept));
         receiver = new DtmfReceiver(new DtmfListener() {
             @Override
             public void keyDecided(DtmfDigit digit) {
                 idleSamples = 0;
+                words.ifPresent(WordPlayer::stop);
+                if (voice.isPresent() && voice.get().key(digit.key())) {
+                    return;
+                }
                 if (outages.keyDecided(digit.key())) {
                     listener.accept(new ModemEvent.KeyUnreadable());
                 }
@@ -130,6 +141,27 @@ public final class Modem implements AnsweringModem {
             queue(key);
         }
         return heard;
+    }
+
+    @Override
+    public boolean say(String reply) {
+        boolean heard = phase == Phase.ACCEPTED && connected;
+        if (heard) {
+            words.ifPresent(player -> player.say(reply));
+        }
+        return heard && words.isPresent();
+    }
+
+    @Override
+    public boolean listensToVoice() {
+        return voice.isPresent();
+    }
+
+    @Override
+    public void listen() {
+        if (phase == Phase.ACCEPTED && connected) {
+            voice.ifPresent(dialogue -> dialogue.open(caller.map(Msisdn::digits).orElse("")));
+        }
     }
 
     /** As in the interface; the oldest of more than 20 waiting messages fails. */
@@ -172,6 +204,7 @@ public final class Modem implements AnsweringModem {
 
     private void queue(DtmfKey key) {
         idleSamples = 0;
+        words.ifPresent(WordPlayer::stop);
         generator.enqueue(key, TONE_MILLIS, PAUSE_MILLIS);
     }
 
@@ -185,7 +218,8 @@ public final class Modem implements AnsweringModem {
         if (phase != Phase.NONE && ++framesSinceHeard > SILENT_FRAMES) {
             station.clear(Cause.TEMPORARY_FAILURE);
         }
-        generator.read(frame);
+        boolean isTone = generator.read(frame);
+        words.ifPresent(player -> player.read(frame, isTone));
     }
 
     private void reportTonesSent() {
@@ -247,7 +281,12 @@ public final class Modem implements AnsweringModem {
         receiver.accept(speech.samples());
         int count = speech.samples().length;
         listener.accept(new ModemEvent.SpeechProcessed(count));
-        idleSamples += orderActive ? 0 : count;
+        voice.ifPresent(dialogue -> dialogue.hear(speech.samples()));
+        if (voice.filter(VoiceDialogue::isOpen).isPresent()) {
+            idleSamples = 0;
+        } else if (!orderActive) {
+            idleSamples += count;
+        }
         if (idleSamples >= IDLE_SAMPLES) {
             idleSamples = 0;
             listener.accept(new ModemEvent.CallIdle(IDLE_SECONDS));
@@ -280,6 +319,8 @@ public final class Modem implements AnsweringModem {
         phase = Phase.NONE;
         connected = false;
         generator.drop();
+        words.ifPresent(WordPlayer::stop);
+        voice.ifPresent(VoiceDialogue::close);
         listener.accept(released);
     }
 }

@@ -3,6 +3,7 @@ package simgsm.modem;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
 import simgsm.station.context.StationEvent;
+import simgsm.words.HeardWord;
 
 /** Events of a modem besides its station's. */
 public sealed interface ModemEvent extends StationEvent.OfTerminal {
@@ -29,6 +30,15 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
 
     /** A real modem's state has changed. @param text the answer that shows it, or the network's name */
     record StateChanged(ModemState state, String text) implements ModemEvent {}
+
+    /** The first word of a reply is being said. @param text all its words */
+    record WordsBegun(String text) implements ModemEvent {}
+
+    /** The ear has compared a word of the caller. */
+    record WordHeard(HeardWord heard) implements ModemEvent {}
+
+    /** The caller has confirmed an order by voice. @param keys that give the same order */
+    record OrderSpoken(String keys) implements ModemEvent {}
 
     /** A tone of {@link Modem#sendTone} or of the {@link CallDecision} has been sent completely. */
     record ReplyToneSent(DtmfKey key) implements ModemEvent {}

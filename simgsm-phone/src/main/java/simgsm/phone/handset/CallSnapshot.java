@@ -12,6 +12,7 @@ import simgsm.phone.screen.CallPhase;
  * @param seconds since the call was connected, counted in speech
  * @param keyed the keys sent, newest last
  * @param heard the keys received, newest last
+ * @param words the sentence of a robot after the newest key; empty if there is none
  * @param ended the cause of the release, until the next key or call
  * @param waiting number of a second caller, empty text if unknown
  * @param held number of the held party, empty text if unknown
@@ -24,6 +25,7 @@ public record CallSnapshot(
         int seconds,
         String keyed,
         String heard,
+        String words,
         Optional<Cause> ended,
         Optional<String> waiting,
         Optional<String> held,

@@ -72,7 +72,8 @@ public final class Handset {
         keysInBand = new KeySender(sent);
         keysSignalled = new SignalledKeySender(() -> station, sent);
         Supplier<KeySender> keys = () -> this.settings.keyMode() == KeyMode.SIGNALLED ? keysSignalled : keysInBand;
-        audio = new HandsetAudio(output, keys, tones, this::toneHeard);
+        audio = new HandsetAudio(
+                output, keys, tones, key -> report(call.toneHeard(key)), text -> report(call.wordsHeard(text)));
         audio.setSound(settings.ringTone(), settings.volume());
         store = new HandsetStore(phoneBook, wallClock);
         submission = new MessageSubmission(store.mailbox());
@@ -352,11 +353,6 @@ public final class Handset {
         } else {
             screens.accept(event, station.snapshot().card());
         }
-    }
-
-    private void toneHeard(DtmfKey key) {
-        call.toneHeard(key);
-        report(new HandsetEvent.ToneHeard(key, call.snapshot().meaningOf(key)));
     }
 
     void report(StationEvent event) {

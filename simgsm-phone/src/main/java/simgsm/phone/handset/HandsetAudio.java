@@ -13,6 +13,7 @@ import simgsm.phone.screen.UserSettings;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
 import simgsm.tone.ToneSet;
+import simgsm.words.PromptListener;
 
 /**
  * All sound of the handset: keys sent in a call, the far end's keys and speech, and, without a call, key tones and
@@ -31,6 +32,7 @@ final class HandsetAudio {
     private KeySender sender;
     private final KeySender keyTones = new KeySender(keys -> {});
     private final DtmfReceiver receiver;
+    private final PromptListener words;
     private final SupervisoryTones supervisory;
     private final SoundPlayer player = new SoundPlayer();
     private final short[] heardFrame = new short[SAMPLES_PER_FRAME];
@@ -51,13 +53,20 @@ final class HandsetAudio {
      * @param senders supplies each call's sender of keys
      * @param tones supervisory tones, European or American
      * @param keyHeard receives each key of the far end at its decision
+     * @param wordsHeard receives each sentence of a robot's prompts
      */
-    HandsetAudio(AudioOutput output, Supplier<KeySender> senders, ToneSet tones, Consumer<DtmfKey> keyHeard) {
+    HandsetAudio(
+            AudioOutput output,
+            Supplier<KeySender> senders,
+            ToneSet tones,
+            Consumer<DtmfKey> keyHeard,
+            Consumer<String> wordsHeard) {
         earpiece = new EarpieceOutput(output);
         supervisory = new SupervisoryTones(tones);
         this.senders = senders;
         sender = senders.get();
         receiver = new DtmfReceiver(digit -> keyHeard.accept(digit.key()));
+        words = new PromptListener(sentence -> wordsHeard.accept(sentence.text()));
     }
 
     /** @param volume 0 to {@link UserSettings#MOST_VOLUME} */
@@ -116,6 +125,7 @@ final class HandsetAudio {
         connected = true;
         networkPlaysTones = false;
         receiver.reset();
+        words.reset();
         keyTones.drop();
         stopTones();
         localFramesLeft = 0;
@@ -193,6 +203,7 @@ final class HandsetAudio {
     void hear(short[] frame) {
         if (connected) {
             receiver.accept(frame);
+            words.accept(frame);
         }
         if (connected && !supervisory.isIdle()) {
             short[] mixed = frame.clone();

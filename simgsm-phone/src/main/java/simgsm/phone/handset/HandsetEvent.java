@@ -19,6 +19,10 @@ public sealed interface HandsetEvent extends StationEvent.OfTerminal {
     @EventLine("imei number=imei")
     record ImeiShown(String imei) implements HandsetEvent {}
 
+    /** A sentence of a robot's prompts is recognised in the far end's speech, 300 ms after its end. */
+    @EventLine("words text=")
+    record WordsHeard(String text) implements HandsetEvent {}
+
     /** The last sample of a {@code play} has been sent. */
     @EventLine("played millis=")
     record SoundPlayed(int millis) implements HandsetEvent {}

@@ -31,6 +31,7 @@ final class PhoneCall {
         private String number;
         private String keyed = "";
         private String heard = "";
+        private String words = "";
         private boolean isOnHold;
         private long frames;
 
@@ -62,6 +63,7 @@ final class PhoneCall {
                 (int) (current.frames / FRAMES_PER_SECOND),
                 current.keyed,
                 current.heard,
+                current.words,
                 ended,
                 waiting,
                 held,
@@ -169,8 +171,15 @@ final class PhoneCall {
         current.keyed = newest(current.keyed + key.symbol());
     }
 
-    void toneHeard(DtmfKey key) {
+    HandsetEvent toneHeard(DtmfKey key) {
         current.heard = newest(current.heard + key.symbol());
+        current.words = "";
+        return new HandsetEvent.ToneHeard(key, snapshot().meaningOf(key));
+    }
+
+    HandsetEvent wordsHeard(String text) {
+        current.words = text;
+        return new HandsetEvent.WordsHeard(text);
     }
 
     private static String newest(String keys) {

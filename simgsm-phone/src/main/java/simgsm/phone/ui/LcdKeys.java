@@ -21,6 +21,7 @@ final class LcdKeys {
     private static final double MEANING_SIZE = 12.5;
     private static final double EARLIER_SIZE = 11.5;
     private static final double EARLIER_BELOW = 18;
+    private static final double LEAST_WORDS_SIZE = 9;
     private static final String CUT = "\u2026";
     private static final String BETWEEN = ", ";
 
@@ -108,9 +109,23 @@ final class LcdKeys {
             double shrink = Math.min(1, (RIGHT_EDGE - from) / pen.width(font, words));
             pen.left(words, pen.sans(MEANING_SIZE * shrink, true), from, baseline);
         }
-        if (showsEarlier && newest > 0) {
+        if (showsEarlier && !call.words().isEmpty()) {
+            words(pen, call.words(), baseline + EARLIER_BELOW);
+        } else if (showsEarlier && newest > 0) {
             earlier(pen, call, heard.substring(0, newest), baseline + EARLIER_BELOW);
         }
+    }
+
+    /** Writes a robot's words in the largest size that fits; if none does, their end. */
+    private void words(LcdPen pen, String words, double baseline) {
+        double room = RIGHT_EDGE - LcdPen.MARGIN;
+        double natural = pen.width(pen.sans(EARLIER_SIZE, false), words);
+        Font font = pen.sans(Math.max(LEAST_WORDS_SIZE, EARLIER_SIZE * Math.min(1, room / natural)), false);
+        String shown = words;
+        while (pen.width(font, shown) > room) {
+            shown = CUT + shown.substring(shown.indexOf(' ', 2));
+        }
+        pen.left(shown, font, LcdPen.MARGIN, baseline);
     }
 
     /** Writes the newest keys that fit, the oldest of them first. */

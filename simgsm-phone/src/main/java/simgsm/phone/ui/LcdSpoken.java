@@ -93,12 +93,14 @@ final class LcdSpoken {
                 .map(key -> " (" + texts.of("lcd.meaning", texts.of(key)) + ")")
                 .orElse("");
         String tone = call.tone().map(key -> ", " + key.symbol()).orElse("");
+        String said = call.words().isEmpty() ? "" : ", " + call.words();
         String waiting = call.waiting()
                 .map(number -> ", " + texts.of("lcd.waiting", phone.nameOf(number)))
                 .orElse("");
         String held = call.held()
                 .map(number -> ", " + texts.of("lcd.held", phone.nameOf(number)))
                 .orElse("");
-        return LcdCall.phaseOf(texts, call) + " " + phone.nameOf(call.number()) + tone + meaning + waiting + held;
+        return LcdCall.phaseOf(texts, call) + " " + phone.nameOf(call.number()) + tone + meaning + said + waiting
+                + held;
     }
 }

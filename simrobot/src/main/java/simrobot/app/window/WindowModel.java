@@ -177,6 +177,7 @@ public final class WindowModel extends SessionModel {
                 robot.heard(),
                 robot.veriCommand(),
                 line.sent().keys(),
+                line.sent().words(),
                 callMonitor.isAudible());
     }
 

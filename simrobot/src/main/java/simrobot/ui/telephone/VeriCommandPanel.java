@@ -88,7 +88,7 @@ public final class VeriCommandPanel extends JPanel {
             showCourse(order.course());
         }
         replies.show(order.source() == OrderSource.CALL ? tones(line.tones()) : order.replies());
-        reply.show(newest(order.replies()));
+        reply.show(line.words().isEmpty() ? newest(order.replies()) : texts.of("log.said", line.words()));
     }
 
     /** Hides the order's keys while a student reads them from the tone scope. */

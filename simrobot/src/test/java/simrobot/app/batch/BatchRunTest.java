@@ -70,6 +70,8 @@ class BatchRunTest {
                 behaviour,
                 SpeechCodec.Kind.A_LAW,
                 1500,
+                Optional.empty(),
+                Optional.empty(),
                 name -> CallAudioListener.NONE,
                 number -> Optional.empty());
         List<List<RobotState>> states = new ArrayList<>();

@@ -85,6 +85,8 @@ class WindowModelTest {
                         BehaviourKind.NONE,
                         SpeechCodec.Kind.A_LAW,
                         1500,
+                        Optional.empty(),
+                        Optional.empty(),
                         robot -> CallAudioListener.NONE,
                         number -> Optional.empty()));
         model = modelIn(Locale.ENGLISH);

@@ -375,6 +375,8 @@ class RobotsInTheWindowTest {
                 new RobotEvent.MessageReceived("16", "refused"),
                 new RobotEvent.OrderSubmitted("ana", "** #**20 **"),
                 new RobotEvent.TypeUnknown("16"),
+                new RobotEvent.Said("Done"),
+                new RobotEvent.WordHeard("two", "zero", 0.93, false),
                 new RobotEvent.ClientMessage("16"),
                 new RobotEvent.CallIdle(60),
                 new RobotEvent.CallReleased(16),

@@ -286,7 +286,7 @@ class SimRobotPanelTest {
                 Optional.empty(),
                 PinLock.none().status());
         WindowBench bench = bench(new TelephoneSnapshot(
-                line.robot(), line.number(), refused, line.heard(), line.orders(), line.tones(), line.audible()));
+                line.robot(), line.number(), refused, line.heard(), line.orders(), line.tones(), "", line.audible()));
         assertEquals(words, bench.spoken("modem.network"));
         assertTrue(bench.spoken("lamp.link").endsWith("refused"), bench.spoken("lamp.link"));
         // the demo's size has no room for the line of the network
@@ -312,7 +312,7 @@ class SimRobotPanelTest {
                 Optional.empty(),
                 PinLock.none().status());
         WindowBench bench = bench(new TelephoneSnapshot(
-                line.robot(), line.number(), ringing, line.heard(), line.orders(), line.tones(), line.audible()));
+                line.robot(), line.number(), ringing, line.heard(), line.orders(), line.tones(), "", line.audible()));
         assertEquals("Call: ringing, call from", bench.spoken("modem.call"));
         assertTrue(bench.spoken("modem.peer").endsWith("5550100"), bench.spoken("modem.peer"));
     }
@@ -331,10 +331,25 @@ class SimRobotPanelTest {
         TelephoneSnapshot mute = WindowBench.line("robot", true, false, WindowBench.noOrders(), "");
         assertEquals("no sound", ((JLabel) bench(mute).component("modem.sound")).getText());
         TelephoneSnapshot audible = new TelephoneSnapshot(
-                mute.robot(), mute.number(), mute.modem(), mute.heard(), mute.orders(), mute.tones(), true);
+                mute.robot(), mute.number(), mute.modem(), mute.heard(), mute.orders(), mute.tones(), "", true);
         JLabel sound = (JLabel) bench(audible).component("modem.sound");
         assertEquals("", sound.getText());
         assertEquals("Calls are played", sound.getToolTipText());
+    }
+
+    @Test
+    void theWordsThatTheModemSaysReplaceTheReplysText() throws Exception {
+        TelephoneSnapshot mute = WindowBench.line("robot", true, true, WindowBench.noOrders(), "8");
+        TelephoneSnapshot speaking = new TelephoneSnapshot(
+                mute.robot(),
+                mute.number(),
+                mute.modem(),
+                mute.heard(),
+                mute.orders(),
+                mute.tones(),
+                "Not possible no motors",
+                false);
+        assertEquals("says: Not possible no motors", bench(speaking).spoken("order.reply"));
     }
 
     @Test

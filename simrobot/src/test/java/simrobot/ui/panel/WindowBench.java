@@ -223,7 +223,7 @@ public final class WindowBench implements OperatorActions {
                 heardCodec,
                 Optional.empty(),
                 PinLock.none().status());
-        return new TelephoneSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones, false);
+        return new TelephoneSnapshot(robot, "5550200", modem, ToneTrace.EMPTY, orders, tones, "", false);
     }
 
     static VeriCommandSnapshot orders(String keys, String words, String verdict, String text, int fault) {

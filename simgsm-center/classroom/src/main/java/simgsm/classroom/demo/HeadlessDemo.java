@@ -38,7 +38,10 @@ public final class HeadlessDemo {
             session.consoles().listen(transcript);
             session.center().start(session.centerEvents());
             session.start(
-                    "robot", "simrobot", Session.ROBOT_NUMBER, List.of("--headless", "--no-sound", "--world", WORLD));
+                    "robot",
+                    "simrobot",
+                    Session.ROBOT_NUMBER,
+                    List.of("--headless", "--no-sound", "--speak", "--world", WORLD));
             session.start("phone", "simgsm-phone", Session.PHONE_NUMBER, List.of("--headless", "--no-sound"));
             play(session.consoles(), transcript, texts);
         } catch (SessionFailure failure) {
@@ -52,7 +55,7 @@ public final class HeadlessDemo {
     private static int serve(Arguments arguments, CenterSettings settings)
             throws IOException, InterruptedException, UsageException {
         try (Session session = Session.open(arguments, folder -> settings)) {
-            List<String> options = new ArrayList<>(List.of("--headless", "--no-sound", "--world", WORLD));
+            List<String> options = new ArrayList<>(List.of("--headless", "--no-sound", "--speak", "--world", WORLD));
             WebLink.robotOptions(arguments).forEach(options::add);
             return WebLink.serve(arguments, session, "robot", options, Optional.empty());
         } catch (SessionFailure failure) {

@@ -95,6 +95,7 @@ public final class WindowedDemo {
         List<String> robot = new ArrayList<>(layout.options(
                 layout.robot(),
                 "--no-sound",
+                "--speak",
                 "--unfocused",
                 "--console",
                 "--world",

@@ -1,0 +1,99 @@
+package simgsm.tools;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.speech.WavWriter;
+import simgsm.words.Prompts;
+import simgsm.words.SpokenLanguage;
+import simgsm.words.Utterance;
+
+class WordToolsTest {
+    @TempDir
+    private Path folder;
+
+    private String errors = "";
+    private int status;
+
+    private Path word(String name) throws IOException {
+        Path file = folder.resolve(name.replace(' ', '-') + ".wav");
+        try (WavWriter wav = new WavWriter(file, 1)) {
+            wav.write(new short[1600]);
+            wav.write(Prompts.of(SpokenLanguage.ENGLISH).samples(new Utterance(List.of(name))));
+            wav.write(new short[1600]);
+        }
+        return file;
+    }
+
+    private String run(String... words) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        status = ToolsMain.run(List.of(words), new PrintStream(out), new PrintStream(err));
+        errors = err.toString(StandardCharsets.UTF_8);
+        return out.toString(StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void anEnrolledWordIsHeardAndAStrangeOneIsRefused() throws IOException {
+        String templates = folder.resolve("anna").toString();
+        for (String word : List.of("yes", "no", "forward", "seven")) {
+            assertEquals(
+                    word(word) + "\t" + word + "\t1\n", run("enrol", "--templates", templates, word, "" + word(word)));
+        }
+        assertEquals(word("yes") + "\tyes\t2\n", run("enrol", "--templates", templates, "yes", "" + word("yes")));
+        assertEquals(word("seven") + "\tseven\t0.000\n", run("hear", "--templates", templates, "" + word("seven")));
+        String heading = word("heading").toString();
+        assertEquals(heading + "\t-\t0.919\n", run("hear", "--templates", templates, heading));
+        assertEquals(heading + "\tseven\t0.919\n", run("hear", "--limit", "1", "--templates", templates, heading));
+        assertEquals(0, status);
+    }
+
+    @Test
+    void aFileWithoutAWordIsNamedAndTheOthersAreHeard() throws IOException {
+        Path silence = folder.resolve("silence.wav");
+        try (WavWriter wav = new WavWriter(silence, 1)) {
+            wav.write(new short[8000]);
+        }
+        String templates = folder.resolve("anna").toString();
+        run("enrol", "--templates", templates, "yes", "" + word("yes"));
+        assertEquals(
+                word("yes") + "\tyes\t0.000\n", run("hear", "--templates", templates, "" + silence, "" + word("yes")));
+        assertEquals("simgsm-modem: " + silence + ": expected a spoken word, found none\n", errors);
+        assertEquals(1, status);
+    }
+
+    @Test
+    void aDamagedTemplateIsNamed() throws IOException {
+        Path templates = Files.createDirectory(folder.resolve("bob"));
+        Path damaged = Files.write(templates.resolve("yes.1.word"), new byte[] {0, 0, 0, 1});
+        run("hear", "--templates", templates.toString(), word("yes").toString());
+        assertTrue(errors.contains(damaged + ": template of 1 frames, expected 5 to 300"), errors);
+        assertEquals(74, status);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "hear, missing FILE.wav",
+        "hear x.wav, missing --templates DIR",
+        "hear --templates nowhere x.wav, '--templates: expected templates made by enrol, found none'",
+        "enrol --templates t, missing WORD",
+        "enrol --templates t yes, missing FILE.wav",
+        "enrol --templates t a/b x.wav, 'expected a word of letters, digits and hyphens, found a/b'"
+    })
+    void aCommandLineThatLacksSomethingSaysWhat(String line, String reason) {
+        run(line.split(" "));
+        assertEquals("simgsm-modem: " + reason + "; see --help\n", errors);
+        assertEquals(2, status);
+    }
+}

@@ -1,0 +1,101 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import simgsm.speech.WavWriter;
+import simgsm.words.Prompts;
+import simgsm.words.SpokenLanguage;
+import simgsm.words.Utterance;
+
+/** A caller with enrolled words orders by voice; the caller's voice is that of the prompts. */
+class VoiceOrdersTest {
+    private static final List<String> WORDS = List.of(
+            "forward", "turn", "right", "stop", "status", "yes", "no", "zero", "one", "two", "three", "four", "five",
+            "six", "seven", "eight", "nine");
+
+    private static Path spoken(Path folder, String word) throws IOException {
+        Path file = folder.resolve(word + ".wav");
+        try (WavWriter wav = new WavWriter(file, 1)) {
+            wav.write(new short[1600]);
+            wav.write(Prompts.of(SpokenLanguage.ENGLISH).samples(new Utterance(List.of(word))));
+            wav.write(new short[4000]);
+        }
+        return file;
+    }
+
+    private static void enrol(Path voice, Path file, String word) throws IOException, InterruptedException {
+        String same = file.toString();
+        FinishedProgram tool = FinishedProgram.run(
+                "simgsm-modem", "enrol", "--templates", voice.toString(), word, same, same, same, same);
+        assertEquals(0, tool.status(), tool.error());
+    }
+
+    /** The phone knows the prompts half a second after its first call began. */
+    private static void askForStatus(RunningProgram phone) {
+        phone.say("press ** #*0 **");
+        phone.expect("words");
+    }
+
+    @Test
+    void aSpokenOrderIsReadBackAndExecutedAfterYesAndTheNextKeysStillWork() throws IOException, InterruptedException {
+        try (Scenario scenario = new Scenario("an order by voice")) {
+            Path data = scenario.folder().resolve("robot-data");
+            for (String word : WORDS) {
+                enrol(data.resolve("voices").resolve(Scenario.PHONE), spoken(scenario.folder(), word), word);
+            }
+            scenario.center();
+            RunningProgram robot = scenario.robot("demo.map", "--voice", "--data", data.toString());
+            RunningProgram phone = scenario.phone(Scenario.PHONE);
+            scenario.call(phone);
+            askForStatus(phone);
+            phone.say("press *#");
+            robot.expect("said", "text", "Say");
+            phone.expect("words", "text", "Say");
+            for (String word : List.of("forward", "two", "zero")) {
+                phone.say("play " + scenario.folder().resolve(word + ".wav"));
+                assertEquals(word, robot.expect("heard", "verdict", "sure").field("word"));
+                phone.expect("played");
+            }
+            assertEquals("Forward two zero say yes", robot.expect("said").field("text"));
+            phone.expect("words", "text", "Forward two zero say yes");
+            phone.say("play " + scenario.folder().resolve("yes.wav"));
+            assertEquals("yes", robot.expect("heard").field("word"));
+            assertEquals(
+                    "**#**20**", robot.expect("order", "verdict", "accepted").field("text"));
+            phone.expect("tone", "key", "3");
+            phone.say("press ** #*0 **");
+            phone.expect("tone", "key", "3");
+        }
+    }
+
+    @Test
+    void aNewCallerEnrolsAndTheVoiceIsKeptByNumber() throws IOException {
+        try (Scenario scenario = new Scenario("an enrolment")) {
+            Path data = scenario.folder().resolve("robot-data");
+            scenario.center();
+            RunningProgram robot = scenario.robot("demo.map", "--voice", "--data", data.toString());
+            RunningProgram phone = scenario.phone(Scenario.PHONE);
+            scenario.call(phone);
+            askForStatus(phone);
+            phone.say("press *#");
+            robot.expect("said");
+            String asked = robot.expect("said").field("text");
+            // on a busy machine a word may be lost, and is asked again
+            while (asked.equals("Say forward")) {
+                phone.expect("words", "text", asked);
+                phone.say("play " + spoken(scenario.folder(), "forward"));
+                phone.expect("played");
+                asked = robot.expect("said").field("text");
+            }
+            assertEquals("Say turn", asked);
+            Path kept = data.resolve("voices").resolve(Scenario.PHONE);
+            assertTrue(Files.exists(kept.resolve("forward.2.word")), kept.toString());
+        }
+    }
+}

@@ -1,0 +1,18 @@
+package vericommand;
+
+/**
+ * Finds {@code *#} outside an order, by which a caller asks to be heard. The star of {@code **#} belongs to an order, that
+ * of {@code #*#} to a broken one.
+ */
+final class ListeningRequest {
+    private char before;
+    private boolean isStarAlone;
+
+    /** @param isOpen true if the key is within an order */
+    boolean key(char key, boolean isOpen) {
+        boolean isAsked = isStarAlone && key == '#' && !isOpen;
+        isStarAlone = key == '*' && !isOpen && before != '*' && before != '#';
+        before = key;
+        return isAsked;
+    }
+}

@@ -1,0 +1,36 @@
+package vericommand;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class ListeningRequestTest {
+    /** A key in brackets is within an order. */
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "*#, 1",
+        "5*#, 1",
+        "**#, 0",
+        "***#, 0",
+        "*5#, 0",
+        "#*#, 0",
+        "(*#), 0",
+        "(#*0**)#, 0",
+        "(#*0**)*#, 0",
+        "*#*#, 1"
+    })
+    void aStarAloneAndAHashOutsideAnOrderAskToBeHeard(String keys, int requests) {
+        ListeningRequest request = new ListeningRequest();
+        boolean isOpen = false;
+        int found = 0;
+        for (char key : keys.toCharArray()) {
+            if (key == '(' || key == ')') {
+                isOpen = key == '(';
+            } else if (request.key(key, isOpen)) {
+                found++;
+            }
+        }
+        assertEquals(requests, found);
+    }
+}
