@@ -79,7 +79,7 @@ class LayeringTest {
             simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.tone simgsm.dtmf simgsm.speech simgsm.words simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load
             simgsm.phone.store       : simgsm.event simgsm.air simgsm.sim simgsm.station.context
             simgsm.phone.screen      : simgsm.air simgsm.sim simgsm.ss simgsm.dtmf simgsm.speech simgsm.draw simgsm.station.context simgsm.phone.store
-            simgsm.phone.handset     : simgsm.event simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
+            simgsm.phone.handset     : simgsm.event simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.words simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
             simgsm.phone.ui          : simgsm.ss simgsm.air simgsm.sim simgsm.sms simgsm.tone simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.store simgsm.phone.screen simgsm.phone.handset
             simgsm.phone             : simgsm.file simgsm.octets simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.store simgsm.phone.screen simgsm.phone.handset simgsm.phone.ui
             simgsm.center.subscriber : simgsm.air simgsm.sim simgsm.ss

@@ -12,7 +12,8 @@ final class ListeningRequest {
     boolean key(char key, boolean isOpen) {
         boolean isAsked = isStarAlone && key == '#' && !isOpen;
         isStarAlone = key == '*' && !isOpen && before != '*' && before != '#';
-        before = key;
+        boolean isOfOrder = isOpen && key == '*';
+        before = isOfOrder ? ' ' : key;
         return isAsked;
     }
 }

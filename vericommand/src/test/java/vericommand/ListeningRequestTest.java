@@ -17,7 +17,7 @@ class ListeningRequestTest {
         "#*#, 0",
         "(*#), 0",
         "(#*0**)#, 0",
-        "(#*0**)*#, 0",
+        "(#*0**)*#, 1",
         "*#*#, 1"
     })
     void aStarAloneAndAHashOutsideAnOrderAskToBeHeard(String keys, int requests) {
