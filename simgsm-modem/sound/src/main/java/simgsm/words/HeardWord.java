@@ -9,8 +9,8 @@ package simgsm.words;
  */
 public record HeardWord(String word, String second, double ratio) {
     /**
-     * Words nearer to a second one are refused: at 0.90 of 1 200 digits at most 0.2 % were taken for another, and 3 to 20 %
-     * were asked again at 30 dB (docs/MEASURED.md).
+     * Words nearer to a second one are refused: at 0.90, of 1 200 digits of people at most 0.2 % were taken for another, and 20
+     * to 36 % were refused at 30 dB (docs/MEASURED.md).
      */
     public static final double MOST_RATIO = 0.9;
 
