@@ -1,5 +1,9 @@
 package simgsm.rr;
 
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
 /** System information that lists neighbour cells (TS 44.018, 9.1.32 to 9.1.34 and 9.1.37 to 9.1.39). */
 public enum NeighbourList {
     /** For idle mobiles: frequencies of the cell's band. */
@@ -45,5 +49,16 @@ public enum NeighbourList {
     /** True for frequencies of other bands than the cell's. */
     public boolean isOfOtherBands() {
         return this == TYPE_2_TER || this == TYPE_5_TER;
+    }
+
+    /** The frequencies in the order of measurement reports (10.5.2.20): those of 5 and 5bis together, then those of 5ter. */
+    public static List<Integer> inReports(Map<NeighbourList, List<Integer>> lists) {
+        return Stream.concat(
+                        Stream.of(TYPE_5, TYPE_5_BIS)
+                                .flatMap(list -> lists.getOrDefault(list, List.of()).stream())
+                                .distinct()
+                                .sorted(FrequencyList.ORDER),
+                        lists.getOrDefault(TYPE_5_TER, List.of()).stream())
+                .toList();
     }
 }

@@ -3,12 +3,9 @@ package simgsm.cells.tower;
 import java.lang.System.Logger.Level;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Stream;
 import simgsm.abis.CcmCodec;
 import simgsm.abis.CcmMessage;
 import simgsm.abis.IpaFrame;
@@ -28,9 +25,6 @@ import simgsm.cells.cipher.CipherKey;
 import simgsm.cells.town.Tower;
 import simgsm.event.EventLine;
 import simgsm.octets.OctetString;
-import simgsm.rr.FrequencyList;
-import simgsm.rr.ImmediateAssignment;
-import simgsm.rr.ImmediateAssignmentReject;
 import simgsm.rr.NeighbourList;
 import simgsm.rr.RequestReference;
 import simgsm.rr.SystemInformation;
@@ -47,8 +41,6 @@ import simgsm.timer.Timers;
 public final class BaseStation {
     private static final System.Logger LOG = System.getLogger(BaseStation.class.getName());
     private static final ChannelNumber RACH = ChannelNumber.of(Kind.RACH, 0);
-    /** Maximum of mobiles waiting for an answer on the access grant channel; more are ignored. */
-    private static final int MOST_ACCESSES = 1_000;
 
     private static final int VIOLATIONS_LOGGED = 3;
     private final Tower tower;
@@ -59,7 +51,7 @@ public final class BaseStation {
     private final AirCapture capture;
     private final KeepAlive keepAlive;
     private final Map<ChannelNumber, TowerChannel> channels = new LinkedHashMap<>();
-    private final Set<AccessUser> accesses = new LinkedHashSet<>();
+    private final AccessGrants accesses = new AccessGrants();
     private Optional<SystemInformation.Type3> cell = Optional.empty();
     private final Map<NeighbourList, List<Integer>> lists = new EnumMap<>(NeighbourList.class);
     private boolean isOn = true;
@@ -103,22 +95,9 @@ public final class BaseStation {
         return cell;
     }
 
-    /**
-     * The frequencies measured by mobiles in a connection, in the order of their reports (TS 44.018, 10.5.2.20): those of
-     * types 5 and 5bis together, then those of 5ter.
-     */
+    /** The frequencies measured by mobiles in a connection, in the order of their reports. */
     public List<Integer> neighbours() {
-        return Stream.concat(
-                        Stream.of(NeighbourList.TYPE_5, NeighbourList.TYPE_5_BIS)
-                                .flatMap(list -> listed(list))
-                                .distinct()
-                                .sorted(FrequencyList.ORDER),
-                        listed(NeighbourList.TYPE_5_TER))
-                .toList();
-    }
-
-    private Stream<Integer> listed(NeighbourList list) {
-        return lists.getOrDefault(list, List.of()).stream();
+        return NeighbourList.inReports(lists);
     }
 
     public boolean isOn() {
@@ -363,15 +342,7 @@ public final class BaseStation {
 
     private void answerAccess(OctetString octets) throws ProtocolViolation {
         capture.grant(octets);
-        if (ImmediateAssignment.isOne(octets)) {
-            ImmediateAssignment assignment = ImmediateAssignment.decode(octets);
-            List.copyOf(accesses).forEach(access -> access.granted(assignment));
-        } else if (ImmediateAssignmentReject.isOne(octets)) {
-            ImmediateAssignmentReject reject = ImmediateAssignmentReject.decode(octets);
-            for (RequestReference reference : reject.references()) {
-                List.copyOf(accesses).forEach(access -> access.refused(reference, reject.waitSeconds()));
-            }
-        }
+        accesses.answer(octets);
     }
 
     private void page(RslPdu message) throws ProtocolViolation {
@@ -423,8 +394,7 @@ public final class BaseStation {
     public RequestReference requestChannel(int access, int delay, AccessUser user) {
         RequestReference reference = RequestReference.at(access, FrameClock.frameAt(timers.nowNanos()));
         capture.access(access);
-        if (accesses.size() < MOST_ACCESSES) {
-            accesses.add(user);
+        if (accesses.add(user)) {
             send(RslPdu.of(RslType.CHANNEL_REQUIRED, RACH)
                     .with(RslElement.REQUEST_REFERENCE, reference.octets())
                     .with(RslElement.ACCESS_DELAY, delay));

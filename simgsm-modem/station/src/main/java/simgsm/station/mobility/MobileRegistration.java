@@ -1,9 +1,7 @@
 package simgsm.station.mobility;
 
 import java.lang.System.Logger.Level;
-import java.util.EnumSet;
 import java.util.Optional;
-import java.util.Set;
 import java.util.random.RandomGenerator;
 import simgsm.air.Imsi;
 import simgsm.air.LocationArea;
@@ -31,32 +29,12 @@ public final class MobileRegistration {
     /** Ciphering key sequence number that means "no key" (TS 24.008, 10.5.1.2). */
     private static final int NO_KEY = 7;
 
-    /**
-     * First pause after a failure on a link to our own centre, without towers; it doubles up to 16 s. There cause 3
-     * means that the number is in use, which may pass, so it is not final.
-     */
+    /** First pause after a failure on a link to our own centre, without towers; it doubles up to 16 s. */
     private static final long QUICK_NANOS = 1_000_000_000L;
 
     private static final int MOST_DOUBLINGS = 4;
     /** Over towers: attempts with T3211 between them; then T3212 (TS 24.008, 4.4.4.9). */
     private static final int ATTEMPTS = 4;
-
-    /** Causes after which no further attempt is made in this area (TS 24.008, 4.4.4.7). */
-    private static final Set<RejectCause> FINAL =
-            EnumSet.of(RejectCause.IMSI_UNKNOWN_IN_HLR, RejectCause.ILLEGAL_ME, RejectCause.PLMN_NOT_ALLOWED);
-
-    private static final Set<RejectCause> FINAL_OVER_TOWERS = EnumSet.of(
-            RejectCause.IMSI_UNKNOWN_IN_HLR,
-            RejectCause.ILLEGAL_MS,
-            RejectCause.ILLEGAL_ME,
-            RejectCause.PLMN_NOT_ALLOWED,
-            RejectCause.LOCATION_AREA_NOT_ALLOWED,
-            RejectCause.ROAMING_NOT_ALLOWED,
-            RejectCause.NO_SUITABLE_CELLS);
-
-    /** Over towers: the SIM is invalid until the mobile is switched off. */
-    private static final Set<RejectCause> INVALID_SIM =
-            EnumSet.of(RejectCause.IMSI_UNKNOWN_IN_HLR, RejectCause.ILLEGAL_MS, RejectCause.ILLEGAL_ME);
 
     private final StationContext context;
     private final PinLock lock;
@@ -211,8 +189,7 @@ public final class MobileRegistration {
      */
     public void keepLocation() {
         if (!isRegistered()) {
-            // the card has been given its PIN
-            seekService();
+            seekService(); // the card has been given its PIN
             return;
         }
         periodic.idle();
@@ -270,10 +247,10 @@ public final class MobileRegistration {
     void rejected(RejectCause cause) {
         if (state() == MobileRegistrationState.LOCATION_UPDATING_INITIATED) {
             rejectCause = Optional.of(cause);
-            isSimInvalid = isOverTowers() && INVALID_SIM.contains(cause);
+            isSimInvalid = isOverTowers() && FinalCauses.invalidateSim(cause);
         }
         fire(
-                (isOverTowers() ? FINAL_OVER_TOWERS : FINAL).contains(cause)
+                FinalCauses.contain(cause, isOverTowers())
                         ? MobileRegistrationEvent.LOCATION_UPDATING_FORBIDDEN
                         : MobileRegistrationEvent.LOCATION_UPDATING_REJECTED);
     }
@@ -415,11 +392,8 @@ public final class MobileRegistration {
         StationEvent report = new StationEvent.StationUnregistered(rejectCause);
         if (!report.equals(lastReport)) {
             lastReport = report;
-            context.log()
-                    .trace(
-                            Level.INFO,
-                            "unregistered{0}",
-                            rejectCause.map(cause -> ": " + cause.title()).orElse(""));
+            String why = rejectCause.map(cause -> ": " + cause.title()).orElse("");
+            context.log().trace(Level.INFO, "unregistered{0}", why);
             context.events().add(report);
         }
     }
