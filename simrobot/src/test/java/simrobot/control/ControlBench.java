@@ -33,7 +33,7 @@ final class ControlBench implements ModemPort {
 
     @Override
     public void say(long call, String reply) {
-        log.add("says " + reply);
+        log.add("modem: says " + reply);
     }
 
     @Override

@@ -40,6 +40,7 @@ class RobotControlTest {
                         "pose robot=robot x=0.2000 y=0.0000 heading=0.00",
                         "outcome robot=robot tone=3 text=\"Done: #**20. Stopped at 0.200 0.000 m, heading 0.0.\"",
                         "modem: tone 3",
+                        "modem: says Done: #**20. Stopped at 0.200 0.000 m, heading 0.0.",
                         "modem: under way false"),
                 bench.log);
     }
