@@ -40,9 +40,9 @@ class ModemToolsTest {
     }
 
     @Test
-    void noiseTwentyDecibelsBelowTheTonesIsHarmlessAndTwentyAboveThemHidesThem() throws Exception {
+    void noiseTwentyDecibelsBelowTheTonesIsHarmlessAndTenAboveThemHidesThem() throws Exception {
         assertEquals("159", decodedWithNoise("20"));
-        assertEquals("", decodedWithNoise("-20"));
+        assertEquals("", decodedWithNoise("-10"));
     }
 
     private String decodedWithNoise(String decibels) throws Exception {
