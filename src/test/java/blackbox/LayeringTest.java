@@ -41,6 +41,7 @@ class LayeringTest {
             simgsm.rr                : simgsm.octets simgsm.air
             simgsm.sim               : simgsm.file simgsm.octets simgsm.air
             simgsm.sms               : simgsm.octets simgsm.air
+            simgsm.smpp              : simgsm.octets simgsm.air simgsm.sms
             simgsm.ss                : simgsm.octets simgsm.air simgsm.sms
             simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.ss
             simgsm.speech            :
@@ -85,8 +86,7 @@ class LayeringTest {
             simgsm.center.subscriber : simgsm.air simgsm.sim simgsm.ss
             simgsm.center.smsc       : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms
             simgsm.center.journal    : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.center.smsc
-            simgsm.center.smpp.pdu   : simgsm.octets simgsm.air simgsm.sms
-            simgsm.center.smpp       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc simgsm.center.smpp.pdu
+            simgsm.center.smpp       : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sms simgsm.center.smsc simgsm.smpp
             simgsm.center.msc.link   : simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.trace simgsm.center.subscriber
             simgsm.center.msc.mobility : simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.center.subscriber simgsm.center.msc.link
             simgsm.center.msc.call   : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.center.subscriber simgsm.center.msc.link simgsm.center.msc.mobility
@@ -316,6 +316,7 @@ class LayeringTest {
         "simgsm.timer",
         "simgsm.air",
         "simgsm.abis",
+        "simgsm.smpp",
         "simgsm.sms",
         "simgsm.ss",
         "simgsm.tone",

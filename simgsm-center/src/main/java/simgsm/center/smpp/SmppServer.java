@@ -2,7 +2,7 @@ package simgsm.center.smpp;
 
 import java.lang.System.Logger.Level;
 import java.util.Optional;
-import simgsm.center.smpp.pdu.SmppAddress;
+import simgsm.smpp.SmppAddress;
 import simgsm.center.smsc.Destination;
 import simgsm.center.smsc.ShortMessageCenter;
 import simgsm.sms.SmsAddress;

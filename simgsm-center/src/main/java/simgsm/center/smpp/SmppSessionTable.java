@@ -6,7 +6,7 @@ import static simgsm.center.smpp.SmppSessionTable.SmppSessionState.*;
 
 import java.util.EnumSet;
 import java.util.Set;
-import simgsm.center.smpp.pdu.SmppCommand;
+import simgsm.smpp.SmppCommand;
 import simgsm.state.StateTable;
 
 /** States of a session (2.2) and the requests that each accepts (2.3). */

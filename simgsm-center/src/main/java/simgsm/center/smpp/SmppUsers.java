@@ -5,7 +5,7 @@ import java.security.MessageDigest;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeMap;
-import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.smpp.SmppStatus;
 
 /** Applications that may bind, with their settings. */
 public final class SmppUsers {

@@ -15,13 +15,13 @@ import simgsm.center.msc.Exchange;
 import simgsm.center.smpp.EsmeSession;
 import simgsm.center.smpp.SmppPort;
 import simgsm.center.smpp.SmppServer;
-import simgsm.center.smpp.pdu.SmppAddress;
-import simgsm.center.smpp.pdu.SmppCodec;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppMessage;
-import simgsm.center.smpp.pdu.SmppPdu;
-import simgsm.center.smpp.pdu.SmppStatus;
-import simgsm.center.smpp.pdu.SmppViolation;
+import simgsm.smpp.SmppAddress;
+import simgsm.smpp.SmppCodec;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppMessage;
+import simgsm.smpp.SmppPdu;
+import simgsm.smpp.SmppStatus;
+import simgsm.smpp.SmppViolation;
 import simgsm.octets.OctetString;
 
 /** An application that serves a number over SMPP: it answers late, refuses, vanishes, and shows each message once. */

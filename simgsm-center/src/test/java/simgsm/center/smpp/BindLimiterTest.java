@@ -7,9 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppPdu;
-import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppPdu;
+import simgsm.smpp.SmppStatus;
 
 /** Guessing a password: slow for each address, and of one line a minute in the log. */
 class BindLimiterTest extends SmppStage {

@@ -17,9 +17,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppPdu;
-import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppPdu;
+import simgsm.smpp.SmppStatus;
 
 /** One answer of 10 000 is bad, late or missing: the other messages of the same number go on. */
 class FaultyAnswersTest extends SmppStage {

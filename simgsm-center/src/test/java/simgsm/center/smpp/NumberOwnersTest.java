@@ -12,11 +12,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import simgsm.center.smpp.pdu.SmppAddress;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppMessage;
-import simgsm.center.smpp.pdu.SmppPdu;
-import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.smpp.SmppAddress;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppMessage;
+import simgsm.smpp.SmppPdu;
+import simgsm.smpp.SmppStatus;
 import simgsm.octets.OctetString;
 
 /** Who may serve and send as which number: the lines {@code id.numbers}, and the numbers of subscribers. */

@@ -11,11 +11,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import simgsm.center.smpp.pdu.SmppAddress;
-import simgsm.center.smpp.pdu.SmppCodec;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppMessage;
-import simgsm.center.smpp.pdu.SmppPdu;
+import simgsm.smpp.SmppAddress;
+import simgsm.smpp.SmppCodec;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppMessage;
+import simgsm.smpp.SmppPdu;
 
 /**
  * Measures a centre from outside: senders with a window each hand messages in, one receiver takes them. Prints one line:

@@ -8,14 +8,14 @@ import java.net.Socket;
 import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import simgsm.center.smpp.pdu.SmppAddress;
-import simgsm.center.smpp.pdu.SmppCodec;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppMessage;
-import simgsm.center.smpp.pdu.SmppPdu;
-import simgsm.center.smpp.pdu.SmppStatus;
-import simgsm.center.smpp.pdu.SmppViolation;
-import simgsm.center.smpp.pdu.Tlv;
+import simgsm.smpp.SmppAddress;
+import simgsm.smpp.SmppCodec;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppMessage;
+import simgsm.smpp.SmppPdu;
+import simgsm.smpp.SmppStatus;
+import simgsm.smpp.SmppViolation;
+import simgsm.smpp.Tlv;
 import simgsm.octets.OctetString;
 
 /** An application on a real socket, one PDU after the other; also sends what no application should. */

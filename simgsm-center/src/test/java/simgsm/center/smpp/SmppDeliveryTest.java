@@ -14,12 +14,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.air.Msisdn;
-import simgsm.center.smpp.pdu.SmppAddress;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppMessage;
-import simgsm.center.smpp.pdu.SmppPdu;
-import simgsm.center.smpp.pdu.SmppStatus;
-import simgsm.center.smpp.pdu.Tlv;
+import simgsm.smpp.SmppAddress;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppMessage;
+import simgsm.smpp.SmppPdu;
+import simgsm.smpp.SmppStatus;
+import simgsm.smpp.Tlv;
 import simgsm.center.smsc.Destination;
 import simgsm.octets.OctetString;
 

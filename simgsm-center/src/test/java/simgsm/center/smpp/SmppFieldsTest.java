@@ -15,10 +15,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.center.smpp.pdu.SmppCodec;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppPdu;
-import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.smpp.SmppCodec;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppPdu;
+import simgsm.smpp.SmppStatus;
 
 /** Each field of each request with a value that is none, and each response with its mandatory fields, octet by octet. */
 class SmppFieldsTest extends SmppStage {

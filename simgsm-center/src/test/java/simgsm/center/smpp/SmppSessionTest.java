@@ -14,11 +14,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Msisdn;
-import simgsm.center.smpp.pdu.SmppAddress;
-import simgsm.center.smpp.pdu.SmppCodec;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppPdu;
-import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.smpp.SmppAddress;
+import simgsm.smpp.SmppCodec;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppPdu;
+import simgsm.smpp.SmppStatus;
 import simgsm.octets.OctetString;
 
 /** Binding, unbinding, and who may do what when. */

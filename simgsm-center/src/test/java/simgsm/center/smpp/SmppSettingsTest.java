@@ -14,10 +14,10 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppMessage;
-import simgsm.center.smpp.pdu.SmppPdu;
-import simgsm.center.smpp.pdu.SmppStatus;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppMessage;
+import simgsm.smpp.SmppPdu;
+import simgsm.smpp.SmppStatus;
 
 /** What an application has of its own: the lines {@code id.SETTING=value}. */
 class SmppSettingsTest extends SmppStage {

@@ -2,8 +2,8 @@ package simgsm.center.smpp;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import simgsm.center.smpp.pdu.SmppCommand;
-import simgsm.center.smpp.pdu.SmppPdu;
+import simgsm.smpp.SmppCommand;
+import simgsm.smpp.SmppPdu;
 
 /** Applications and the centre, with time moved by hand. */
 abstract class SmppStage {

@@ -1,4 +1,4 @@
-package simgsm.center.smpp.pdu;
+package simgsm.smpp;
 
 import java.util.List;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package simgsm.center.smpp.pdu;
+package simgsm.smpp;
 
 import java.nio.ByteBuffer;
 import java.util.Arrays;
@@ -13,6 +13,9 @@ public final class SmppFramer {
     private byte[] octets = new byte[INITIAL_CAPACITY];
     private int start;
     private int end;
+
+    /** Without octets. */
+    public SmppFramer() {}
 
     public void accept(ByteBuffer more) {
         if (start > 0) {

@@ -1,4 +1,4 @@
-package simgsm.center.smpp.pdu;
+package simgsm.smpp;
 
 import java.time.DateTimeException;
 import java.time.Instant;

@@ -1,4 +1,4 @@
-package simgsm.center.smpp.pdu;
+package simgsm.smpp;
 
 /** Values of command_status (5.1.3) that the centre sends or interprets. */
 public final class SmppStatus {

@@ -1,6 +1,0 @@
-/**
- * The protocol data units of SMPP 3.4 and their octets. Clause numbers are those of SMPP v3.4 issue 1.2.
- *
- * <p>Read first: {@link simgsm.center.smpp.pdu.SmppPdu} and {@link simgsm.center.smpp.pdu.SmppCodec}.
- */
-package simgsm.center.smpp.pdu;
