@@ -122,7 +122,8 @@ class LayeringTest {
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.tower simgsm.cells.net simgsm.cells.network
             simgsm.gateway.speech    : simgsm.speech simgsm.station.call
             simgsm.gateway.sip       : simgsm.state simgsm.timer simgsm.air simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.gateway.speech
-            simgsm.gateway           : simgsm.event simgsm.file simgsm.net simgsm.timer simgsm.gateway.speech simgsm.gateway.sip simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
+            simgsm.gateway.mail      : simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.smpp
+            simgsm.gateway           : simgsm.event simgsm.file simgsm.net simgsm.timer simgsm.gateway.speech simgsm.gateway.sip simgsm.gateway.mail simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
             simrobot.behaviour       :
             simrobot.world           : simgsm.file
             simrobot.bitmap          : simgsm.file simgsm.octets simrobot.world
@@ -337,6 +338,7 @@ class LayeringTest {
         "simgsm.phone.screen",
         "simgsm.phone.handset",
         "simgsm.lesson",
+        "simgsm.gateway.mail",
         "simgsm.gateway.sip",
         "simgsm.gateway.speech",
         "simrobot.behaviour",

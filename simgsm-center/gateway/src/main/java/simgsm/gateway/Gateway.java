@@ -21,6 +21,7 @@ final class Gateway implements AutoCloseable {
     private final WebUsers users;
     private final Optional<WebPort> port;
     private final Optional<SipPort> sip;
+    private final Optional<MailPort> mail;
     private final String key;
 
     /** @throws IOException if the port cannot be opened */
@@ -35,6 +36,9 @@ final class Gateway implements AutoCloseable {
                 socket -> new PhoneSocket(socket, users));
         port = settings.hasWeb() ? Optional.of(webPort(settings, phone)) : Optional.empty();
         sip = settings.sip().isPresent() ? Optional.of(new SipPort(thread, settings, listener)) : Optional.empty();
+        mail = settings.mail().isPresent()
+                ? Optional.of(new MailPort(thread, settings, settings.mail().get(), listener))
+                : Optional.empty();
     }
 
     private WebPort webPort(GatewaySettings settings, WebSocketPath phone) throws IOException {
@@ -46,9 +50,12 @@ final class Gateway implements AutoCloseable {
                 true);
     }
 
-    void start() {
+    void start() throws InterruptedException {
         thread.start();
         port.ifPresent(WebPort::start);
+        if (mail.isPresent()) {
+            mail.get().start();
+        }
     }
 
     /** What {@code ready} says: the open ports. */
@@ -57,7 +64,11 @@ final class Gateway implements AutoCloseable {
         if (port.isPresent()) {
             ready = ready.with("web", port.get().port()).with("link", link());
         }
-        return sip.isPresent() ? ready.with("sip", sip.get().port()) : ready;
+        if (sip.isPresent()) {
+            ready = ready.with("sip", sip.get().port());
+        }
+        Optional<Integer> mailPort = mail.flatMap(MailPort::port);
+        return mailPort.isPresent() ? ready.with("mail", mailPort.get()) : ready;
     }
 
     /** The link for pupils. */
@@ -72,7 +83,11 @@ final class Gateway implements AutoCloseable {
                 .flatMap(it -> it.server().users().stream())
                 .filter(SipUser::isRegistered)
                 .map(GatewayEvent.UserRow::new);
-        return Stream.concat(pages, phones).map(Event::from).toList();
+        Stream<GatewayEvent> applications = mail.flatMap(MailPort::row).stream();
+        return Stream.of(pages, phones, applications)
+                .flatMap(rows -> rows)
+                .map(Event::from)
+                .toList();
     }
 
     /** Ends a user at once. @return false if the number is unused */

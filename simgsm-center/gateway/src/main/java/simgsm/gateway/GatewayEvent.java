@@ -13,7 +13,10 @@ sealed interface GatewayEvent {
     /** Users of SIP phones. */
     String SIP = "sip";
 
-    /** A page has connected, or a SIP phone has registered. */
+    /** The application of mail. */
+    String MAIL = "mail";
+
+    /** A page has connected, a SIP phone has registered, or the application of mail is bound. */
     @EventLine("joined kind= number= from= [name=]")
     record Joined(String kind, Msisdn number, String from, Optional<String> name) implements GatewayEvent {
         Joined(WebUser user) {
@@ -21,7 +24,7 @@ sealed interface GatewayEvent {
         }
     }
 
-    /** A page has disconnected, or a SIP phone has gone. */
+    /** A page has disconnected, a SIP phone has gone, or the application is bound no longer. */
     @EventLine("left kind= number=")
     record Left(String kind, Msisdn number) implements GatewayEvent {
         Left(WebUser user) {
@@ -29,7 +32,7 @@ sealed interface GatewayEvent {
         }
     }
 
-    /** A page was closed, or a SIP request refused; the cause is the close code or the response. */
+    /** A page was closed, a SIP request, a mail or a bind refused; the cause is the close code or the reply's. */
     @EventLine("refused kind= from= cause= text=")
     record Refused(String kind, String from, int cause, String text) implements GatewayEvent {}
 
@@ -49,6 +52,14 @@ sealed interface GatewayEvent {
             return isCalling ? "call" : "idle";
         }
     }
+
+    /** The mail server has taken a short message; {@code id} is the left part of its Message-ID. */
+    @EventLine("mailed id= to=")
+    record Mailed(String id, String to) implements GatewayEvent {}
+
+    /** The mail server has not taken a short message; a reply 4.. is tried again. */
+    @EventLine("mail-failed id= to= text=")
+    record MailFailed(String id, String to, String text) implements GatewayEvent {}
 
     private static Optional<String> nameOf(WebUser user) {
         return Optional.of(user.name()).filter(name -> !name.isEmpty());

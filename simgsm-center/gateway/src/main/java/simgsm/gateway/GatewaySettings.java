@@ -11,6 +11,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import simgsm.console.Arguments;
 import simgsm.console.HostPort;
@@ -20,7 +21,7 @@ import simgsm.console.UsageException;
  * The gateway's settings, from the command line.
  *
  * @param bind the address of the ports
- * @param hasWeb false if there are only SIP phones
+ * @param hasWeb false if there are only SIP phones and mail
  * @param web the port of the pages; 0 for any free one
  * @param firstNumber of the browsers' numbers
  * @param lastNumber not below the first
@@ -28,6 +29,7 @@ import simgsm.console.UsageException;
  * @param robots addresses of SimRobots' web servers
  * @param sip the port of SIP; 0 for any free one
  * @param sipUsers passwords by number
+ * @param mail options of mail, if any is given
  */
 record GatewaySettings(
         InetSocketAddress center,
@@ -40,6 +42,7 @@ record GatewaySettings(
         List<URI> robots,
         OptionalInt sip,
         Map<String, String> sipUsers,
+        Optional<MailOptions> mail,
         Locale language) {
     private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
     private static final int MAX_PORT = 0xffff;
@@ -49,11 +52,12 @@ record GatewaySettings(
 
     static GatewaySettings of(Arguments arguments) throws UsageException, IOException {
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
+        Optional<MailOptions> mail = MailOptions.of(arguments);
         long[] numbers = arguments.value("numbers", GatewaySettings::numbers).orElseGet(() -> numbers(DEFAULT_NUMBERS));
         return new GatewaySettings(
                 new InetSocketAddress(center.host(), center.port()),
                 arguments.bindAddress(),
-                arguments.has("web") || !arguments.has("sip"),
+                arguments.has("web") || !arguments.has("sip") && mail.isEmpty(),
                 (int) arguments.integer("web", 0, 0, MAX_PORT),
                 numbers[0],
                 numbers[1],
@@ -63,6 +67,7 @@ record GatewaySettings(
                         ? OptionalInt.of((int) arguments.integer("sip", 0, 0, MAX_PORT))
                         : OptionalInt.empty(),
                 arguments.has("sip") ? SipUserFile.read(arguments.path("data").orElse(DEFAULT_DATA)) : Map.of(),
+                mail,
                 arguments.language());
     }
 

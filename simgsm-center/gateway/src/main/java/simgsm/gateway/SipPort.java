@@ -20,7 +20,6 @@ import simgsm.gateway.sip.SipTransport;
 import simgsm.net.Datagrams;
 import simgsm.station.MobileStation;
 import simgsm.station.StationThread;
-import simgsm.timer.Timers;
 
 /** Gives the SIP core its UDP sockets and its time. Belongs to the stations' thread. */
 final class SipPort implements SipTransport, SipListener {
@@ -31,27 +30,23 @@ final class SipPort implements SipTransport, SipListener {
     private final GatewaySettings settings;
     private final Consumer<GatewayEvent> listener;
     private final Datagrams socket;
-    private final Timers timers = new Timers();
-    private final long originNanos = System.nanoTime();
+    private final CoreTime time;
     private final SipServer server;
     /** Addresses of this machine, by that of a peer. */
     private final Map<String, String> hosts = new HashMap<>();
-
-    /** Time of the earliest pending wake. */
-    private long wakeNanos = Long.MAX_VALUE;
 
     /** @throws IOException if the port cannot be opened */
     SipPort(StationThread thread, GatewaySettings settings, Consumer<GatewayEvent> listener) throws IOException {
         this.thread = thread;
         this.settings = settings;
         this.listener = listener;
+        time = new CoreTime(thread);
         server = new SipServer(
-                timers, this, settings.sipUsers(), RandomGenerator.getDefault(), new SecureRandom(), this);
-        timers.onEarlier(this::arm);
+                time.timers(), this, settings.sipUsers(), RandomGenerator.getDefault(), new SecureRandom(), this);
         socket = thread.datagrams(
                 new InetSocketAddress(settings.bind(), settings.sip().orElseThrow()),
                 (octets, from) -> thread.execute(() -> {
-                    advance();
+                    time.advance();
                     server.arrived(octets, peer(from));
                 }));
     }
@@ -62,26 +57,6 @@ final class SipPort implements SipTransport, SipListener {
 
     private static SipPeer peer(InetSocketAddress address) {
         return new SipPeer(address.getAddress().getHostAddress(), address.getPort());
-    }
-
-    private void advance() {
-        timers.advance(System.nanoTime() - originNanos);
-    }
-
-    /** Wakes at the next deadline; an earlier pending wake comes first and arms this one. */
-    private void arm() {
-        long next = timers.nextDeadlineNanos().orElse(Long.MAX_VALUE);
-        if (next < wakeNanos) {
-            wakeNanos = next;
-            thread.after(next - (System.nanoTime() - originNanos), () -> {
-                boolean isNewest = wakeNanos == next;
-                wakeNanos = isNewest ? Long.MAX_VALUE : wakeNanos;
-                advance();
-                if (isNewest) {
-                    arm();
-                }
-            });
-        }
     }
 
     @Override
@@ -117,7 +92,7 @@ final class SipPort implements SipTransport, SipListener {
     public Media openMedia(BiConsumer<byte[], SipPeer> received) {
         try {
             Datagrams speech = thread.datagrams(new InetSocketAddress(settings.bind(), 0), (octets, from) -> {
-                advance();
+                time.advance();
                 received.accept(octets, peer(from));
             });
             return new Media() {

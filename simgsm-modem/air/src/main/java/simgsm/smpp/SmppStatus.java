@@ -43,6 +43,9 @@ public final class SmppStatus {
     /** ESME receiver temporary application error. */
     public static final int TEMPORARY_APPLICATION_ERROR = 0x64;
 
+    /** ESME receiver permanent application error. */
+    public static final int PERMANENT_APPLICATION_ERROR = 0x65;
+
     public static final int QUERY_FAILED = 0x67;
     public static final int INVALID_OPTIONAL_PART = 0xc0;
     public static final int OPTIONAL_PARAMETER_NOT_ALLOWED = 0xc1;

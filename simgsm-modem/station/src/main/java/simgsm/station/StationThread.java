@@ -10,6 +10,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import simgsm.net.Acceptor;
 import simgsm.net.ConnectionLimits;
+import simgsm.net.Connector;
 import simgsm.net.Datagrams;
 import simgsm.net.SelectorLoop;
 
@@ -106,6 +107,11 @@ public final class StationThread implements AutoCloseable {
     public Datagrams datagrams(InetSocketAddress local, BiConsumer<byte[], InetSocketAddress> received)
             throws IOException {
         return loop.datagrams(local, received);
+    }
+
+    /** An outgoing connection owned by this thread, which calls its methods. */
+    public Connector connector(InetSocketAddress address, Connector.Listener listener) {
+        return new Connector(loop, address, listener);
     }
 
     private void advanceStations() {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import simgsm.timer.NewestEntries;
 
 /**
  * Digest authentication (RFC 7616, RFC 8760): MD5 and SHA-256 with {@code qop=auth}. Each challenge has a fresh nonce,

@@ -7,8 +7,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
 import java.util.random.RandomGenerator;
 import simgsm.air.Msisdn;
+import simgsm.timer.RecentCounts;
 import simgsm.timer.Timers;
 
 /**
@@ -33,7 +35,8 @@ public final class SipServer {
     private final Map<String, String> passwords;
     private final SipListener listener;
     private final SipDigest digest;
-    private final PasswordGuesses guesses = new PasswordGuesses();
+    /** Wrong passwords by address: after 10 a minute all of its requests are refused unread. */
+    private final RecentCounts guesses = new RecentCounts(10, TimeUnit.MINUTES.toNanos(1));
     private final Map<String, SipUser> users = new TreeMap<>();
 
     /**
@@ -195,7 +198,7 @@ public final class SipServer {
     private boolean isAuthorized(ServerTransaction request, String number) {
         long now = context.timers().nowNanos();
         String host = request.peer().host();
-        if (guesses.areTooMany(host, now)) {
+        if (guesses.isFull(host, now)) {
             refuse(request, 403, "Forbidden: too many wrong passwords, try again in a minute");
             return false;
         }

@@ -1,0 +1,165 @@
+package simgsm.gateway.mail;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import simgsm.octets.OctetString;
+import simgsm.sms.GsmAlphabet;
+import simgsm.smpp.SmppAddress;
+import simgsm.smpp.SmppMessage;
+import simgsm.smpp.SmppStatus;
+import simgsm.smpp.Tlv;
+import simgsm.timer.CivilTime;
+import simgsm.timer.NewestEntries;
+import simgsm.timer.RecentCounts;
+import simgsm.timer.Timers;
+
+/**
+ * Joins one application of the SMSC with mail. Loops end here: automatic mail is neither an order nor answered, and one
+ * address sends at most 10 mails an hour to one number.
+ */
+public final class MailGateway {
+    private static final int MOST_AN_HOUR = 10;
+    /** TP-PID of Internet electronic mail (TS 23.040, 9.2.3.9). */
+    private static final int MAIL_PROTOCOL = 0x32;
+
+    private static final int GSM = 0;
+    private static final int UCS2 = 8;
+    private static final String TAKEN = "250 2.0.0 taken by the network";
+
+    private final Timers timers;
+    private final MailSettings settings;
+    private final MailTransport transport;
+    private final Correspondences correspondences = new Correspondences();
+    private final MailsOut out;
+    private final RecentCounts pairs = new RecentCounts(MOST_AN_HOUR, TimeUnit.HOURS.toNanos(1));
+    private final RecentCounts noticesTo = new RecentCounts(MOST_AN_HOUR, TimeUnit.HOURS.toNanos(1));
+    /** Mails taken, by Message-ID, number and sender: one whose 250 was lost is not submitted twice. */
+    private final Map<String, Boolean> taken = new NewestEntries<>();
+    /** Null while not bound. */
+    private ApplicationSession session;
+
+    public MailGateway(Timers timers, CivilTime clock, MailSettings settings, MailTransport transport) {
+        this.timers = timers;
+        this.settings = settings;
+        this.transport = transport;
+        out = new MailsOut(timers, clock, settings, transport, correspondences, this::notice);
+    }
+
+    /** The protocol of a new connection to the SMSC. */
+    public MailProtocol application() {
+        return new ApplicationSession(timers, settings, new ApplicationSession.Listener() {
+            @Override
+            public void bound(ApplicationSession bound, int status) {
+                if (status == SmppStatus.OK) {
+                    session = bound;
+                }
+                transport.bound(status);
+            }
+
+            @Override
+            public void delivered(ApplicationSession from, int sequence, SmppMessage message) {
+                out.delivered(from, sequence, message);
+            }
+
+            @Override
+            public void ended(ApplicationSession ended) {
+                if (session == ended) {
+                    session = null;
+                    transport.unbound();
+                }
+            }
+        });
+    }
+
+    /** The protocol of a mail client's connection. @param from the client's address */
+    public MailProtocol accepted(String from) {
+        return new SmtpSession(
+                timers,
+                settings.domain(),
+                this::mail,
+                reply -> transport.refused(from, Integer.parseInt(reply.substring(0, 3)), reply));
+    }
+
+    public boolean isBound() {
+        return session != null;
+    }
+
+    private void notice(String number, String text, Runnable then) {
+        if (session == null || noticesTo.isFull(number, timers.nowNanos())) {
+            then.run();
+            return;
+        }
+        noticesTo.count(number, timers.nowNanos());
+        // Without the signs of an order, whatever the address holds.
+        session.submit(submission(number, text.replace('*', '.').replace('#', '.')), status -> then.run());
+    }
+
+    private void mail(String number, String sender, String octets, Consumer<String> reply) {
+        IncomingMail mail = IncomingMail.read(sender, octets);
+        String pair = number + " " + sender.toLowerCase(Locale.ROOT);
+        String key = pair + " " + mail.id();
+        if (mail.isAutomatic()) {
+            automatic(number, sender, mail, reply);
+        } else if (!mail.id().isEmpty() && taken.containsKey(key)) {
+            reply.accept(TAKEN);
+        } else if (pairs.isFull(pair, timers.nowNanos())) {
+            reply.accept("550 5.7.1 more than " + MOST_AN_HOUR + " an hour to one number");
+        } else if (session == null) {
+            reply.accept("451 4.3.0 the network does not answer");
+        } else {
+            Optional<String> order = mail.order();
+            String text = order.orElse(sender + " " + mail.text());
+            correspondences.add(
+                    number, new Correspondences.Mail(sender, mail.id(), mail.subject()), order.isPresent());
+            session.submit(submission(number, text), status -> {
+                if (status == SmppStatus.OK) {
+                    pairs.count(pair, timers.nowNanos());
+                    taken.put(key, true);
+                }
+                reply.accept(reply(status));
+            });
+        }
+    }
+
+    /** A notice of non-delivery is told to its number; all other automatic mail is refused, and a notice never is. */
+    private void automatic(String number, String sender, IncomingMail mail, Consumer<String> reply) {
+        if (mail.failure().isPresent()) {
+            notice(number, mail.failure().get(), () -> reply.accept(TAKEN));
+        } else if (sender.isEmpty()) {
+            reply.accept("250 2.0.0 dropped");
+        } else {
+            reply.accept("550 5.7.1 automatic mail is not taken");
+        }
+    }
+
+    private static String reply(int status) {
+        if (status == SmppStatus.OK) {
+            return TAKEN;
+        } else if (status == SmppStatus.INVALID_DESTINATION) {
+            return "550 5.1.1 unknown number";
+        } else if (status == ApplicationSession.LOST || SmppStatus.mayPass(status)) {
+            return "451 4.3.0 the network does not take it now";
+        }
+        return "554 5.3.0 the network refuses it, status 0x%02x".formatted(status);
+    }
+
+    private SmppMessage submission(String number, String text) {
+        boolean isGsm = GsmAlphabet.encodes(text);
+        byte[] octets = isGsm ? GsmAlphabet.encode(text) : text.getBytes(StandardCharsets.UTF_16BE);
+        boolean isShort = octets.length <= SmppMessage.MAX_SHORT_MESSAGE;
+        OctetString content = OctetString.of(octets);
+        return SmppMessage.of(
+                new SmppAddress(1, 1, settings.number().digits()),
+                new SmppAddress(1, 1, number),
+                0,
+                MAIL_PROTOCOL,
+                isGsm ? GSM : UCS2,
+                isShort ? content : OctetString.of(new byte[0]),
+                isShort ? List.of() : List.of(new Tlv(Tlv.MESSAGE_PAYLOAD, content)));
+    }
+}

@@ -1,0 +1,15 @@
+package simgsm.gateway.mail;
+
+import java.nio.ByteBuffer;
+
+/** One side of a TCP connection. */
+public interface MailProtocol {
+    /** The connection is open; the first call. */
+    void connected(MailSocket socket);
+
+    /** Takes all octets of the buffer. */
+    void received(ByteBuffer octets);
+
+    /** The connection could not be opened, or the peer has ended it; the last call. */
+    void lost(String reason);
+}

@@ -1,0 +1,9 @@
+package simgsm.gateway.mail;
+
+/** An open TCP connection, as the cores of this package see it. */
+public interface MailSocket {
+    void send(byte[] octets);
+
+    /** Closes the connection once all octets are written; its protocol hears nothing more. */
+    void closeWhenSent();
+}
