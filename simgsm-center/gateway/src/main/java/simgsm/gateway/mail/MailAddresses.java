@@ -13,9 +13,9 @@ import java.util.regex.Pattern;
 record MailAddresses(List<String> to, String name, String subject, String text) {
     private static final String WORD = "[A-Za-z0-9!%&'+/=?^_`{|}~$-]+(?:\\.[A-Za-z0-9!%&'+/=?^_`{|}~$-]+)*";
     private static final String DOMAIN = "[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?";
-    private static final String ADDRESS =
-            "(?:" + WORD + "@" + DOMAIN + "(?:\\." + DOMAIN + ")*|" + WORD + "\\*" + DOMAIN + "(?:\\." + DOMAIN + ")+)";
-    private static final Pattern START = Pattern.compile("(" + ADDRESS + "(?:," + ADDRESS + ")*)(?=[ (#\r\n]|$)");
+    private static final Pattern ADDRESS = Pattern.compile(
+            WORD + "@" + DOMAIN + "(?:\\." + DOMAIN + ")*|" + WORD + "\\*" + DOMAIN + "(?:\\." + DOMAIN + ")+");
+    private static final Pattern START = Pattern.compile("[^ (#\r\n]*");
     private static final Pattern IN_BRACKETS = Pattern.compile("()\\(([^)]*)\\)(.*)", Pattern.DOTALL);
     private static final Pattern WITH_HASHES =
             Pattern.compile("(?:#([^#]*))?##([^#]*)#(.*)", Pattern.DOTALL);
@@ -23,26 +23,24 @@ record MailAddresses(List<String> to, String name, String subject, String text) 
     private static final Pattern PLAIN = Pattern.compile("()()(?:[ \r\n](.*))?", Pattern.DOTALL);
     /** Octets of an address in RFC 5321, 4.5.3.1. */
     private static final int MOST_ADDRESS = 254;
-    /** Characters of all addresses; bounds the work of the pattern. */
-    private static final int MOST_CHARACTERS = 4_000;
-
     /** Recipients of a mail that each server takes (RFC 5321, 4.5.3.1.8). */
     private static final int MOST_ADDRESSES = 100;
 
     /** Empty if the text does not begin with an address. */
     static Optional<MailAddresses> parse(String message) {
         String text = message.stripLeading();
-        Matcher start = START.matcher(text.substring(0, Math.min(text.length(), MOST_CHARACTERS)));
+        Matcher start = START.matcher(text);
         if (!start.lookingAt()) {
             return Optional.empty();
         }
-        List<String> to = Pattern.compile(",").splitAsStream(start.group(1))
+        List<String> words = List.of(start.group().split(",", MOST_ADDRESSES + 1));
+        if (words.size() > MOST_ADDRESSES || !words.stream().allMatch(MailAddresses::isAddress)) {
+            return Optional.empty();
+        }
+        List<String> to = words.stream()
                 .map(address -> address.replaceFirst("\\*", "@").replace('$', '_'))
                 .distinct()
                 .toList();
-        if (to.size() > MOST_ADDRESSES || to.stream().anyMatch(address -> address.length() > MOST_ADDRESS)) {
-            return Optional.empty();
-        }
         String rest = text.substring(start.end());
         for (Pattern form : List.of(IN_BRACKETS, WITH_HASHES, WITH_FLAG, PLAIN)) {
             Matcher parts = form.matcher(rest);
@@ -52,6 +50,10 @@ record MailAddresses(List<String> to, String name, String subject, String text) 
             }
         }
         return Optional.empty();
+    }
+
+    private static boolean isAddress(String word) {
+        return word.length() <= MOST_ADDRESS && ADDRESS.matcher(word).matches();
     }
 
     private static String group(Matcher parts, int number) {
