@@ -42,6 +42,7 @@ have curl || packages+=(curl)
 have baresip || packages+=(baresip-core)
 have linphonec || packages+=(linphone-cli)
 have sipp || packages+=(sip-tester)
+have swaks || packages+=(swaks)
 have chromium || packages+=(chromium)
 have zbarimg || packages+=(zbar-tools)
 have python3 || packages+=(python3)
@@ -73,6 +74,7 @@ python_library smpplib smpplib==2.2.4
 python_library pycrate_mobile pycrate==0.8.1
 python_library roslibpy roslibpy==2.1.0
 python_library websockets websockets==17.0
+python_library aiosmtpd aiosmtpd==1.4.6
 python_library gsmmodem python-gsmmodem-new==0.13.0
 python_library pocketsphinx pocketsphinx==5.1.1
 gsmmodem_tests() {

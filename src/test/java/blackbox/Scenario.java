@@ -147,6 +147,26 @@ public class Scenario implements AutoCloseable {
                 data.toString());
     }
 
+    /** Starts a gateway for mail alone, with the service number 6245 and the domain sms.example. @param server port of a mail server */
+    public RunningProgram mailGateway(int server) {
+        return start(
+                "gateway",
+                "simgsm-gateway",
+                "--headless",
+                "--lang",
+                "en",
+                "--smpp",
+                "127.0.0.1:" + smppPort(),
+                "--mail-number",
+                "6245",
+                "--mail-domain",
+                "sms.example",
+                "--mail-to",
+                "127.0.0.1:" + server,
+                "--mail-in",
+                "0");
+    }
+
     /** Where the centre, started with {@code --smpp}, takes applications. */
     public int smppPort() {
         return Integer.parseInt(ready.field("smpp"));

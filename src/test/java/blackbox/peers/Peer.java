@@ -29,6 +29,7 @@ enum Peer {
     BARESIP("baresip"),
     LINPHONEC("linphonec"),
     SIPP("sipp"),
+    SWAKS("swaks"),
     BEARERBOX("bearerbox"),
     SMSBOX("smsbox"),
     SOCAT("socat"),

@@ -1,0 +1,80 @@
+package blackbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The gateway of mail over real sockets: an order by mail, its answer, a phone's mail, and the options. */
+class MailTest {
+    private static final String ANN = "ann@example.org";
+
+    @Test
+    void anOrderByMailDrivesTheRobotAndItsAnswerIsMailed() throws Exception {
+        try (Scenario scenario = new Scenario("order by mail");
+                MailServer server = new MailServer()) {
+            scenario.center("--smpp", "0");
+            RunningProgram robot = scenario.robot("empty.map", "--speed", "20");
+            RunningProgram gateway = scenario.mailGateway(server.port());
+            int port = Integer.parseInt(gateway.expect("ready").field("mail"));
+            gateway.say("users").expect("user", "kind", "mail", "number", "6245", "state", "idle");
+            String to = Scenario.ROBOT + "@sms.example";
+            assertTrue(MailServer.send(port, ANN, to, "Subject: Go\n\n** #**20 **\n-- \nAnn")
+                    .startsWith("250 "));
+            robot.expect("order", "text", "**#**20**", "verdict", "accepted");
+            robot.expect("reply", "to", "6245");
+            String answer = server.next();
+            assertTrue(answer.contains("RCPT TO:<" + ANN + ">\n"), answer);
+            assertTrue(answer.contains("Subject: Re: Go\n"), answer);
+            assertTrue(answer.contains("Auto-Submitted: auto-replied\n"), answer);
+            gateway.expect("mailed", "to", ANN);
+
+            scenario.tell("an order that is not alone in the first line is not executed");
+            assertTrue(MailServer.send(port, ANN, to, "\nHello\n** #**20 **").startsWith("250 "));
+            robot.expect("order", "verdict", "invalid");
+            assertTrue(MailServer.send(port, ANN, "5550200@other.example", "\nx").startsWith("550 "));
+            gateway.expect("refused", "kind", "mail", "cause", "550");
+            assertEquals(0, gateway.quit());
+        }
+    }
+
+    @Test
+    void aPhonesMessageIsMailedAndOneThatNoServerTakesStaysInTheNetwork() throws Exception {
+        try (Scenario scenario = new Scenario("mail of a phone");
+                MailServer server = new MailServer()) {
+            scenario.center("--smpp", "0");
+            RunningProgram phone = scenario.phone(Scenario.PHONE);
+            MailServer closed = new MailServer();
+            closed.close();
+            RunningProgram gateway = scenario.mailGateway(closed.port());
+            gateway.expect("ready");
+            phone.say("sms 6245 ann@example.org(Lunch)At one?");
+            gateway.expect("mail-failed", "to", ANN);
+            assertEquals(0, gateway.quit());
+            scenario.mailGateway(server.port()).expect("ready");
+            String mail = server.next();
+            assertTrue(mail.contains("From: <" + Scenario.PHONE + "@sms.example>\n"), mail);
+            assertTrue(mail.contains("Subject: Lunch\n") && mail.endsWith("\n\nAt one?\n"), mail);
+            phone.expect("sms-delivered");
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--mail-number 6245|mail needs --smpp, --mail-number and --mail-domain; --smpp is missing",
+                "--smpp h:1 --mail-number 6245 --mail-domain d|mail needs --mail-to, --mail-in or both",
+                "--smpp h:1 --mail-number x --mail-domain d --mail-in 0|\"x\" is not a telephone number",
+                "--smpp h:1 --mail-number 1 --mail-domain -d --mail-in 0|expected a domain such as sms.example",
+                "--smpp h:1 --smpp-user x --mail-number 1 --mail-domain d --mail-in 0|expected ID:PASSWORD",
+            })
+    void aMissingOrWrongOptionIsNamed(String options, String text) throws Exception {
+        String[] words = ("--headless " + options).split(" ");
+        FinishedProgram gateway = FinishedProgram.run("simgsm-gateway", words);
+        assertEquals(2, gateway.status());
+        assertTrue(gateway.error().contains(text), gateway.error());
+    }
+}
