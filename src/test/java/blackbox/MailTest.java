@@ -58,6 +58,9 @@ class MailTest {
             assertTrue(mail.contains("From: <" + Scenario.PHONE + "@sms.example>\n"), mail);
             assertTrue(mail.contains("Subject: Lunch\n") && mail.endsWith("\n\nAt one?\n"), mail);
             phone.expect("sms-delivered");
+            scenario.tell("the parts of a long message are one mail");
+            phone.say("sms 6245 ann@example.org " + "0123456789".repeat(40) + " []");
+            assertTrue(server.next().endsWith("\n\n" + "0123456789".repeat(40) + " []\n"));
         }
     }
 

@@ -53,7 +53,8 @@ final class MailPort implements MailTransport {
 
             @Override
             public void failed(String reason) {
-                LOG.log(Level.DEBUG, "SMSC {0}: {1}", options.smpp(), reason);
+                Level level = firstBind.getCount() > 0 ? Level.WARNING : Level.DEBUG;
+                LOG.log(level, "SMSC {0}: {1}; trying again", smscName(), reason);
                 firstBind.countDown();
             }
         });
@@ -73,7 +74,7 @@ final class MailPort implements MailTransport {
     void start() throws InterruptedException {
         thread.execute(smsc::start);
         if (!firstBind.await(FIRST_BIND_SECONDS, TimeUnit.SECONDS)) {
-            LOG.log(Level.WARNING, "SMSC {0} does not answer the bind", options.smpp());
+            LOG.log(Level.WARNING, "SMSC {0} does not answer the bind", smscName());
         }
     }
 

@@ -16,6 +16,9 @@ import java.util.regex.Pattern;
  */
 record IncomingMail(String id, String subject, boolean isAutomatic, Optional<String> failure, String text) {
     private static final int MOST_CHARACTERS = 1_000;
+    /** Characters of HTML that are read; bounds the work of its patterns. */
+    private static final int MOST_HTML = 8_000;
+
     private static final Set<String> BULK = Set.of("bulk", "junk", "list");
     private static final Pattern QUOTE = Pattern.compile("(On|El|Am|Le)\\b.*(wrote|escribió|schrieb|a écrit)\\s*:");
     private static final Pattern STATUS =
@@ -31,15 +34,16 @@ record IncomingMail(String id, String subject, boolean isAutomatic, Optional<Str
         MimePart mail = MimePart.parse(octets);
         String submitted = mail.header("auto-submitted").toLowerCase(Locale.ROOT);
         boolean isAutomatic = sender.isEmpty()
-                || sender.toLowerCase(Locale.ROOT).startsWith("mailer-daemon@")
+                || (sender + " " + mail.header("from")).toLowerCase(Locale.ROOT).contains("mailer-daemon@")
                 || !submitted.isEmpty() && !submitted.split("[ ;(]")[0].equals("no")
                 || BULK.contains(mail.header("precedence").toLowerCase(Locale.ROOT))
                 || mail.headers().containsKey("list-id");
         Optional<String> failure = !isAutomatic || ABOUT_AUTOMATIC.matcher(mail.body()).find()
                 ? Optional.empty()
                 : mail.find("message/delivery-status").flatMap(part -> failure(part.text()));
+        String id = mail.header("message-id");
         return new IncomingMail(
-                mail.header("message-id"), mail.header("subject"), isAutomatic, failure, ownWords(textOf(mail)));
+                id.matches("<[!-~]{1,250}>") ? id : "", mail.header("subject"), isAutomatic, failure, ownWords(textOf(mail)));
     }
 
     private static Optional<String> failure(String status) {
@@ -57,7 +61,8 @@ record IncomingMail(String id, String subject, boolean isAutomatic, Optional<Str
                 .orElse("(no text)");
     }
 
-    private static String withoutTags(String html) {
+    private static String withoutTags(String whole) {
+        String html = whole.substring(0, Math.min(whole.length(), MOST_HTML));
         return html.replaceAll("(?is)<(script|style|head)\\b.*?</\\1>", "")
                 .replaceAll("\\s+", " ")
                 .replaceAll("(?i)<(br|/p|/div|/tr)\\b[^>]*>", "\n")

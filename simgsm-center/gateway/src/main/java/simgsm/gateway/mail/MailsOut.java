@@ -1,6 +1,7 @@
 package simgsm.gateway.mail;
 
 import java.util.ArrayDeque;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -204,20 +205,20 @@ final class MailsOut {
             if (refused.isEmpty()) {
                 taken.run();
             } else {
-                Map.Entry<String, String> first = refused.entrySet().iterator().next();
-                notices.send(job.number, notice(first.getKey(), first.getValue()), taken);
+                String why = refused.values().iterator().next();
+                notices.send(job.number, notice(refused.keySet(), why), taken);
             }
         } else if (code < 500) {
             transport.failed(job.id(), to, text);
             failedForNow(job, text);
         } else {
             transport.failed(job.id(), to, text);
-            refuse(job, () -> notice(job.mail.to().get(0), text));
+            refuse(job, () -> notice(job.mail.to(), text));
         }
     }
 
-    private static String notice(String address, String why) {
-        return "mail to " + address + " failed: " + Failure.printable(why);
+    private static String notice(Collection<String> addresses, String why) {
+        return "mail to " + Failure.printable(String.join(",", addresses)) + " failed: " + Failure.printable(why);
     }
 
     private void failedForNow(MailJob job, String reason) {

@@ -23,7 +23,7 @@ final class SmtpSession implements MailProtocol {
     private static final int MOST_BUFFERED = 2 * MOST_OCTETS;
     private static final int MOST_ERRORS = 20;
     private static final long IDLE_NANOS = TimeUnit.MINUTES.toNanos(5);
-    private static final Pattern PATH = Pattern.compile("<(?:@[^:>]*:)?([^<> ]*)>(?: .*)?");
+    private static final Pattern PATH = Pattern.compile("<(?:@[^:>]*:)?([^<>\\x00-\\x20\\x7f]*)>(?: .*)?");
     private static final Pattern SIZE = Pattern.compile(".* SIZE=([0-9]{1,20})(?: .*)?", Pattern.CASE_INSENSITIVE);
 
     /** Takes whole mails. */

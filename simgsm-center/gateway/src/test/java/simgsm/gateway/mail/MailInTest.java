@@ -101,6 +101,7 @@ class MailInTest {
         "ann@example.org, List-Id: <l.example>, 550",
         "MAILER-DAEMON@example.org, X: y, 550",
         "'', X: y, 250",
+        "ann@example.org, From: Mail <MAILER-DAEMON@example.org>, 550",
     })
     void automaticMailIsNeverAnOrder(String sender, String header, String reply) {
         MailStage.Wire client = stage.mail(sender, ROBOT, header + "\n\n" + ORDER);
@@ -189,6 +190,21 @@ class MailInTest {
         assertEquals(List.of(), stage.pdus());
     }
 
+    @Test
+    void aMessageIdCannotAddHeadersToTheAnswer() {
+        stage.mail(ANN, ROBOT, "Message-ID: <1@x>\rBcc: <eve@x.org>\n\n" + ORDER);
+        stage.answer(stage.submitted(), 0);
+        stage.deliver(ROBOT, 1, "Done.");
+        String answer = stage.takeMail();
+        assertTrue(!answer.contains("Bcc") && !answer.contains("In-Reply-To"), answer);
+    }
+
+    @Test
+    void htmlThatIsAllTagsIsReadInBoundedTime() {
+        stage.mail(ANN, ROBOT, "Content-Type: text/html\n\n" + ("<style ".repeat(100) + "\n").repeat(80));
+        assertTrue(MailStage.text(stage.submitted()).startsWith(ANN));
+    }
+
     /** Commands parted by /, and the last reply. */
     @ParameterizedTest
     @CsvSource(
@@ -198,6 +214,8 @@ class MailInTest {
                 "EHLO x/RCPT TO:<5550200@sms.example>|503",
                 "EHLO x/MAIL FROM:<a@b>/DATA|503",
                 "EHLO x/MAIL FROM:a@b|501",
+                "EHLO x/MAIL FROM:<a\u0001b@c>|501",
+                "EHLO x/MAIL FROM:<a\rRCPT@c>|501",
                 "EHLO x/MAIL FROM:<> SIZE=100|250",
                 "EHLO x/MAIL FROM:<a@b> SIZE=65537|552",
                 "EHLO x/MAIL FROM:<a@b>/RCPT TO:<+5550200@SMS.example> NOTIFY=NEVER|250",
