@@ -1,5 +1,5 @@
 /**
- * The gateway: each browser is a mobile station of the network. Read first {@link simgsm.gateway.WebUsers}, then {@link
+ * The gateway: each browser is a mobile station of the network, each SIP phone another, and mail an application of its SMSC. Read first {@link simgsm.gateway.WebUsers}, then {@link
  * simgsm.gateway.WebUser}.
  */
 package simgsm.gateway;

@@ -11,7 +11,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import simgsm.gateway.mail.MailJob.Part;
 import simgsm.gateway.mail.MailJob.Waiting;
-import simgsm.gateway.mail.OutgoingMail.Failure;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.SmppViolation;
@@ -218,7 +217,7 @@ final class MailsOut {
     }
 
     private static String notice(Collection<String> addresses, String why) {
-        return "mail to " + Failure.printable(String.join(",", addresses)) + " failed: " + Failure.printable(why);
+        return "mail to " + SmtpClient.printable(String.join(",", addresses)) + " failed: " + SmtpClient.printable(why);
     }
 
     private void failedForNow(MailJob job, String reason) {

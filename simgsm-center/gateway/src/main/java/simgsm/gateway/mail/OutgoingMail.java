@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
+import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -36,17 +37,6 @@ record OutgoingMail(
 
     private static final DateTimeFormatter DATE =
             DateTimeFormatter.ofPattern("EEE, d MMM yyyy HH:mm:ss xx", Locale.ROOT).withZone(ZoneOffset.UTC);
-
-    /** Words for a failure. */
-    static final class Failure {
-        private Failure() {}
-
-        /** One line of at most 200 printable characters. */
-        static String printable(String text) {
-            String line = text.replaceAll("[^ -~]+", " ").strip();
-            return line.substring(0, Math.min(line.length(), 200));
-        }
-    }
 
     String from() {
         return number + "@" + domain;
@@ -111,7 +101,7 @@ record OutgoingMail(
 
     private static String encodedWord(CharSequence octets) {
         byte[] value = octets.toString().getBytes(StandardCharsets.ISO_8859_1);
-        return "=?utf-8?B?" + java.util.Base64.getEncoder().encodeToString(value) + "?=";
+        return "=?utf-8?B?" + Base64.getEncoder().encodeToString(value) + "?=";
     }
 
     private static String quotedPrintable(String octets) {

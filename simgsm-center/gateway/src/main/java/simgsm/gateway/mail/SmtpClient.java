@@ -4,11 +4,11 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import simgsm.gateway.mail.OutgoingMail.Failure;
 
 /** Hands one mail to the mail server (RFC 5321). Time limits are the owner's, which calls {@link #abort}. */
 final class SmtpClient implements MailProtocol {
     private static final int MOST_REPLY = 4_096;
+    private static final int MOST_PRINTED = 200;
     private static final int TRY_LATER = 421;
 
     private enum Step {
@@ -66,14 +66,20 @@ final class SmtpClient implements MailProtocol {
         }
         for (String line = lines.next(); line != null && step != Step.ENDED; line = lines.next()) {
             if (!line.matches("[2-5][0-9][0-9]([ -].*)?")) {
-                end(TRY_LATER, "no reply of SMTP: " + Failure.printable(line));
+                end(TRY_LATER, "no reply of SMTP: " + printable(line));
             } else if (line.length() > 3 && line.charAt(3) == '-') {
                 noteExtension(line);
             } else {
                 noteExtension(line);
-                answered(Integer.parseInt(line.substring(0, 3)), Failure.printable(line));
+                answered(Integer.parseInt(line.substring(0, 3)), printable(line));
             }
         }
+    }
+
+    /** One line of at most 200 printable characters. */
+    static String printable(String text) {
+        String line = text.replaceAll("[^ -~]+", " ").strip();
+        return line.substring(0, Math.min(line.length(), MOST_PRINTED));
     }
 
     private void noteExtension(String line) {
