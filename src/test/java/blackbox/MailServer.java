@@ -46,8 +46,7 @@ final class MailServer implements AutoCloseable {
     }
 
     private void serve(Socket socket) throws IOException {
-        BufferedReader in =
-                new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
+        BufferedReader in = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
         StringBuilder mail = new StringBuilder();
         boolean isText = false;
         say(socket, "220 test");

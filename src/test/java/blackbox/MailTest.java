@@ -34,7 +34,8 @@ class MailTest {
             scenario.tell("an order that is not alone in the first line is not executed");
             assertTrue(MailServer.send(port, ANN, to, "\nHello\n** #**20 **").startsWith("250 "));
             robot.expect("order", "verdict", "invalid");
-            assertTrue(MailServer.send(port, ANN, "5550200@other.example", "\nx").startsWith("550 "));
+            assertTrue(
+                    MailServer.send(port, ANN, "5550200@other.example", "\nx").startsWith("550 "));
             gateway.expect("refused", "kind", "mail", "cause", "550");
             assertEquals(0, gateway.quit());
         }

@@ -34,8 +34,7 @@ class MailPeersTest {
     @BeforeEach
     void start() throws Exception {
         Peer.PYTHON.require();
-        Peer.require(
-                Peer.PYTHON.run("-c", "import aiosmtpd").status() == 0, "aiosmtpd (Python)");
+        Peer.require(Peer.PYTHON.run("-c", "import aiosmtpd").status() == 0, "aiosmtpd (Python)");
         try (ServerSocket free = new ServerSocket(0)) {
             serverPort = free.getLocalPort();
         }
@@ -102,7 +101,9 @@ class MailPeersTest {
         robot.expect("order", "text", "**#**20**", "verdict", "accepted");
         gateway.expect("mailed", "to", "ann@example.org");
         assertTrue(lines("mail").get(0).endsWith(" ann@example.org auto-replied"));
-        assertTrue(lines("text").get(0).startsWith("text 3 Done: #**20."), lines("text").get(0));
+        assertTrue(
+                lines("text").get(0).startsWith("text 3 Done: #**20."),
+                lines("text").get(0));
         assertTrue(swaks(port, "5550200@elsewhere.example", "x").contains("<** 550 5.7.1"));
     }
 

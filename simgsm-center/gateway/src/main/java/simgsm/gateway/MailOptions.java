@@ -32,14 +32,17 @@ record MailOptions(
         }
         for (String needed : new String[] {"smpp", "mail-number", "mail-domain"}) {
             if (!arguments.has(needed)) {
-                throw new UsageException("mail needs --smpp, --mail-number and --mail-domain; --" + needed
-                        + " is missing");
+                throw new UsageException(
+                        "mail needs --smpp, --mail-number and --mail-domain; --" + needed + " is missing");
             }
         }
         if (!arguments.has("mail-to") && !arguments.has("mail-in")) {
             throw new UsageException("mail needs --mail-to, --mail-in or both");
         }
-        String[] user = arguments.value("smpp-user", MailOptions::user).orElse(DEFAULT_USER).split(":", 2);
+        String[] user = arguments
+                .value("smpp-user", MailOptions::user)
+                .orElse(DEFAULT_USER)
+                .split(":", 2);
         MailSettings settings = new MailSettings(
                 arguments.value("mail-number", Msisdn::new).orElseThrow(),
                 arguments.value("mail-domain", MailOptions::domain).orElseThrow(),

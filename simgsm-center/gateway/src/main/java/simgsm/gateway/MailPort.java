@@ -153,6 +153,7 @@ final class MailPort implements MailTransport {
 
     @Override
     public void unbound() {
-        listener.accept(new GatewayEvent.Left(GatewayEvent.MAIL, options.settings().number()));
+        listener.accept(
+                new GatewayEvent.Left(GatewayEvent.MAIL, options.settings().number()));
     }
 }

@@ -2,9 +2,9 @@ package simgsm.center.smpp;
 
 import java.lang.System.Logger.Level;
 import java.util.Optional;
-import simgsm.smpp.SmppAddress;
 import simgsm.center.smsc.Destination;
 import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.smpp.SmppAddress;
 import simgsm.sms.SmsAddress;
 import simgsm.timer.Timers;
 

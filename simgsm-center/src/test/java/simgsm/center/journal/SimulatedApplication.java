@@ -15,6 +15,7 @@ import simgsm.center.msc.Exchange;
 import simgsm.center.smpp.EsmeSession;
 import simgsm.center.smpp.SmppPort;
 import simgsm.center.smpp.SmppServer;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCodec;
 import simgsm.smpp.SmppCommand;
@@ -22,7 +23,6 @@ import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.SmppViolation;
-import simgsm.octets.OctetString;
 
 /** An application that serves a number over SMPP: it answers late, refuses, vanishes, and shows each message once. */
 final class SimulatedApplication implements SmppPort {

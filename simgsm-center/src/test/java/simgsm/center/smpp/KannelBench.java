@@ -19,6 +19,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Semaphore;
 import java.util.stream.Stream;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCodec;
 import simgsm.smpp.SmppCommand;
@@ -26,7 +27,6 @@ import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.SmppViolation;
-import simgsm.octets.OctetString;
 
 /**
  * Measures store and forward from SMPP to SMPP side by side: a Kannel bearerbox (file store, without fsync), which connects

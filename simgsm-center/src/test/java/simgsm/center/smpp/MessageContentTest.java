@@ -14,11 +14,11 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.SmppViolation;
 import simgsm.smpp.Tlv;
-import simgsm.octets.OctetString;
 import simgsm.sms.Concatenation;
 import simgsm.sms.UserData;
 

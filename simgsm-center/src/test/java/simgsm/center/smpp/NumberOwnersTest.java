@@ -12,12 +12,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCommand;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppStatus;
-import simgsm.octets.OctetString;
 
 /** Who may serve and send as which number: the lines {@code id.numbers}, and the numbers of subscribers. */
 class NumberOwnersTest extends SmppStage {

@@ -8,6 +8,7 @@ import java.net.Socket;
 import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCodec;
 import simgsm.smpp.SmppCommand;
@@ -16,7 +17,6 @@ import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.SmppViolation;
 import simgsm.smpp.Tlv;
-import simgsm.octets.OctetString;
 
 /** An application on a real socket, one PDU after the other; also sends what no application should. */
 public final class SmppClient implements AutoCloseable {

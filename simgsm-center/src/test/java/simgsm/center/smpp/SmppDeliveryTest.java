@@ -14,14 +14,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.air.Msisdn;
+import simgsm.center.smsc.Destination;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCommand;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.Tlv;
-import simgsm.center.smsc.Destination;
-import simgsm.octets.OctetString;
 
 /** Messages in, and out again. */
 class SmppDeliveryTest extends SmppStage {

@@ -13,6 +13,8 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.center.smsc.WaitReason;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCodec;
 import simgsm.smpp.SmppCommand;
@@ -20,8 +22,6 @@ import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.Tlv;
-import simgsm.center.smsc.WaitReason;
-import simgsm.octets.OctetString;
 
 /** submit_multi, schedule_delivery_time, replace_sm; cancel_sm and query_sm for submissions of several messages. */
 class SmppOperationsTest extends SmppStage {

@@ -30,6 +30,8 @@ import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeSettings;
 import simgsm.center.net.CenterLoop;
 import simgsm.center.net.PortLimits;
+import simgsm.center.smsc.MessageStore;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCodec;
 import simgsm.smpp.SmppCommand;
@@ -37,8 +39,6 @@ import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.Tlv;
-import simgsm.center.smsc.MessageStore;
-import simgsm.octets.OctetString;
 
 /** The whole way over loopback sockets, as a client of another house would try it. */
 @Timeout(60)

@@ -10,13 +10,13 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCommand;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.Tlv;
-import simgsm.octets.OctetString;
 
 /** What became of a message: receipts, questions, recalls. */
 class SmppReceiptTest extends SmppStage {

@@ -14,12 +14,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.air.Msisdn;
+import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCodec;
 import simgsm.smpp.SmppCommand;
 import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppStatus;
-import simgsm.octets.OctetString;
 
 /** Binding, unbinding, and who may do what when. */
 class SmppSessionTest extends SmppStage {

@@ -5,11 +5,11 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.HexFormat;
-import simgsm.sms.GsmAlphabet;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.SmppViolation;
 import simgsm.smpp.Tlv;
+import simgsm.sms.GsmAlphabet;
 
 /**
  * The text of a deliver_sm, and its place among the parts of a long one (TS 23.040, 9.2.3.24.1 and 9.2.3.24.8).

@@ -21,8 +21,8 @@ record IncomingMail(String id, String subject, boolean isAutomatic, Optional<Str
 
     private static final Set<String> BULK = Set.of("bulk", "junk", "list");
     private static final Pattern QUOTE = Pattern.compile("(On|El|Am|Le)\\b.*(wrote|escribió|schrieb|a écrit)\\s*:");
-    private static final Pattern STATUS =
-            Pattern.compile("^Status:\\s*([45]\\.[0-9]{1,3}\\.[0-9]{1,3})", Pattern.MULTILINE | Pattern.CASE_INSENSITIVE);
+    private static final Pattern STATUS = Pattern.compile(
+            "^Status:\\s*([45]\\.[0-9]{1,3}\\.[0-9]{1,3})", Pattern.MULTILINE | Pattern.CASE_INSENSITIVE);
     private static final Pattern RECEIVER = Pattern.compile(
             "^Final-Recipient:[^;\n]*;\\s*([A-Za-z0-9.@_+-]{1,100})", Pattern.MULTILINE | Pattern.CASE_INSENSITIVE);
     /** In a notice: the mail that has failed was itself automatic. */
@@ -38,12 +38,17 @@ record IncomingMail(String id, String subject, boolean isAutomatic, Optional<Str
                 || !submitted.isEmpty() && !submitted.split("[ ;(]")[0].equals("no")
                 || BULK.contains(mail.header("precedence").toLowerCase(Locale.ROOT))
                 || mail.headers().containsKey("list-id");
-        Optional<String> failure = !isAutomatic || ABOUT_AUTOMATIC.matcher(mail.body()).find()
-                ? Optional.empty()
-                : mail.find("message/delivery-status").flatMap(part -> failure(part.text()));
+        Optional<String> failure =
+                !isAutomatic || ABOUT_AUTOMATIC.matcher(mail.body()).find()
+                        ? Optional.empty()
+                        : mail.find("message/delivery-status").flatMap(part -> failure(part.text()));
         String id = mail.header("message-id");
         return new IncomingMail(
-                id.matches("<[!-~]{1,250}>") ? id : "", mail.header("subject"), isAutomatic, failure, ownWords(textOf(mail)));
+                id.matches("<[!-~]{1,250}>") ? id : "",
+                mail.header("subject"),
+                isAutomatic,
+                failure,
+                ownWords(textOf(mail)));
     }
 
     private static Optional<String> failure(String status) {
@@ -94,9 +99,6 @@ record IncomingMail(String id, String subject, boolean isAutomatic, Optional<Str
 
     /** The first line, if it is an order: keys only, and begun with a star; else empty. */
     Optional<String> order() {
-        return text.lines()
-                .findFirst()
-                .map(String::strip)
-                .filter(line -> line.matches("\\*[ 0-9*#A-D]*"));
+        return text.lines().findFirst().map(String::strip).filter(line -> line.matches("\\*[ 0-9*#A-D]*"));
     }
 }

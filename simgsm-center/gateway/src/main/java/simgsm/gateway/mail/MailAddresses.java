@@ -17,8 +17,7 @@ record MailAddresses(List<String> to, String name, String subject, String text) 
             WORD + "@" + DOMAIN + "(?:\\." + DOMAIN + ")*|" + WORD + "\\*" + DOMAIN + "(?:\\." + DOMAIN + ")+");
     private static final Pattern START = Pattern.compile("[^ (#\r\n]*");
     private static final Pattern IN_BRACKETS = Pattern.compile("()\\(([^)]*)\\)(.*)", Pattern.DOTALL);
-    private static final Pattern WITH_HASHES =
-            Pattern.compile("(?:#([^#]*))?##([^#]*)#(.*)", Pattern.DOTALL);
+    private static final Pattern WITH_HASHES = Pattern.compile("(?:#([^#]*))?##([^#]*)#(.*)", Pattern.DOTALL);
     private static final Pattern WITH_FLAG = Pattern.compile("()()#[^#]*#(.*)", Pattern.DOTALL);
     private static final Pattern PLAIN = Pattern.compile("()()(?:[ \r\n](.*))?", Pattern.DOTALL);
     /** Octets of an address in RFC 5321, 4.5.3.1. */
@@ -45,8 +44,7 @@ record MailAddresses(List<String> to, String name, String subject, String text) 
         for (Pattern form : List.of(IN_BRACKETS, WITH_HASHES, WITH_FLAG, PLAIN)) {
             Matcher parts = form.matcher(rest);
             if (parts.matches()) {
-                return Optional.of(
-                        new MailAddresses(to, group(parts, 1), group(parts, 2), group(parts, 3)));
+                return Optional.of(new MailAddresses(to, group(parts, 1), group(parts, 2), group(parts, 3)));
             }
         }
         return Optional.empty();

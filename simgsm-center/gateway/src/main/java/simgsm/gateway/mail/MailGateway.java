@@ -8,11 +8,11 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.octets.OctetString;
-import simgsm.sms.GsmAlphabet;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.Tlv;
+import simgsm.sms.GsmAlphabet;
 import simgsm.timer.CivilTime;
 import simgsm.timer.NewestEntries;
 import simgsm.timer.RecentCounts;
@@ -114,8 +114,7 @@ public final class MailGateway {
         } else {
             Optional<String> order = mail.order();
             String text = order.orElse(sender + " " + mail.text());
-            correspondences.add(
-                    number, new Correspondences.Mail(sender, mail.id(), mail.subject()), order.isPresent());
+            correspondences.add(number, new Correspondences.Mail(sender, mail.id(), mail.subject()), order.isPresent());
             session.submit(submission(number, text), status -> {
                 if (status == SmppStatus.OK) {
                     pairs.count(pair, timers.nowNanos());

@@ -156,17 +156,19 @@ final class MailsOut {
 
     /** A text without an address answers an order that came as a mail. */
     private Optional<OutgoingMail> reply(MailJob job, String text) {
-        return correspondences.order(job.number, job.id()).map(before -> new OutgoingMail(
-                job.id(),
-                job.number,
-                settings.domain(),
-                List.of(before.address()),
-                "",
-                before.subject().isEmpty() ? "SMS from " + job.number : "Re: " + before.subject(),
-                text,
-                Optional.of(before.id()).filter(id -> !id.isEmpty()),
-                true,
-                clock.now()));
+        return correspondences
+                .order(job.number, job.id())
+                .map(before -> new OutgoingMail(
+                        job.id(),
+                        job.number,
+                        settings.domain(),
+                        List.of(before.address()),
+                        "",
+                        before.subject().isEmpty() ? "SMS from " + job.number : "Re: " + before.subject(),
+                        text,
+                        Optional.of(before.id()).filter(id -> !id.isEmpty()),
+                        true,
+                        clock.now()));
     }
 
     private void next() {
@@ -194,8 +196,9 @@ final class MailsOut {
     private void ended(MailJob job, int code, String text, Map<String, String> refused) {
         String to = String.join(",", job.mail.to());
         if (code < 400) {
-            job.mail.to().stream().filter(each -> !refused.containsKey(each)).forEach(each ->
-                    transport.mailed(job.id(), each));
+            job.mail.to().stream()
+                    .filter(each -> !refused.containsKey(each))
+                    .forEach(each -> transport.mailed(job.id(), each));
             refused.forEach((each, why) -> transport.failed(job.id(), each, why));
             Runnable taken = () -> {
                 job.parts.forEach(part -> mailed.put(part.text.id(), true));

@@ -29,7 +29,8 @@ record MimePart(Map<String, String> headers, String body) {
         int from = 0;
         while (from < octets.length()) {
             int end = octets.indexOf('\n', from);
-            String line = octets.substring(from, end < 0 ? octets.length() : end).stripTrailing();
+            String line =
+                    octets.substring(from, end < 0 ? octets.length() : end).stripTrailing();
             from = end < 0 ? octets.length() : end + 1;
             if (line.isEmpty()) {
                 break;
@@ -146,8 +147,8 @@ record MimePart(Map<String, String> headers, String body) {
     private static byte[] quoted(String text) {
         String octets = Pattern.compile("=([0-9A-Fa-f]{2})")
                 .matcher(text)
-                .replaceAll(match ->
-                        Matcher.quoteReplacement(String.valueOf((char) Integer.parseInt(match.group(1), 16))));
+                .replaceAll(
+                        match -> Matcher.quoteReplacement(String.valueOf((char) Integer.parseInt(match.group(1), 16))));
         return octets.getBytes(StandardCharsets.ISO_8859_1);
     }
 }

@@ -35,8 +35,9 @@ record OutgoingMail(
     /** Octets in an encoded word of at most 75 characters (RFC 2047, 2). */
     private static final int WORD_OCTETS = 42;
 
-    private static final DateTimeFormatter DATE =
-            DateTimeFormatter.ofPattern("EEE, d MMM yyyy HH:mm:ss xx", Locale.ROOT).withZone(ZoneOffset.UTC);
+    private static final DateTimeFormatter DATE = DateTimeFormatter.ofPattern(
+                    "EEE, d MMM yyyy HH:mm:ss xx", Locale.ROOT)
+            .withZone(ZoneOffset.UTC);
 
     String from() {
         return number + "@" + domain;
@@ -70,7 +71,9 @@ record OutgoingMail(
         header(mail, "MIME-Version", "1.0");
         header(mail, "Content-Type", "text/plain; charset=utf-8");
         header(mail, "Content-Transfer-Encoding", !isPlain ? "quoted-printable" : isAscii ? "7bit" : "8bit");
-        return mail.append("\r\n").append(isPlain ? body : quotedPrintable(body)).toString();
+        return mail.append("\r\n")
+                .append(isPlain ? body : quotedPrintable(body))
+                .toString();
     }
 
     private static void header(StringBuilder mail, String name, String value) {

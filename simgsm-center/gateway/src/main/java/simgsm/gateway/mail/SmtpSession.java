@@ -122,8 +122,9 @@ final class SmtpSession implements MailProtocol {
         switch (verb) {
             case "HELO" -> greeted(argument, "250 " + domain);
             case "EHLO" ->
-                greeted(argument, "250-" + domain + "\r\n250-8BITMIME\r\n250-ENHANCEDSTATUSCODES\r\n250 SIZE "
-                        + MOST_OCTETS);
+                greeted(
+                        argument,
+                        "250-" + domain + "\r\n250-8BITMIME\r\n250-ENHANCEDSTATUSCODES\r\n250 SIZE " + MOST_OCTETS);
             case "MAIL" -> mail(argument);
             case "RCPT" -> recipient(argument);
             case "DATA" -> data();

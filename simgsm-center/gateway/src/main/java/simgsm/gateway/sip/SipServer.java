@@ -37,6 +37,7 @@ public final class SipServer {
     private final SipDigest digest;
     /** Wrong passwords by address: after 10 a minute all of its requests are refused unread. */
     private final RecentCounts guesses = new RecentCounts(10, TimeUnit.MINUTES.toNanos(1));
+
     private final Map<String, SipUser> users = new TreeMap<>();
 
     /**

@@ -68,9 +68,7 @@ class MailInTest {
     @Test
     void aLongTextEndsAfterAThousandCharacters() {
         stage.mail(ANN, ROBOT, "\n" + "é".repeat(998 / 2) + "\n" + "ж".repeat(499) + "\n" + "x".repeat(499));
-        assertEquals(
-                ANN.length() + 1 + 1_000,
-                MailStage.text(stage.submitted()).length());
+        assertEquals(ANN.length() + 1 + 1_000, MailStage.text(stage.submitted()).length());
     }
 
     @ParameterizedTest
@@ -157,7 +155,8 @@ class MailInTest {
         String first = stage.takeMail();
         assertTrue(first.contains("RCPT TO:<ann@example.org>"), first);
         assertTrue(first.contains("Subject: =?utf-8?B?UmU6IFTDqXN0IDE=?=\r\n"), first);
-        assertTrue(first.contains("In-Reply-To: <1@x>\r\nReferences: <1@x>\r\nAuto-Submitted: auto-replied\r\n"), first);
+        assertTrue(
+                first.contains("In-Reply-To: <1@x>\r\nReferences: <1@x>\r\nAuto-Submitted: auto-replied\r\n"), first);
         assertTrue(stage.takeMail().contains("RCPT TO:<bob@x.org>"));
     }
 

@@ -213,8 +213,8 @@ final class MailStage implements MailTransport {
         client.say("MAIL FROM:<" + from + ">");
         client.say("RCPT TO:<" + to + "@sms.example>");
         client.say("DATA");
-        client.protocol.received(ByteBuffer.wrap((content.replace("\n", "\r\n") + "\r\n.\r\n")
-                .getBytes(StandardCharsets.UTF_8)));
+        client.protocol.received(
+                ByteBuffer.wrap((content.replace("\n", "\r\n") + "\r\n.\r\n").getBytes(StandardCharsets.UTF_8)));
         return client;
     }
 

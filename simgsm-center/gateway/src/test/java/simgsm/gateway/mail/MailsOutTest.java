@@ -27,8 +27,10 @@ class MailsOutTest {
         MailStage.Wire server = stage.serverUntil("TEXT");
         assertEquals(List.of(), stage.answers());
         String dialogue = server.text();
-        assertTrue(dialogue.startsWith("EHLO sms.example\r\nMAIL FROM:<5550100@sms.example>\r\n"
-                + "RCPT TO:<ann@example.org>\r\nDATA\r\nDate: Thu, 1 Jan 1970 00:00:00 +0000\r\n"), dialogue);
+        assertTrue(
+                dialogue.startsWith("EHLO sms.example\r\nMAIL FROM:<5550100@sms.example>\r\n"
+                        + "RCPT TO:<ann@example.org>\r\nDATA\r\nDate: Thu, 1 Jan 1970 00:00:00 +0000\r\n"),
+                dialogue);
         assertTrue(dialogue.contains("\r\nSubject: SMS from 5550100\r\n"), dialogue);
         assertTrue(dialogue.endsWith("\r\n\r\nHello\r\n..dot\r\n.\r\n"), dialogue);
         assertEquals("QUIT\r\n", server.say("250 taken"));
