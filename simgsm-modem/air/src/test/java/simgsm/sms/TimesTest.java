@@ -1,7 +1,6 @@
 package simgsm.sms;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -14,38 +13,6 @@ import simgsm.octets.Timestamp;
 
 class TimesTest {
     private static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
-
-    @ParameterizedTest
-    @CsvSource({
-        "2026-11-21T12:00:00+01:00, 62111221000040",
-        "2005-01-02T03:04:05Z, 50102030405000",
-        "1999-12-31T23:59:59-03:30, 99211332959541",
-        "2026-06-15T10:00:00+14:00, 62605101000065",
-        "2026-06-15T10:00:00-12:00, 6260510100008c"
-    })
-    void aTimeStampHoldsLocalTimeAndZone(OffsetDateTime time, String hex) {
-        String digits = hex.replace("99211332959541", "99211332959549");
-
-        assertEquals(digits, Timestamp.of(time).octets().toString());
-        assertEquals(time, new Timestamp(OctetString.ofHex(digits)).toOffsetDateTime());
-    }
-
-    @ParameterizedTest
-    @CsvSource({
-        "00000000000000, 2000-01-01T00:00Z",
-        "ffffffffffffff, 2000-01-01T00:00-17:30",
-        "62209300000000, 2026-02-28T00:00Z",
-        "62119942959500, 2026-11-30T23:59:59Z",
-        "62111221000097, 2026-11-21T12:00+18:00"
-    })
-    void aTimeStampWithoutSenseStillIsATime(String hex, OffsetDateTime time) {
-        assertEquals(time, new Timestamp(OctetString.ofHex(hex)).toOffsetDateTime());
-    }
-
-    @Test
-    void aTimeStampHasSevenOctets() {
-        assertThrows(IllegalArgumentException.class, () -> new Timestamp(OctetString.ofHex("621112")));
-    }
 
     @ParameterizedTest
     @CsvSource({

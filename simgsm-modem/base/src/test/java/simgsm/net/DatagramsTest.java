@@ -3,8 +3,10 @@ package simgsm.net;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
@@ -86,5 +88,40 @@ class DatagramsTest {
             socket.connect(new InetSocketAddress(here, peer.getLocalPort()));
             return null;
         });
+    }
+
+    @Test
+    void aSocketForManyPeersHearsAndAnswersEach() throws Exception {
+        LinkedBlockingQueue<InetSocketAddress> sources = new LinkedBlockingQueue<>();
+        socket = loop.ask(() -> Datagrams.open(loop, new InetSocketAddress(here, 0), (octets, from) -> {
+            received.add(octets);
+            sources.add(from);
+        }));
+        try (DatagramSocket one = new DatagramSocket(0, here);
+                DatagramSocket other = new DatagramSocket(0, here)) {
+            for (DatagramSocket peer : new DatagramSocket[] {one, other}) {
+                send(peer, 7);
+                assertArrayEquals(new byte[] {7}, received.poll(PATIENCE_MILLIS, TimeUnit.MILLISECONDS));
+                InetSocketAddress source = sources.poll(PATIENCE_MILLIS, TimeUnit.MILLISECONDS);
+                assertEquals(peer.getLocalPort(), source.getPort());
+                loop.ask(() -> {
+                    socket.send(new byte[] {8, 9}, source);
+                    return true;
+                });
+                peer.setSoTimeout(PATIENCE_MILLIS);
+                DatagramPacket packet = new DatagramPacket(new byte[16], 16);
+                peer.receive(packet);
+                assertEquals(2, packet.getLength());
+            }
+        }
+    }
+
+    @Test
+    void aTakenPortIsRefusedByAddressAndNumber() {
+        InetSocketAddress taken = socket.localAddress();
+
+        IOException refusal = assertThrows(IOException.class, () -> Datagrams.open(loop, taken, (octets, from) -> {}));
+
+        assertTrue(refusal.getMessage().contains("UDP port " + taken.getPort()), refusal.getMessage());
     }
 }

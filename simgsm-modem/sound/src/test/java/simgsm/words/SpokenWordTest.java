@@ -1,0 +1,125 @@
+package simgsm.words;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Words from sound: front end, ends of words, comparison with a speaker's templates. The prompts are the speaker. */
+class SpokenWordTest {
+    private static final List<String> WORDS = List.of("forward", "turn", "stop", "one", "two", "three");
+
+    private final List<SpokenWord> heard = new ArrayList<>();
+    private final WordCutter cutter = new WordCutter(frames -> heard.add(SpokenWord.of(frames)));
+    private final FrontEnd ear = new FrontEnd(cutter::accept);
+
+    /** Hears half a second of quiet noise, the word, and a second. */
+    private void hear(String word, double gain, int seed) {
+        Random noise = new Random(seed);
+        short[] spoken = Prompts.of(SpokenLanguage.ENGLISH).samples(new Utterance(List.of(word)));
+        short[] sound = new short[spoken.length + 12_000];
+        for (int i = 0; i < sound.length; i++) {
+            int at = i - 4_000;
+            double sample = at >= 0 && at < spoken.length ? gain * spoken[at] : 0;
+            sound[i] = (short) Math.round(sample + 8 * noise.nextGaussian());
+        }
+        ear.accept(sound);
+    }
+
+    private SpokenWord one(String word, double gain, int seed) {
+        heard.clear();
+        hear(word, gain, seed);
+        assertEquals(1, heard.size(), word);
+        return heard.get(0);
+    }
+
+    private SpeakerTemplates enrolled() {
+        SpeakerTemplates templates = new SpeakerTemplates();
+        WORDS.forEach(word -> templates.add(word, one(word, 1, word.hashCode())));
+        return templates;
+    }
+
+    @Test
+    void eachWordIsHeardInOtherNoiseAndAtAnotherLevel() {
+        SpeakerTemplates templates = enrolled();
+        assertEquals(WORDS, List.copyOf(templates.words()));
+        for (String word : WORDS) {
+            HeardWord found =
+                    templates.hear(one(word, 0.5, 7), templates.words()).orElseThrow();
+            assertEquals(word, found.word());
+            assertTrue(found.isSure(), found.toString());
+            assertFalse(found.second().isEmpty());
+        }
+    }
+
+    @Test
+    void onlyPermittedWordsAreCompared() {
+        SpeakerTemplates templates = enrolled();
+
+        assertEquals(
+                "two",
+                templates.hear(one("stop", 1, 3), List.of("two")).orElseThrow().word());
+        assertEquals(Optional.empty(), templates.hear(one("stop", 1, 3), List.of("nine")));
+        assertEquals(0, templates.count("nine"));
+    }
+
+    @Test
+    void silenceAndAClickAreNoWords() {
+        ear.accept(new short[16_000]);
+        short[] click = new short[8_000];
+        click[4_000] = 20_000;
+        ear.accept(click);
+
+        assertEquals(List.of(), heard);
+        assertFalse(cutter.isInWord());
+    }
+
+    @Test
+    void aWordThatIsForgottenIsNotTold() {
+        ear.accept(new short[4_000]);
+        ear.accept(Prompts.of(SpokenLanguage.ENGLISH).samples(new Utterance(List.of("forward"))));
+        assertTrue(cutter.isInWord());
+        cutter.reset();
+        ear.accept(new short[8_000]);
+
+        assertEquals(List.of(), heard);
+    }
+
+    @Test
+    void aTemplateIsReadAsItWasWritten() throws IOException {
+        SpokenWord word = one("three", 1, 5);
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        word.write(new DataOutputStream(octets));
+
+        SpokenWord read = SpokenWord.read(new DataInputStream(new ByteArrayInputStream(octets.toByteArray())));
+
+        assertEquals(word.length(), read.length());
+        assertEquals(0, TimeWarping.distance(word, read), 1e-9);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-1, 0, 4, 301})
+    void aTemplateOfAnotherLengthIsRefused(int length) throws IOException {
+        ByteArrayOutputStream octets = new ByteArrayOutputStream();
+        new DataOutputStream(octets).writeInt(length);
+
+        IOException refusal = assertThrows(
+                IOException.class,
+                () -> SpokenWord.read(new DataInputStream(new ByteArrayInputStream(octets.toByteArray()))));
+
+        assertTrue(refusal.getMessage().contains("expected 5 to 300"), refusal.getMessage());
+    }
+}
