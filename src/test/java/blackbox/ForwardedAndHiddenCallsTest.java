@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.time.OffsetDateTime;
 import org.junit.jupiter.api.Test;
 
-/** What the network tells of a forwarded call, a number hidden for one call, and the network's time. */
+/** Notifications of a forwarded call, a number hidden for one call, and the network's time. */
 class ForwardedAndHiddenCallsTest {
     private static final String OTHER = "5550101";
     private static final String THIRD = "5550102";

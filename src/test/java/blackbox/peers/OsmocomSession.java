@@ -30,7 +30,7 @@ final class OsmocomSession extends Scenario {
     private static final int AIR_PORT = 4729;
 
     private final Path capture;
-    /** Of the core and the cells, where it ciphers. */
+    /** The ciphering algorithm of core and cells, if there is authentication. */
     private String algorithm = "a5/1";
 
     private RunningProgram cells;

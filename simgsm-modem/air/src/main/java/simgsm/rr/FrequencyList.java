@@ -63,7 +63,7 @@ public final class FrequencyList {
     /**
      * The octets of the list, in the first format with room for it: bit map 0, variable bit map, range 128, 256, 512, 1024.
      *
-     * @throws IllegalArgumentException if no format has room for so many frequencies
+     * @throws IllegalArgumentException if no format has room for the frequencies
      */
     public static OctetString encode(Collection<Integer> arfcns) {
         return find(arfcns)

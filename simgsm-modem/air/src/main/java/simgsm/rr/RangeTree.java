@@ -17,7 +17,7 @@ final class RangeTree {
         return Integer.numberOfTrailingZeros(range / Integer.highestOneBit(index));
     }
 
-    /** Number of words in so many bits. */
+    /** Number of words that this many bits hold. */
     static int room(int range, int bits) {
         int count = 0;
         int left = bits - width(range, 1);

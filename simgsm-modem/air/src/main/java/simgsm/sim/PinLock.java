@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
  * result is given, so a restart gives no new tries.
  */
 public final class PinLock {
-    /** What the card demands of its user. */
+    /** The card's demand to its user. */
     public enum State {
         READY,
         PIN,
@@ -104,7 +104,7 @@ public final class PinLock {
         return result;
     }
 
-    /** UNBLOCK CHV: gives the PIN this value, enables it and counts its tries anew; permitted in any state but BLOCKED. */
+    /** UNBLOCK CHV: gives the PIN this value, enables it and restores its tries; permitted in any state but BLOCKED. */
     public Result unblock(String code, String next) {
         if (pin == null || pin.pukTries() == 0) {
             return Result.REFUSED;

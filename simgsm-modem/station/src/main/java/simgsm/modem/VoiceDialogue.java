@@ -126,7 +126,7 @@ final class VoiceDialogue {
         }
     }
 
-    /** What may follow; a command may begin again at any time. */
+    /** Words that may follow; a command may begin again at any time. */
     private List<VoiceWord> allowed() {
         return Stream.concat(VoiceWord.after(command).stream(), VoiceWord.after(List.of()).stream())
                 .distinct()

@@ -28,7 +28,7 @@ final class WordTools {
 
     private WordTools() {}
 
-    /** What is done with the word of a file. @return the line's end */
+    /** Handles the word of a file. @return the line's end */
     private interface Use {
         String of(SpokenWord word) throws IOException;
     }

@@ -15,7 +15,7 @@ final class SentTones implements Consumer<RobotEvent> {
         return keys;
     }
 
-    /** What the modem says, or has said last; callable on any thread. */
+    /** The modem's current or latest words; callable on any thread. */
     String words() {
         return words;
     }

@@ -9,7 +9,7 @@ import simgsm.air.ChannelNumber;
  * @param start frame of the first burst of a downlink block, modulo the period
  * @param uplinkDelay frames from there to that of an uplink block
  * @param step frames from burst to burst
- * @param bursts 4, or 8 of which halves are used
+ * @param bursts 4, or 8 that are half used
  */
 record AirChannel(int type, int timeslot, int subslot, int period, int start, int uplinkDelay, int step, int bursts) {
     static final int BCCH = 1;

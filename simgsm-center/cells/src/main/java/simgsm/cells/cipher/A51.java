@@ -1,6 +1,6 @@
 package simgsm.cells.cipher;
 
-/** The key stream of A5/1: three shift registers, of which those that agree with the majority of three bits are clocked. */
+/** The key stream of A5/1: three shift registers; each whose clock bit has the majority of three is clocked. */
 final class A51 {
     private static final int[] LENGTHS = {19, 22, 23};
     /** Bits that feed the register, as a mask. */

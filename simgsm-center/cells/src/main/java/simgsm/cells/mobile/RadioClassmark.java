@@ -14,7 +14,7 @@ final class RadioClassmark {
     /** In the third octet of classmark 2: A5/3 is available. */
     private static final int A5_3 = 0x02;
 
-    /** N(SD), of which radio resources have none. */
+    /** N(SD); messages of radio resources have none. */
     private static final int SEND_SEQUENCE = 0x40;
 
     private RadioClassmark() {}

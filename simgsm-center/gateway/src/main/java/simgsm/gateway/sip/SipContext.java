@@ -3,7 +3,7 @@ package simgsm.gateway.sip;
 import java.util.random.RandomGenerator;
 import simgsm.timer.Timers;
 
-/** What calls and users share. */
+/** The settings and services that calls and users share. */
 record SipContext(Timers timers, RandomGenerator random, SipTransport transport, SipTransactions transactions) {
     /** A URI of this side. */
     String uri(String user, SipPeer peer) {

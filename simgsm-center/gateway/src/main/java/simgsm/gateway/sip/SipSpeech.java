@@ -42,7 +42,7 @@ final class SipSpeech implements SpeechSource {
     private final List<Short> samples = new ArrayList<>();
     private SipTransport.Media media;
     private Sdp session;
-    /** What the signalling came from; speech may come from its address besides that of the description. */
+    /** Source of the signalling; speech is accepted from its address and from that of the description. */
     private String phoneHost = "";
     /** Null until the first packet. */
     private SipPeer heardFrom;

@@ -3,7 +3,7 @@ package simgsm.gateway.sip;
 import java.util.function.BiConsumer;
 import simgsm.station.MobileStation;
 
-/** What surrounds the core: datagrams, and the link of each station to the network. */
+/** The core's surroundings: datagrams, and the link of each station to the network. */
 public interface SipTransport {
     /** A socket for the speech of one call. */
     interface Media {

@@ -26,13 +26,13 @@ public final class SipUser {
     private static final int MOST_UNACKNOWLEDGED = 20;
     private static final String UNIT_NAME = "SimGSM SIP phone";
 
-    /** What a REGISTER binds. @param contact the URI, letter by letter; @param peer its source */
+    /** The binding of a REGISTER. @param contact the URI, letter by letter; @param peer its source */
     record Binding(String contact, SipPeer peer, long endNanos) {}
 
     private final SipContext context;
     private final SipServer server;
     private final MobileStation station;
-    /** Of the newest call. */
+    /** The speech of the newest call. */
     private SipSpeech speech;
 
     private final List<ServerTransaction> waiting = new ArrayList<>();

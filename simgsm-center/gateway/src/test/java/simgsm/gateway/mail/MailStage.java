@@ -101,7 +101,7 @@ final class MailStage implements MailTransport {
         smsc.protocol.received(ByteBuffer.wrap(SmppCodec.encode(pdu)));
     }
 
-    /** What the application has sent, requests that check the link aside. */
+    /** PDUs sent by the application, without those that check the link. */
     List<SmppPdu> pdus() {
         collect();
         List<SmppPdu> all = List.copyOf(pdus);

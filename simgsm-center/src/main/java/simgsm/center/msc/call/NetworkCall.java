@@ -141,7 +141,7 @@ public final class NetworkCall {
         return true;
     }
 
-    /** As {@link #turn}, for a subscriber's forwarding, of which the caller is told (TS 24.082). */
+    /** As {@link #turn}, for a subscriber's forwarding, with a notification to the caller (TS 24.082). */
     boolean forward(Msisdn next, SsCode condition) {
         Optional<Msisdn> subscriber = target;
         if (!turn(next)) {

@@ -10,6 +10,6 @@ import simgsm.speech.CallAudioListener;
  * @param recorder receives both directions of all calls
  */
 public record SoundPort(Consumer<byte[]> output, CallAudioListener recorder) {
-    /** Of a modem without a line for its sound. */
+    /** The port of a modem without a line for its sound. */
     public static final SoundPort NONE = new SoundPort(frame -> {}, CallAudioListener.NONE);
 }
