@@ -5,7 +5,7 @@ format, length; after "message", discriminator, type and direction alone. Prints
 import re
 import sys
 
-from pycrate_mobile.TS24007 import Type1V, Type3TV, Type3V, Type4LV, Type4TLV
+from pycrate_mobile.TS24007 import Type1V, Type2, Type3TV, Type3V, Type4LV, Type4TLV
 from pycrate_mobile.TS24008_CC import CCTypeMOClasses, CCTypeMTClasses
 from pycrate_mobile.TS24008_MM import MMTypeClasses
 from pycrate_mobile.TS24080_SS import SSTypeMOClasses, SSTypeMTClasses
@@ -19,7 +19,7 @@ CLASSES = {
 }
 # Names that pycrate has of its own.
 NAMES = {"AUTS": "Authentication failure parameter", "NetFullName": "Full name for network"}
-FORMATS = {Type1V: "V", Type3V: "V", Type3TV: "TV", Type4LV: "LV", Type4TLV: "TLV"}
+FORMATS = {Type1V: "V", Type2: "T", Type3V: "V", Type3TV: "TV", Type4LV: "LV", Type4TLV: "TLV"}
 
 
 def rows_of(message):
