@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class OsmocomTest {
     private static final long PATIENCE_MINUTES = 5;
     /** {@code -Dkills=50} and {@code -Dwalks=20} measure for longer. */
-    private static final int KILLS = Integer.getInteger("kills", 2);
+    private static final int KILLS = Integer.getInteger("kills", 1);
 
     private static final int WALKS = Integer.getInteger("walks", 1);
 
