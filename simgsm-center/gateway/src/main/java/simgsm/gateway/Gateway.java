@@ -58,7 +58,7 @@ final class Gateway implements AutoCloseable {
         }
     }
 
-    /** What {@code ready} says: the open ports. */
+    /** The open ports, as {@code ready} prints them. */
     Event ready() {
         Event ready = Event.of("ready");
         if (port.isPresent()) {

@@ -235,7 +235,11 @@ public final class MobileStation implements StationCommands {
 
     @Override
     public int sendMessage(Msisdn to, String text) {
-        int id = messages.send(to, text);
+        return queued(messages.send(to, text));
+    }
+
+    /** Fails a queued message of a station that is switched off. */
+    private int queued(int id) {
         if (!registration.isPowered()) {
             messages.powerOff();
         }
@@ -260,12 +264,7 @@ public final class MobileStation implements StationCommands {
 
     @Override
     public int submit(OctetString tpdu, Msisdn to, Msisdn serviceCenter) {
-        int id = messages.submit(tpdu, to, serviceCenter);
-        if (!registration.isPowered()) {
-            messages.powerOff();
-        }
-        settle();
-        return id;
+        return queued(messages.submit(tpdu, to, serviceCenter));
     }
 
     @Override
@@ -284,10 +283,7 @@ public final class MobileStation implements StationCommands {
         settle();
     }
 
-    /**
-     * Lets {@link #messageTaken} and {@link #messageRefused} answer each complete text, so that the network keeps it until
-     * then; the parts before the last are acknowledged as they come.
-     */
+    /** Lets {@link #messageTaken} and {@link #messageRefused} answer each text, for which its last part waits. */
     public void answerMessagesLater() {
         messages.answersLater();
     }

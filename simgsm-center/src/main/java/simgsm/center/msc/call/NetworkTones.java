@@ -78,7 +78,7 @@ final class NetworkTones {
         frameDue();
     }
 
-    /** Plays the special information tone, until {@link #stop}: nobody answers emergency calls here. */
+    /** Plays the special information tone, until {@link #stop}: no number answers emergency calls. */
     void playNotice() {
         player.start(set.orElse(ToneSet.EUROPEAN).cadence(ProgressTone.SPECIAL_INFORMATION));
         frameDue();
