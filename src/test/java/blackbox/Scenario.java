@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
@@ -19,6 +20,7 @@ public class Scenario implements AutoCloseable {
 
     private final Path folder;
     private final List<RunningProgram> programs = new ArrayList<>();
+    private final List<Process> beside = new ArrayList<>();
     private String center = "";
     /** Where terminals connect: the centre, or the cells before it. */
     private String network = "";
@@ -66,6 +68,12 @@ public class Scenario implements AutoCloseable {
         } catch (IOException e) {
             throw new AssertionError(e);
         }
+    }
+
+    /** Takes a program that was written elsewhere into the scenario, whose end ends it with all that it started. */
+    public Process beside(Process program) {
+        beside.add(program);
+        return program;
     }
 
     RunningProgram headless(String name, String program, List<String> first, String... more) {
@@ -240,6 +248,14 @@ public class Scenario implements AutoCloseable {
     @Override
     public void close() throws IOException {
         programs.forEach(RunningProgram::close);
+        // A program that ends may still remove its files, so the folder is cleared when all have ended.
+        List<ProcessHandle> ending = beside.stream()
+                .flatMap(program -> Stream.concat(Stream.of(program.toHandle()), program.descendants()))
+                .toList();
+        ending.forEach(ProcessHandle::destroy);
+        ending.forEach(program -> program.onExit()
+                .orTimeout(RunningProgram.PATIENCE_SECONDS, TimeUnit.SECONDS)
+                .join());
         try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
                 Files.deleteIfExists(file);

@@ -30,7 +30,6 @@ class AtClientsTest {
 
     private static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
-    private final List<Process> background = new ArrayList<>();
     private Scenario scenario;
     private RunningProgram robot;
     private String phonePort;
@@ -72,15 +71,6 @@ class AtClientsTest {
                 .field("at");
     }
 
-    private void end() throws IOException {
-        for (Process process : background) {
-            List<ProcessHandle> descendants = process.descendants().toList();
-            process.destroy();
-            descendants.forEach(ProcessHandle::destroy);
-        }
-        scenario.close();
-    }
-
     private String run(String block) throws Exception {
         String script = block.replace("127.0.0.1:7000", "127.0.0.1:" + phonePort)
                 .replace("127.0.0.1:7001", "127.0.0.1:" + secondPort)
@@ -90,7 +80,7 @@ class AtClientsTest {
                 Peer.BASH.process("-c", script).directory(scenario.folder().toFile());
         if (block.endsWith("&")) {
             File nowhere = new File("/dev/null");
-            background.add(new ProcessBuilder("bash", "-c", script.substring(0, script.length() - 1))
+            scenario.beside(new ProcessBuilder("bash", "-c", script.substring(0, script.length() - 1))
                     .directory(scenario.folder().toFile())
                     .redirectErrorStream(true)
                     .redirectOutput(nowhere)
@@ -136,7 +126,7 @@ class AtClientsTest {
             assertTrue(answers.contains("+COPS: 0,0,\"SimGSM\""), answers);
             assertTrue(answers.contains("+CSQ: 25,99"), answers);
         } finally {
-            end();
+            scenario.close();
         }
     }
 
@@ -174,7 +164,7 @@ class AtClientsTest {
             run(blocks.get(12));
             assertFalse(run(blocks.get(11)).contains("+5550299"));
         } finally {
-            end();
+            scenario.close();
         }
     }
 
@@ -200,7 +190,7 @@ class AtClientsTest {
             String open = run("gammu -c gammurc getsecuritystatus");
             assertTrue(open.contains("Nothing to enter"), open);
         } finally {
-            end();
+            scenario.close();
         }
     }
 
@@ -214,7 +204,7 @@ class AtClientsTest {
             assertTrue(printed.contains("received: From: 5550200"), printed);
             assertTrue(printed.contains("received: 3 Done: #*#90."), printed);
         } finally {
-            end();
+            scenario.close();
         }
     }
 
@@ -233,7 +223,7 @@ class AtClientsTest {
             assertTrue(printed.contains("call to the robot: its reply 3 heard"), printed);
             assertTrue(printed.contains("call from +5550101 answered, keys heard in both directions"), printed);
         } finally {
-            end();
+            scenario.close();
         }
     }
 
@@ -257,7 +247,7 @@ class AtClientsTest {
                 assertTrue(printed.lines().anyMatch(each -> each.matches(line)), line + " is not in\n" + printed);
             }
         } finally {
-            end();
+            scenario.close();
         }
     }
 
@@ -269,7 +259,7 @@ class AtClientsTest {
             String printed = run(blocks("wvdial").get(0));
             assertTrue(printed.contains("--> No Carrier!"), printed);
         } finally {
-            end();
+            scenario.close();
         }
     }
 }

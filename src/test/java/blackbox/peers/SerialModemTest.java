@@ -22,14 +22,14 @@ class SerialModemTest {
         try (Scenario scenario = new Scenario("a modem on a serial line");
                 ServedModem modem = new ServedModem()) {
             Path device = scenario.folder().resolve("ttyM2");
-            Process line = serialLine(modem.port(), device);
+            Process line = serialLine(scenario, modem.port(), device);
             FinishedProgram check = FinishedProgram.run("simrobot", "--modem-check", device.toString());
             assertEquals(0, check.status(), check.output() + check.error());
             assertTrue(check.output().contains("check command=\"AT+DDET=1,0,1\" answer=OK verdict=ok"), check.output());
             line.destroy();
             line.waitFor();
 
-            line = serialLine(modem.port(), device);
+            line = serialLine(scenario, modem.port(), device);
             RunningProgram robot = scenario.start(
                     "robot",
                     "simrobot",
@@ -45,11 +45,10 @@ class SerialModemTest {
             line.waitFor();
             robot.expect("released", "cause", "41");
             modem.hangUp();
-            line = serialLine(modem.port(), device);
+            line = serialLine(scenario, modem.port(), device);
             robot.expect("registered");
             drive(modem, robot);
             assertEquals(0, robot.quit());
-            line.destroy();
         }
     }
 
@@ -62,10 +61,11 @@ class SerialModemTest {
     }
 
     /** Returns once the device file is there, or fails when socat ends before. */
-    static Process serialLine(int port, Path device) throws Exception {
-        Process socat = new ProcessBuilder("socat", "PTY,link=" + device + ",raw,echo=0", "TCP:127.0.0.1:" + port)
-                .inheritIO()
-                .start();
+    static Process serialLine(Scenario scenario, int port, Path device) throws Exception {
+        Process socat = scenario.beside(
+                new ProcessBuilder("socat", "PTY,link=" + device + ",raw,echo=0", "TCP:127.0.0.1:" + port)
+                        .inheritIO()
+                        .start());
         while (!Files.exists(device)) {
             assertTrue(socat.isAlive(), "socat has ended");
             socat.waitFor(20, TimeUnit.MILLISECONDS);

@@ -8,8 +8,6 @@ import blackbox.Scenario;
 import blackbox.ServedModem;
 import blackbox.ServedSound;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -30,23 +28,16 @@ class SerialSoundTest {
     private final Scenario scenario = new Scenario("the sound of a modem on a serial line");
     private final ServedModem modem = new ServedModem();
     private final ServedSound sound = new ServedSound();
-    private final List<Process> lines = new ArrayList<>();
+    private Process soundLine;
     private RunningProgram robot;
 
     SerialSoundTest() throws Exception {}
 
     @AfterEach
     void end() throws Exception {
-        lines.forEach(Process::destroy);
         scenario.close();
         modem.close();
         sound.close();
-    }
-
-    private Path line(String name, int port) throws Exception {
-        Path device = scenario.folder().resolve(name);
-        lines.add(SerialModemTest.serialLine(port, device));
-        return device;
     }
 
     /** A robot in a call of a modem that reports no keys. */
@@ -54,6 +45,10 @@ class SerialSoundTest {
         Peer.SOCAT.require();
         modem.happens(there -> there.deaf = true);
         modem.happens(there -> there.hasSound = true);
+        Path device = scenario.folder().resolve("ttyM2");
+        SerialModemTest.serialLine(scenario, modem.port(), device);
+        Path soundDevice = scenario.folder().resolve("ttySound");
+        soundLine = SerialModemTest.serialLine(scenario, sound.port(), soundDevice);
         robot = scenario.start(
                 "robot",
                 "simrobot",
@@ -62,8 +57,8 @@ class SerialSoundTest {
                 "--lang=en",
                 "--answer-after=0",
                 "--world=" + Scenario.world("empty.map"),
-                "--modem=" + line("ttyM2", modem.port()),
-                "--modem-audio=" + line("ttySound", sound.port()));
+                "--modem=" + device,
+                "--modem-audio=" + soundDevice);
         robot.expect("registered");
         modem.call(Scenario.PHONE);
         robot.expect("tone", "key", "1");
@@ -123,7 +118,7 @@ class SerialSoundTest {
         call();
         sound.play(tones("** #**90 **"), 1);
         robot.expect("tone", "key", "3");
-        lines.get(1).destroy();
+        soundLine.destroy();
         robot.expect("modem", "state", "ready");
         robot.expect("released", "cause", "41");
         assertTrue(sound.tonesHeard().startsWith("16"), sound.tonesHeard());
