@@ -16,16 +16,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Isolated;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Phones and robots on a real Osmocom core: the cells speak RSL to osmo-bsc. */
-@Tag("peer")
-@Isolated("a whole network on two cores")
-@ResourceLock("speech over UDP on the loopback interface")
+@Tag("core")
 class OsmocomTest {
     private static final long PATIENCE_MINUTES = 5;
     /** {@code -Dkills=50} and {@code -Dwalks=20} measure for longer. */
