@@ -70,6 +70,26 @@ class GradeTest {
     }
 
     @Test
+    void aFileThatDoesNotCompileHasARowForEachRun() throws Exception {
+        write("Misspelt", "senses.sonar(3);");
+        FinishedProgram graded = FinishedProgram.run(
+                "simrobot",
+                "--world=" + Scenario.world("office.map"),
+                "--grade=" + folder,
+                "--lang=en",
+                "--seed=5",
+                "--runs=3");
+        assertEquals(0, graded.status(), graded.error());
+        List<String> rows = Files.readAllLines(folder.resolve("grades.csv"));
+        assertEquals(4, rows.size(), rows.toString());
+        for (int i = 1; i <= 3; i++) {
+            assertTrue(rows.get(i).startsWith("Misspelt," + (4 + i) + ",failed,1,0,"), rows.get(i));
+        }
+        String page = Files.readString(folder.resolve("grades.html"));
+        assertTrue(page.contains("<td>Misspelt</td><td>0 / 3</td>"), page);
+    }
+
+    @Test
     void aRunUntilDoneTellsTheOutcomeOfARobotByItsExitStatus() throws Exception {
         write("Good", "");
         String[] options = {"--world=" + Scenario.world("office.map"), "--behaviours=" + folder, "--behaviour=Good"};

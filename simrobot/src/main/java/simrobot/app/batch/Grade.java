@@ -8,10 +8,9 @@ import simgsm.file.CsvLine;
 /**
  * The results of one student's process.
  *
- * @param runs wanted
- * @param rows a line of {@link RunJudge#HEADER} for each seed; one line for a file that makes no process
+ * @param rows a line of {@link RunJudge#HEADER} for each seed
  */
-record Grade(String name, int runs, List<String> rows) {
+record Grade(String name, List<String> rows) {
     private static final Pattern ROW =
             Pattern.compile("-?\\d+,(done|failed|collision|timeout),\\d+,\\d+,[0-9.]+,[0-9.]+,\\d+,.*");
     private static final int FIELDS = RunJudge.HEADER.split(",").length;

@@ -62,7 +62,7 @@ final class GradePage {
                     "td",
                     List.of(
                             grade.name(),
-                            grade.done() + " / " + grade.runs(),
+                            grade.done() + " / " + grade.rows().size(),
                             isDone ? RunOutcome.threeDecimals(grade.meanSeconds()) : "",
                             isDone ? RunOutcome.threeDecimals(grade.meanMeters()) : "",
                             grade.text()));

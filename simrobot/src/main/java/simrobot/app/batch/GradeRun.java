@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.LongStream;
 import simgsm.console.Arguments;
 import simgsm.console.Event;
 import simgsm.console.ExitStatus;
@@ -73,11 +74,15 @@ public final class GradeRun {
         List<Grade> grades = new ArrayList<>();
         for (BehaviourList.Fault fault : list.faults()) {
             String where = fault.line() == 0 ? "" : "line " + fault.line() + ": ";
-            grades.add(told(new Grade(fault.name(), runs, List.of(Grade.failed(seed, where + fault.text())))));
+            grades.add(told(new Grade(
+                    fault.name(),
+                    LongStream.range(seed, seed + runs)
+                            .mapToObj(each -> Grade.failed(each, where + fault.text()))
+                            .toList())));
         }
         for (BehaviourKind kind : list.kinds()) {
             if (!BehaviourKind.BUILT_IN.contains(kind)) {
-                grades.add(told(new Grade(kind.text(), runs, rows(kind.text()))));
+                grades.add(told(new Grade(kind.text(), rows(kind.text()))));
             }
         }
         List<String> facts = List.of(

@@ -95,7 +95,7 @@ class RunJudgeTest {
         RunJudge judge = judge(ahead(0.5, new Decision.Failed(4, "a \"fault\", told")), "");
         assertFalse(judge.isAllDone());
         assertTrue(judge.row(1).endsWith(",0,\"line 4: a \"\"fault\"\", told\""), judge.row(1));
-        Grade grade = new Grade("Ahead", 2, List.of(judge.row(1), "2,done,1,1,4.000,1.000,0,"));
+        Grade grade = new Grade("Ahead", List.of(judge.row(1), "2,done,1,1,4.000,1.000,0,"));
         assertEquals("failed: line 4: a \"fault\", told", grade.text());
         assertEquals(1, grade.done());
         assertEquals(4, grade.meanSeconds());

@@ -85,7 +85,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
                 .saying(isZoomGiven, wanted)
                 .withFlatCenter();
         session.consoles().listen(this);
-        Optional<LinkFrame> link = start(layout)
+        Optional<LinkFrame> link = start(layout, layout.phoneColumn(screen))
                 .map(url -> new LinkFrame(
                         language, url, Optional.of(layout.insteadOfPhone()), locked -> WebLink.lock(session, locked)));
         CenterWindow.Watch watch = new CenterWindow.Watch(
@@ -118,11 +118,12 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
                 watch);
     }
 
-    private Optional<String> start(DemoLayout layout) throws IOException, SessionFailure, InterruptedException {
+    private Optional<String> start(DemoLayout layout, WindowPlace phone)
+            throws IOException, SessionFailure, InterruptedException {
         boolean hasPhone = !demo.settings.home().isClosed()
                 || demo.settings.home().numbers().contains(new Msisdn(roll.teacher()));
         if (hasPhone && !WebLink.isWanted(demo.arguments)) {
-            List<String> options = layout.options(layout.phone(), "--end-with-input");
+            List<String> options = layout.options(phone, "--end-with-input");
             session.start("teacher", "simgsm-phone", roll.teacher(), options);
         }
         String word = recording.indexOf(' ') < 0 ? recording : '"' + recording + '"';

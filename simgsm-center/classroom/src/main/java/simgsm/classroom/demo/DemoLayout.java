@@ -95,7 +95,7 @@ public record DemoLayout(WindowPlace phone, WindowPlace robot, WindowPlace cente
     }
 
     /** The phone's column over the whole height of the screen. */
-    WindowPlace phoneColumn(WindowPlace screen) {
+    public WindowPlace phoneColumn(WindowPlace screen) {
         return new WindowPlace(phone.x(), phone.y(), robot.x() - phone.x(), screen.height());
     }
 

@@ -159,20 +159,19 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
                 .filter(each -> each.jar().equals(program.jar()))
                 .count();
         boolean isPhone = program.jar().equals("simgsm-phone");
-        WindowPlace place = isPhone ? layout.phone() : layout.robot();
         long alike = lesson.programs().stream()
                 .filter(each -> each.jar().equals(program.jar()))
                 .count();
         int zoom = layout.zoomPercent();
+        WindowPlace place = isPhone ? layout.phoneColumn(screen) : layout.robot();
         if (isPhone && alike > 1) {
             int half = screen.height() / 2;
             zoom = Math.min(zoom, Math.max(LEAST_ZOOM, (half - FRAME) * PERCENT / SuiteWindow.PHONE.heightUnits()));
             int height = SuiteWindow.PHONE.heightUnits() * zoom / PERCENT + FRAME;
-            if (before > 0) {
-                int y = Math.max(screen.y(), screen.y() + screen.height() - height);
-                place = new WindowPlace(
-                        place.x() + (before - 1) * STEP, y - (before - 1) * STEP, place.width(), place.height());
-            }
+            int y = Math.max(screen.y(), screen.y() + screen.height() - height);
+            place = before == 0
+                    ? layout.phone()
+                    : new WindowPlace(place.x() + (before - 1) * STEP, y - (before - 1) * STEP, 0, 0);
         }
         List<String> options = List.of("--console", "--zoom", String.valueOf(zoom), "--window", place.toString());
         return isPhone
