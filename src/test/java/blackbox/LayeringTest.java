@@ -122,8 +122,10 @@ class LayeringTest {
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.tower simgsm.cells.net simgsm.cells.network
             simgsm.gateway.speech    : simgsm.speech simgsm.station.call
             simgsm.gateway.sip       : simgsm.state simgsm.timer simgsm.air simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.gateway.speech
-            simgsm.gateway.mail      : simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.smpp
-            simgsm.gateway           : simgsm.event simgsm.file simgsm.net simgsm.timer simgsm.gateway.speech simgsm.gateway.sip simgsm.gateway.mail simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
+            simgsm.gateway.esme      : simgsm.timer simgsm.air simgsm.sms simgsm.smpp
+            simgsm.gateway.mail      : simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.smpp simgsm.gateway.esme
+            simgsm.gateway.fax       :
+            simgsm.gateway           : simgsm.event simgsm.file simgsm.net simgsm.timer simgsm.smpp simgsm.gateway.speech simgsm.gateway.sip simgsm.gateway.esme simgsm.gateway.mail simgsm.gateway.fax simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
             simrobot.behaviour       :
             simrobot.world           : simgsm.file
             simrobot.bitmap          : simgsm.file simgsm.octets simrobot.world
@@ -233,7 +235,7 @@ class LayeringTest {
     }
 
     /** Packages that read or write pictures by ImageIO. */
-    private static final Set<String> PICTURES = Set.of("simrobot.bitmap", "simrobot.camera");
+    private static final Set<String> PICTURES = Set.of("simrobot.bitmap", "simrobot.camera", "simgsm.gateway.fax");
 
     @Test
     void swingAndAwtAreOnlyInWindowPackagesAndMains() {
@@ -284,8 +286,8 @@ class LayeringTest {
     }
 
     @Test
-    void javaDesktopIsRequiredOnlyByDesktopAndTools() {
-        assertEquals(Set.of("simgsm.desktop", "simgsm.tools"), modulesThatRequire("java.desktop"));
+    void javaDesktopIsRequiredOnlyForWindowsSoundFilesAndPictures() {
+        assertEquals(Set.of("simgsm.desktop", "simgsm.tools", "simgsm.gateway"), modulesThatRequire("java.desktop"));
     }
 
     @Test
@@ -338,6 +340,7 @@ class LayeringTest {
         "simgsm.phone.screen",
         "simgsm.phone.handset",
         "simgsm.lesson",
+        "simgsm.gateway.esme",
         "simgsm.gateway.mail",
         "simgsm.gateway.sip",
         "simgsm.gateway.speech",

@@ -22,6 +22,7 @@ final class Gateway implements AutoCloseable {
     private final Optional<WebPort> port;
     private final Optional<SipPort> sip;
     private final Optional<MailPort> mail;
+    private final Optional<FaxPort> fax;
     private final String key;
 
     /** @throws IOException if the port cannot be opened */
@@ -39,6 +40,7 @@ final class Gateway implements AutoCloseable {
         mail = settings.mail().isPresent()
                 ? Optional.of(new MailPort(thread, settings, settings.mail().get(), listener))
                 : Optional.empty();
+        fax = settings.fax().map(options -> new FaxPort(thread, options, settings.language(), listener));
     }
 
     private WebPort webPort(GatewaySettings settings, WebSocketPath phone) throws IOException {
@@ -55,6 +57,9 @@ final class Gateway implements AutoCloseable {
         port.ifPresent(WebPort::start);
         if (mail.isPresent()) {
             mail.get().start();
+        }
+        if (fax.isPresent()) {
+            fax.get().start();
         }
     }
 
@@ -83,7 +88,9 @@ final class Gateway implements AutoCloseable {
                 .flatMap(it -> it.server().users().stream())
                 .filter(SipUser::isRegistered)
                 .map(GatewayEvent.UserRow::new);
-        Stream<GatewayEvent> applications = mail.flatMap(MailPort::row).stream();
+        Stream<GatewayEvent> applications = Stream.of(mail.map(MailPort::application), fax.map(FaxPort::application))
+                .flatMap(Optional::stream)
+                .flatMap(application -> application.row().stream());
         return Stream.of(pages, phones, applications)
                 .flatMap(rows -> rows)
                 .map(Event::from)

@@ -16,7 +16,10 @@ sealed interface GatewayEvent {
     /** The application of mail. */
     String MAIL = "mail";
 
-    /** A page has connected, a SIP phone has registered, or the application of mail is bound. */
+    /** The application of fax. */
+    String FAX = "fax";
+
+    /** A page has connected, a SIP phone has registered, or an application is bound. */
     @EventLine("joined kind= number= from= [name=]")
     record Joined(String kind, Msisdn number, String from, Optional<String> name) implements GatewayEvent {
         Joined(WebUser user) {
@@ -24,7 +27,7 @@ sealed interface GatewayEvent {
         }
     }
 
-    /** A page has disconnected, a SIP phone has gone, or the application is bound no longer. */
+    /** A page has disconnected, a SIP phone has gone, or an application is bound no longer. */
     @EventLine("left kind= number=")
     record Left(String kind, Msisdn number) implements GatewayEvent {
         Left(WebUser user) {
@@ -60,6 +63,10 @@ sealed interface GatewayEvent {
     /** The mail server has not taken a short message; a reply 4.. is tried again. */
     @EventLine("mail-failed id= to= text=")
     record MailFailed(String id, String to, String text) implements GatewayEvent {}
+
+    /** A message has become a file. */
+    @EventLine("fax id= to= file=")
+    record Fax(String id, String to, String file) implements GatewayEvent {}
 
     private static Optional<String> nameOf(WebUser user) {
         return Optional.of(user.name()).filter(name -> !name.isEmpty());

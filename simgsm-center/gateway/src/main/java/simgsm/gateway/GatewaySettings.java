@@ -21,7 +21,7 @@ import simgsm.console.UsageException;
  * The gateway's settings, from the command line.
  *
  * @param bind the address of the ports
- * @param hasWeb false if there are only SIP phones and mail
+ * @param hasWeb false if there are only SIP phones, mail and fax
  * @param web the port of the pages; 0 for any free one
  * @param firstNumber of the browsers' numbers
  * @param lastNumber not below the first
@@ -30,6 +30,7 @@ import simgsm.console.UsageException;
  * @param sip the port of SIP; 0 for any free one
  * @param sipUsers passwords by number
  * @param mail options of mail, if any is given
+ * @param fax options of fax, if any is given
  */
 record GatewaySettings(
         InetSocketAddress center,
@@ -43,6 +44,7 @@ record GatewaySettings(
         OptionalInt sip,
         Map<String, String> sipUsers,
         Optional<MailOptions> mail,
+        Optional<FaxOptions> fax,
         Locale language) {
     private static final HostPort DEFAULT_CENTER = new HostPort("127.0.0.1", 3003);
     private static final int MAX_PORT = 0xffff;
@@ -53,11 +55,12 @@ record GatewaySettings(
     static GatewaySettings of(Arguments arguments) throws UsageException, IOException {
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         Optional<MailOptions> mail = MailOptions.of(arguments);
+        Optional<FaxOptions> fax = FaxOptions.of(arguments);
         long[] numbers = arguments.value("numbers", GatewaySettings::numbers).orElseGet(() -> numbers(DEFAULT_NUMBERS));
         return new GatewaySettings(
                 new InetSocketAddress(center.host(), center.port()),
                 arguments.bindAddress(),
-                arguments.has("web") || !arguments.has("sip") && mail.isEmpty(),
+                arguments.has("web") || !arguments.has("sip") && mail.isEmpty() && fax.isEmpty(),
                 (int) arguments.integer("web", 0, 0, MAX_PORT),
                 numbers[0],
                 numbers[1],
@@ -68,6 +71,7 @@ record GatewaySettings(
                         : OptionalInt.empty(),
                 arguments.has("sip") ? SipUserFile.read(arguments.path("data").orElse(DEFAULT_DATA)) : Map.of(),
                 mail,
+                fax,
                 arguments.language());
     }
 

@@ -14,11 +14,11 @@ import java.nio.file.StandardOpenOption;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import simgsm.file.FileReplacement;
 import simgsm.file.PrivateFiles;
 
 /** A directory of the file system. An open file is locked, so that no other process changes the store at the same time. */
 public final class FileDisk implements Disk {
-    private static final boolean IS_WINDOWS = System.getProperty("os.name", "").startsWith("Windows");
 
     private final Path directory;
 
@@ -80,14 +80,9 @@ public final class FileDisk implements Disk {
         Files.delete(directory.resolve(name));
     }
 
-    /** Windows cannot open directories; NTFS makes names durable by itself. */
     @Override
     public void sync() throws IOException {
-        if (!IS_WINDOWS) {
-            try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
-                channel.force(true);
-            }
-        }
+        FileReplacement.syncFolder(directory);
     }
 
     private record ChannelFile(FileChannel channel) implements DiskFile {

@@ -1,11 +1,13 @@
 package simgsm.file;
 
 import java.io.IOException;
+import java.nio.channels.FileChannel;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -16,6 +18,8 @@ import java.util.UUID;
  * Concurrent writers of the same file do not mix their octets; the last content stays.
  */
 public final class FileReplacement {
+    private static final boolean IS_WINDOWS = System.getProperty("os.name", "").startsWith("Windows");
+
     private FileReplacement() {}
 
     /**
@@ -33,7 +37,22 @@ public final class FileReplacement {
         write(file, content, true);
     }
 
-    private static void write(Path file, byte[] content, boolean isPrivate) throws IOException {
+    /** As {@link #write}; content and name are on the disk when the method returns. */
+    public static void writeDurably(Path file, byte[] content) throws IOException {
+        write(file, content, false, StandardOpenOption.CREATE, StandardOpenOption.WRITE, StandardOpenOption.SYNC);
+        syncFolder(file.toAbsolutePath().getParent());
+    }
+
+    /** Makes the names of a folder durable. Windows cannot open folders; NTFS makes names durable by itself. */
+    public static void syncFolder(Path folder) throws IOException {
+        if (!IS_WINDOWS) {
+            try (FileChannel channel = FileChannel.open(folder, StandardOpenOption.READ)) {
+                channel.force(true);
+            }
+        }
+    }
+
+    private static void write(Path file, byte[] content, boolean isPrivate, OpenOption... options) throws IOException {
         Path target = Files.isSymbolicLink(file) ? file.toRealPath() : file;
         if (Files.isDirectory(target)) {
             throw new FileSystemException(file.toString(), null, "expected a file, found a folder");
@@ -59,7 +78,7 @@ public final class FileReplacement {
                 PrivateFiles.open(fresh, StandardOpenOption.CREATE, StandardOpenOption.WRITE)
                         .close();
             }
-            FileErrors.naming(file, () -> Files.write(fresh, content));
+            FileErrors.naming(file, () -> Files.write(fresh, content, options));
             Files.move(fresh, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         } finally {
             Files.deleteIfExists(fresh);

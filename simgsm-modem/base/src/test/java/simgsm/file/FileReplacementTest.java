@@ -38,6 +38,15 @@ class FileReplacementTest {
         assertEquals(List.of(file), files());
     }
 
+    @Test
+    void aFileThatIsWrittenDurablyIsReplacedAndNothingElseIsLeft() throws IOException {
+        Path file = folder.resolve("a.txt");
+        FileReplacement.writeDurably(file, OLD);
+        FileReplacement.writeDurably(file, NEW);
+        assertArrayEquals(NEW, Files.readAllBytes(file));
+        assertEquals(List.of(file), files());
+    }
+
     /** As an editor does that has the file open: it must see the old content to its end. */
     @Test
     void aReaderOfTheOldContentReadsItToItsEnd() throws IOException {

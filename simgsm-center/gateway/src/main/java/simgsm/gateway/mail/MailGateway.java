@@ -7,6 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.gateway.esme.Application;
+import simgsm.gateway.esme.Delivery;
+import simgsm.gateway.esme.TcpProtocol;
 import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppMessage;
@@ -40,44 +43,32 @@ public final class MailGateway {
     private final RecentCounts noticesTo = new RecentCounts(MOST_AN_HOUR, TimeUnit.HOURS.toNanos(1));
     /** Mails taken, by Message-ID, number and sender: one whose 250 was lost is not submitted twice. */
     private final Map<String, Boolean> taken = new NewestEntries<>();
-    /** Null while not bound. */
-    private ApplicationSession session;
 
-    public MailGateway(Timers timers, CivilTime clock, MailSettings settings, MailTransport transport) {
+    private final Application application;
+
+    public MailGateway(
+            Timers timers,
+            CivilTime clock,
+            MailSettings settings,
+            MailTransport transport,
+            Application.Listener binds) {
         this.timers = timers;
         this.settings = settings;
         this.transport = transport;
-        out = new MailsOut(timers, clock, settings, transport, correspondences, this::notice);
+        application = new Application(timers, settings.bind(), binds, this::whole);
+        out = new MailsOut(timers, clock, settings, transport, correspondences, this::notice, application::answer);
     }
 
-    /** The protocol of a new connection to the SMSC. */
-    public MailProtocol application() {
-        return new ApplicationSession(timers, settings, new ApplicationSession.Listener() {
-            @Override
-            public void bound(ApplicationSession bound, int status) {
-                if (status == SmppStatus.OK) {
-                    session = bound;
-                }
-                transport.bound(status);
-            }
+    public Application application() {
+        return application;
+    }
 
-            @Override
-            public void delivered(ApplicationSession from, int sequence, SmppMessage message) {
-                out.delivered(from, sequence, message);
-            }
-
-            @Override
-            public void ended(ApplicationSession ended) {
-                if (session == ended) {
-                    session = null;
-                    transport.unbound();
-                }
-            }
-        });
+    private void whole(Delivery delivery) {
+        out.whole(delivery);
     }
 
     /** The protocol of a mail client's connection. @param from the client's address */
-    public MailProtocol accepted(String from) {
+    public TcpProtocol accepted(String from) {
         return new SmtpSession(
                 timers,
                 settings.domain(),
@@ -85,18 +76,14 @@ public final class MailGateway {
                 reply -> transport.refused(from, Integer.parseInt(reply.substring(0, 3)), reply));
     }
 
-    public boolean isBound() {
-        return session != null;
-    }
-
     private void notice(String number, String text, Runnable then) {
-        if (session == null || noticesTo.isFull(number, timers.nowNanos())) {
+        if (!application.isBound() || noticesTo.isFull(number, timers.nowNanos())) {
             then.run();
             return;
         }
         noticesTo.count(number, timers.nowNanos());
         // Without the signs of an order, whatever the address holds.
-        session.submit(submission(number, text.replace('*', '.').replace('#', '.')), status -> then.run());
+        application.submit(submission(number, text.replace('*', '.').replace('#', '.')), status -> then.run());
     }
 
     private void mail(String number, String sender, String octets, Consumer<String> reply) {
@@ -109,13 +96,13 @@ public final class MailGateway {
             reply.accept(TAKEN);
         } else if (pairs.isFull(pair, timers.nowNanos())) {
             reply.accept("550 5.7.1 more than " + MOST_AN_HOUR + " an hour to one number");
-        } else if (session == null) {
+        } else if (!application.isBound()) {
             reply.accept("451 4.3.0 the network does not answer");
         } else {
             Optional<String> order = mail.order();
             String text = order.orElse(sender + " " + mail.text());
             correspondences.add(number, new Correspondences.Mail(sender, mail.id(), mail.subject()), order.isPresent());
-            session.submit(submission(number, text), status -> {
+            application.submit(submission(number, text), status -> {
                 if (status == SmppStatus.OK) {
                     pairs.count(pair, timers.nowNanos());
                     taken.put(key, true);
@@ -141,7 +128,7 @@ public final class MailGateway {
             return TAKEN;
         } else if (status == SmppStatus.INVALID_DESTINATION) {
             return "550 5.1.1 unknown number";
-        } else if (status == ApplicationSession.LOST || SmppStatus.mayPass(status)) {
+        } else if (status == Application.LOST || SmppStatus.mayPass(status)) {
             return "451 4.3.0 the network does not take it now";
         }
         return "554 5.3.0 the network refuses it, status 0x%02x".formatted(status);
@@ -153,7 +140,7 @@ public final class MailGateway {
         boolean isShort = octets.length <= SmppMessage.MAX_SHORT_MESSAGE;
         OctetString content = OctetString.of(octets);
         return SmppMessage.of(
-                new SmppAddress(1, 1, settings.number().digits()),
+                new SmppAddress(1, 1, settings.bind().number().digits()),
                 new SmppAddress(1, 1, number),
                 0,
                 MAIL_PROTOCOL,

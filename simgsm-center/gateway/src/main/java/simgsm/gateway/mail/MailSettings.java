@@ -1,14 +1,12 @@
 package simgsm.gateway.mail;
 
-import simgsm.air.Msisdn;
+import simgsm.gateway.esme.BindSettings;
 
 /**
  * The settings of mail.
  *
- * @param number the application's own: a message to it becomes mail
+ * @param bind of the application: a message to its number becomes mail
  * @param domain of the addresses NUMBER@domain
- * @param systemId of the bind
- * @param password of the bind
  * @param mails false without a mail server for messages from phones
  */
-public record MailSettings(Msisdn number, String domain, String systemId, String password, boolean mails) {}
+public record MailSettings(BindSettings bind, String domain, boolean mails) {}

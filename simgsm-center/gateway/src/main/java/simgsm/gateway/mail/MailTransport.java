@@ -1,9 +1,11 @@
 package simgsm.gateway.mail;
 
+import simgsm.gateway.esme.TcpProtocol;
+
 /** The way to the mail server, and what the console hears; given by the program. */
 public interface MailTransport {
-    /** Opens one connection to the mail server; a failure is {@link MailProtocol#lost}. */
-    void connect(MailProtocol client);
+    /** Opens one connection to the mail server; a failure is {@link TcpProtocol#lost}. */
+    void connect(TcpProtocol client);
 
     /** The mail server has taken a message. @param id the left part of its Message-ID */
     void mailed(String id, String to);
@@ -13,10 +15,4 @@ public interface MailTransport {
 
     /** A mail was refused for good. @param cause the reply's code */
     void refused(String from, int cause, String text);
-
-    /** The SMSC has answered the bind. @param status of SMPP; 0 for a bound application */
-    void bound(int status);
-
-    /** The application is bound no longer. */
-    void unbound();
 }

@@ -2,26 +2,20 @@ package simgsm.gateway.mail;
 
 import java.util.ArrayDeque;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Supplier;
-import simgsm.gateway.mail.MailJob.Part;
-import simgsm.gateway.mail.MailJob.Waiting;
-import simgsm.smpp.SmppMessage;
+import java.util.function.ObjIntConsumer;
+import simgsm.gateway.esme.Delivery;
 import simgsm.smpp.SmppStatus;
-import simgsm.smpp.SmppViolation;
 import simgsm.timer.CivilTime;
-import simgsm.timer.NewestEntries;
 import simgsm.timer.Timers;
 
 /**
  * Short messages that become mail. A deliver_sm is answered after the mail server's reply: 250 by status 0, 4xx and a
- * failed connection by a temporary error, 5xx by a permanent one and a short message back. A deliver_sm that the SMSC
- * repeats meanwhile joins the mail under way; one that is repeated after the 250 is answered from memory.
+ * failed connection by a temporary error, 5xx by a permanent one and a short message back.
  */
 final class MailsOut {
     /** Time until the final dot; shorter than an SMSC waits for deliver_sm_resp. */
@@ -37,11 +31,8 @@ final class MailsOut {
     private final MailTransport transport;
     private final Correspondences correspondences;
     private final Notices notices;
-    /** By the group of the parts. */
-    private final Map<String, MailJob> jobs = new HashMap<>();
-
+    private final ObjIntConsumer<Delivery> answers;
     private final Queue<MailJob> queue = new ArrayDeque<>();
-    private final Map<String, Boolean> mailed = new NewestEntries<>();
     private int connections;
 
     /** Sends short messages back. */
@@ -56,94 +47,59 @@ final class MailsOut {
             MailSettings settings,
             MailTransport transport,
             Correspondences correspondences,
-            Notices notices) {
+            Notices notices,
+            ObjIntConsumer<Delivery> answers) {
         this.timers = timers;
         this.clock = clock;
         this.settings = settings;
         this.transport = transport;
         this.correspondences = correspondences;
         this.notices = notices;
+        this.answers = answers;
     }
 
-    void delivered(ApplicationSession session, int sequence, SmppMessage message) {
-        Optional<String> number = message.source().number().map(it -> it.digits());
-        if ((message.esmClass() & SmppMessage.RECEIPT) != 0) {
-            session.answer(sequence, SmppStatus.OK);
+    /** A text without a receiver is refused for good, and its sender told so. */
+    void whole(Delivery delivery) {
+        if (!settings.mails()) {
+            answers.accept(delivery, SmppStatus.PERMANENT_APPLICATION_ERROR);
             return;
         }
-        DeliveredText text;
-        try {
-            text = DeliveredText.of(message);
-        } catch (SmppViolation noText) {
-            session.answer(sequence, SmppStatus.PERMANENT_APPLICATION_ERROR);
-            return;
-        }
-        if (number.isEmpty() || !settings.mails()) {
-            session.answer(sequence, SmppStatus.PERMANENT_APPLICATION_ERROR);
-        } else if (mailed.containsKey(text.id())) {
-            session.answer(sequence, SmppStatus.OK);
+        Optional<MailAddresses> addresses = MailAddresses.parse(delivery.text());
+        Optional<OutgoingMail> mail =
+                addresses.isPresent() ? Optional.of(mail(delivery, addresses.get())) : reply(delivery);
+        if (mail.isEmpty()) {
+            transport.failed(delivery.id(), "-", "no address");
+            notices.send(
+                    delivery.number(),
+                    "mail not sent: expected ADDRESS TEXT",
+                    () -> answers.accept(delivery, SmppStatus.PERMANENT_APPLICATION_ERROR));
         } else {
-            add(number.get(), text, new Waiting(session, sequence));
+            MailJob job = new MailJob(delivery, mail.get());
+            job.limit = timers.start(UNTIL_TEXT_NANOS, () -> expire(job, "421 no answer within 20 s"));
+            queue.add(job);
+            next();
         }
-    }
-
-    private void add(String number, DeliveredText text, Waiting waiting) {
-        MailJob job = jobs.computeIfAbsent(text.group(), group -> begin(new MailJob(number)));
-        for (Part part : job.parts) {
-            if (part.text.id().equals(text.id())) {
-                part.waiting = waiting;
-                return;
-            }
-        }
-        if (job.mail != null || job.parts.stream().anyMatch(part -> part.text.part() == text.part())) {
-            // Another text with the same reference, while the first is under way.
-            waiting.session().answer(waiting.sequence(), SmppStatus.TEMPORARY_APPLICATION_ERROR);
-            return;
-        }
-        job.parts.add(new Part(text, waiting));
-        if (job.isWhole()) {
-            address(job);
-        }
-    }
-
-    private MailJob begin(MailJob job) {
-        job.limit = timers.start(UNTIL_TEXT_NANOS, () -> expire(job, "421 no answer within 20 s"));
-        return job;
     }
 
     private void expire(MailJob job, String reason) {
         if (job.client != null) {
             job.client.abort(reason);
         } else {
+            queue.remove(job);
             failedForNow(job, reason);
         }
     }
 
-    private void address(MailJob job) {
-        String text = job.text();
-        Optional<MailAddresses> addresses = MailAddresses.parse(text);
-        Optional<OutgoingMail> mail =
-                addresses.isPresent() ? Optional.of(mail(job, addresses.get())) : reply(job, text);
-        if (mail.isEmpty()) {
-            transport.failed(job.id(), "-", "no address");
-            refuse(job, () -> "mail not sent: expected ADDRESS TEXT");
-        } else {
-            job.mail = mail.get();
-            queue.add(job);
-            next();
-        }
-    }
-
-    private OutgoingMail mail(MailJob job, MailAddresses addresses) {
+    private OutgoingMail mail(Delivery delivery, MailAddresses addresses) {
         Optional<String> answered = correspondences
-                .latest(job.number)
+                .latest(delivery.number())
                 .filter(before -> addresses.to().contains(before.address()))
                 .map(Correspondences.Mail::id)
                 .filter(id -> !id.isEmpty());
-        String subject = addresses.subject().isEmpty() ? "SMS from " + job.number : addresses.subject();
+        String subject = addresses.subject().isEmpty() ? "SMS from " + delivery.number() : addresses.subject();
         return new OutgoingMail(
-                job.id(),
-                job.number,
+                delivery.id(),
+                delivery.number(),
                 settings.domain(),
                 addresses.to(),
                 addresses.name(),
@@ -155,17 +111,17 @@ final class MailsOut {
     }
 
     /** A text without an address answers an order that came as a mail. */
-    private Optional<OutgoingMail> reply(MailJob job, String text) {
+    private Optional<OutgoingMail> reply(Delivery delivery) {
         return correspondences
-                .order(job.number, job.id())
+                .order(delivery.number(), delivery.id())
                 .map(before -> new OutgoingMail(
-                        job.id(),
-                        job.number,
+                        delivery.id(),
+                        delivery.number(),
                         settings.domain(),
                         List.of(before.address()),
                         "",
-                        before.subject().isEmpty() ? "SMS from " + job.number : "Re: " + before.subject(),
-                        text,
+                        before.subject().isEmpty() ? "SMS from " + delivery.number() : "Re: " + before.subject(),
+                        delivery.text(),
                         Optional.of(before.id()).filter(id -> !id.isEmpty()),
                         true,
                         clock.now()));
@@ -194,28 +150,22 @@ final class MailsOut {
     }
 
     private void ended(MailJob job, int code, String text, Map<String, String> refused) {
-        String to = String.join(",", job.mail.to());
         if (code < 400) {
             job.mail.to().stream()
                     .filter(each -> !refused.containsKey(each))
-                    .forEach(each -> transport.mailed(job.id(), each));
-            refused.forEach((each, why) -> transport.failed(job.id(), each, why));
-            Runnable taken = () -> {
-                job.parts.forEach(part -> mailed.put(part.text.id(), true));
-                answer(job, SmppStatus.OK);
-            };
+                    .forEach(each -> transport.mailed(job.mail.id(), each));
+            refused.forEach((each, why) -> transport.failed(job.mail.id(), each, why));
+            Runnable taken = () -> answer(job, SmppStatus.OK);
             if (refused.isEmpty()) {
                 taken.run();
             } else {
                 String why = refused.values().iterator().next();
-                notices.send(job.number, notice(refused.keySet(), why), taken);
+                notices.send(job.mail.number(), notice(refused.keySet(), why), taken);
             }
         } else if (code < 500) {
-            transport.failed(job.id(), to, text);
             failedForNow(job, text);
         } else {
-            transport.failed(job.id(), to, text);
-            refuse(job, () -> notice(job.mail.to(), text));
+            refuse(job, text);
         }
     }
 
@@ -224,27 +174,24 @@ final class MailsOut {
     }
 
     private void failedForNow(MailJob job, String reason) {
-        queue.remove(job);
-        if (job.mail != null && job.client == null) {
-            transport.failed(job.id(), String.join(",", job.mail.to()), reason);
-        }
+        transport.failed(job.mail.id(), String.join(",", job.mail.to()), reason);
         answer(job, SmppStatus.TEMPORARY_APPLICATION_ERROR);
     }
 
     /** Refuses for good; the sender is told why, unless the mail was an automatic answer. */
-    private void refuse(MailJob job, Supplier<String> notice) {
+    private void refuse(MailJob job, String reason) {
         timers.cancel(job.limit);
+        transport.failed(job.mail.id(), String.join(",", job.mail.to()), reason);
         Runnable end = () -> answer(job, SmppStatus.PERMANENT_APPLICATION_ERROR);
-        if (job.mail != null && job.mail.isAutomatic()) {
+        if (job.mail.isAutomatic()) {
             end.run();
         } else {
-            notices.send(job.number, notice.get(), end);
+            notices.send(job.mail.number(), notice(job.mail.to(), reason), end);
         }
     }
 
     private void answer(MailJob job, int status) {
         timers.cancel(job.limit);
-        jobs.remove(job.parts.get(0).text.group());
-        job.parts.forEach(part -> part.waiting.session().answer(part.waiting.sequence(), status));
+        answers.accept(job.delivery, status);
     }
 }

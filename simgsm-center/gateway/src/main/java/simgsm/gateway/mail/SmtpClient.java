@@ -4,9 +4,11 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import simgsm.gateway.esme.TcpProtocol;
+import simgsm.gateway.esme.TcpSocket;
 
 /** Hands one mail to the mail server (RFC 5321). Time limits are the owner's, which calls {@link #abort}. */
-final class SmtpClient implements MailProtocol {
+final class SmtpClient implements TcpProtocol {
     private static final int MOST_REPLY = 4_096;
     private static final int MOST_PRINTED = 200;
     private static final int TRY_LATER = 421;
@@ -40,7 +42,7 @@ final class SmtpClient implements MailProtocol {
     private final Listener listener;
     private final SmtpLines lines = new SmtpLines(MOST_REPLY);
     private final Map<String, String> refused = new LinkedHashMap<>();
-    private MailSocket socket;
+    private TcpSocket socket;
     private Step step = Step.GREETING;
     private boolean takesEightBits;
     private int recipient;
@@ -51,7 +53,7 @@ final class SmtpClient implements MailProtocol {
     }
 
     @Override
-    public void connected(MailSocket opened) {
+    public void connected(TcpSocket opened) {
         socket = opened;
         if (step == Step.ENDED) {
             socket.closeWhenSent();

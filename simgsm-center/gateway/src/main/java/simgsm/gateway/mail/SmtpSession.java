@@ -7,6 +7,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import simgsm.gateway.esme.TcpProtocol;
+import simgsm.gateway.esme.TcpSocket;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
@@ -14,7 +16,7 @@ import simgsm.timer.Timers;
  * One connection of a mail client to the gateway (RFC 5321, server). A mail has one receiver, a further one is told to
  * wait for the next mail (452): one answer cannot say that the SMSC has taken a message for one number and not for another.
  */
-final class SmtpSession implements MailProtocol {
+final class SmtpSession implements TcpProtocol {
     /** Octets of a mail, also told as SIZE. */
     static final int MOST_OCTETS = 65_536;
 
@@ -44,7 +46,7 @@ final class SmtpSession implements MailProtocol {
     private final Consumer<String> refused;
     private final SmtpLines lines = new SmtpLines(MOST_LINE);
     private final StringBuilder text = new StringBuilder();
-    private MailSocket socket;
+    private TcpSocket socket;
     private Timer idle;
     private Mode mode = Mode.COMMANDS;
     private boolean isGreeted;
@@ -66,7 +68,7 @@ final class SmtpSession implements MailProtocol {
     }
 
     @Override
-    public void connected(MailSocket opened) {
+    public void connected(TcpSocket opened) {
         socket = opened;
         say("220 " + domain + " SMTP, short messages");
         restartIdle();

@@ -7,6 +7,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import simgsm.air.Msisdn;
+import simgsm.gateway.esme.Application;
+import simgsm.gateway.esme.BindSettings;
+import simgsm.gateway.esme.TcpProtocol;
+import simgsm.gateway.esme.TcpSocket;
 import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppCodec;
@@ -16,18 +20,19 @@ import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppViolation;
 import simgsm.smpp.Tlv;
+import simgsm.sms.GsmAlphabet;
 import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /** The core of mail between an SMSC, a mail server and mail clients that a test plays; the clock moves by hand. */
-final class MailStage implements MailTransport {
+final class MailStage implements MailTransport, Application.Listener {
     /** One connection, as the test sees it. */
-    static final class Wire implements MailSocket {
-        final MailProtocol protocol;
+    static final class Wire implements TcpSocket {
+        final TcpProtocol protocol;
         private byte[] sent = new byte[0];
         boolean isClosed;
 
-        Wire(MailProtocol protocol) {
+        Wire(TcpProtocol protocol) {
             this.protocol = protocol;
             protocol.connected(this);
         }
@@ -63,7 +68,7 @@ final class MailStage implements MailTransport {
 
     final Timers timers = new Timers();
     final List<String> told = new ArrayList<>();
-    final List<MailProtocol> connecting = new ArrayList<>();
+    final List<TcpProtocol> connecting = new ArrayList<>();
     MailGateway gateway;
     Wire smsc;
     private final List<SmppPdu> pdus = new ArrayList<>();
@@ -80,9 +85,10 @@ final class MailStage implements MailTransport {
         gateway = new MailGateway(
                 timers,
                 new CivilTime(Instant.EPOCH, timers),
-                new MailSettings(new Msisdn("6245"), "sms.example", "mail", "", true),
+                new MailSettings(new BindSettings(new Msisdn("6245"), "mail", ""), "sms.example", true),
+                this,
                 this);
-        smsc = new Wire(gateway.application());
+        smsc = new Wire(gateway.application().connection());
         framer = new SmppFramer();
         SmppPdu.Bind bind = (SmppPdu.Bind) pdus().get(0);
         toCore(new SmppPdu.BindResponse(bind.command(), 0, bind.sequence(), "test"));
@@ -146,7 +152,10 @@ final class MailStage implements MailTransport {
 
     static String text(SmppPdu.Message message) {
         try {
-            return DeliveredText.of(message.message()).text();
+            byte[] octets = message.message().content().toArray();
+            return message.message().dataCoding() == 0
+                    ? GsmAlphabet.decode(octets)
+                    : new String(octets, StandardCharsets.UTF_16BE);
         } catch (SmppViolation e) {
             throw new AssertionError(e);
         }
@@ -219,7 +228,7 @@ final class MailStage implements MailTransport {
     }
 
     @Override
-    public void connect(MailProtocol client) {
+    public void connect(TcpProtocol client) {
         connecting.add(client);
     }
 

@@ -1,4 +1,4 @@
-package simgsm.gateway.mail;
+package simgsm.gateway.esme;
 
 import java.nio.ByteBuffer;
 import java.util.HashMap;
@@ -17,10 +17,7 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /** One connection of the application to the SMSC: binds as transceiver, submits, answers, and checks the link (SMPP 3.4). */
-final class ApplicationSession implements MailProtocol {
-    /** Instead of a command_status: the connection has ended before the answer. */
-    static final int LOST = -1;
-
+final class ApplicationSession implements TcpProtocol {
     private static final long ENQUIRE_NANOS = TimeUnit.SECONDS.toNanos(30);
     private static final long ANSWER_NANOS = TimeUnit.SECONDS.toNanos(10);
 
@@ -36,23 +33,23 @@ final class ApplicationSession implements MailProtocol {
     }
 
     private final Timers timers;
-    private final MailSettings settings;
+    private final BindSettings settings;
     private final Listener listener;
     private final SmppFramer framer = new SmppFramer();
     private final Map<Integer, IntConsumer> unanswered = new HashMap<>();
-    private MailSocket socket;
+    private TcpSocket socket;
     private Timer silence;
     private boolean isEnquired;
     private int sequence;
 
-    ApplicationSession(Timers timers, MailSettings settings, Listener listener) {
+    ApplicationSession(Timers timers, BindSettings settings, Listener listener) {
         this.timers = timers;
         this.settings = settings;
         this.listener = listener;
     }
 
     @Override
-    public void connected(MailSocket opened) {
+    public void connected(TcpSocket opened) {
         socket = opened;
         send(new SmppPdu.Bind(
                 SmppCommand.BIND_TRANSCEIVER,
@@ -117,7 +114,7 @@ final class ApplicationSession implements MailProtocol {
         }
     }
 
-    /** Submits a text; the consumer receives command_status, or {@link #LOST}. */
+    /** Submits a text; the consumer receives command_status, or {@link Application#LOST}. */
     void submit(SmppMessage message, IntConsumer answered) {
         unanswered.put(++sequence, answered);
         send(new SmppPdu.Message(SmppCommand.SUBMIT_SM, sequence, message));
@@ -146,7 +143,7 @@ final class ApplicationSession implements MailProtocol {
         socket = null;
         List<IntConsumer> waiting = List.copyOf(unanswered.values());
         unanswered.clear();
-        waiting.forEach(each -> each.accept(LOST));
+        waiting.forEach(each -> each.accept(Application.LOST));
         listener.ended(this);
     }
 }

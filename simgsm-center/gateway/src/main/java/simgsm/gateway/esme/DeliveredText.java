@@ -1,4 +1,4 @@
-package simgsm.gateway.mail;
+package simgsm.gateway.esme;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;

@@ -1,11 +1,11 @@
-package simgsm.gateway.mail;
+package simgsm.gateway.esme;
 
 import java.nio.ByteBuffer;
 
 /** One side of a TCP connection. */
-public interface MailProtocol {
+public interface TcpProtocol {
     /** The connection is open; the first call. */
-    void connected(MailSocket socket);
+    void connected(TcpSocket socket);
 
     /** Takes all octets of the buffer. */
     void received(ByteBuffer octets);

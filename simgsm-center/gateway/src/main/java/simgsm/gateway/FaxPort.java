@@ -1,0 +1,84 @@
+package simgsm.gateway;
+
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.nio.file.Path;
+import java.time.ZonedDateTime;
+import java.util.Locale;
+import java.util.ResourceBundle;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
+import simgsm.console.TextBundle;
+import simgsm.file.FileErrors;
+import simgsm.file.FileReplacement;
+import simgsm.gateway.esme.Application;
+import simgsm.gateway.esme.Delivery;
+import simgsm.gateway.fax.Fax;
+import simgsm.smpp.SmppStatus;
+import simgsm.station.StationThread;
+
+/**
+ * Writes messages to one number as fax files, and answers each after its file is on the disk. Belongs to the stations'
+ * thread; a thread of its own writes.
+ */
+final class FaxPort {
+    private static final System.Logger LOG = System.getLogger(FaxPort.class.getName());
+
+    private final StationThread thread;
+    private final FaxOptions options;
+    private final TextBundle words;
+    private final Consumer<GatewayEvent> listener;
+    private final CoreTime time;
+    private final ApplicationPort port;
+    private final Application application;
+    private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> {
+        Thread daemon = new Thread(task, "fax");
+        daemon.setDaemon(true);
+        return daemon;
+    });
+
+    FaxPort(StationThread thread, FaxOptions options, Locale language, Consumer<GatewayEvent> listener) {
+        this.thread = thread;
+        this.options = options;
+        this.listener = listener;
+        Locale locale = TextBundle.bundleLocale(language);
+        words = new TextBundle(ResourceBundle.getBundle("simgsm.gateway.messages", locale), locale);
+        time = new CoreTime(thread);
+        port = new ApplicationPort(thread, options.smpp(), GatewayEvent.FAX, listener);
+        application = new Application(time.timers(), options.smpp().bind(options.number()), port, this::whole);
+    }
+
+    void start() throws InterruptedException {
+        port.start(application, time);
+    }
+
+    ApplicationPort application() {
+        return port;
+    }
+
+    private void whole(Delivery delivery) {
+        Fax fax = Fax.of(
+                delivery.id(), delivery.number(), options.number().digits(), delivery.text(), ZonedDateTime.now());
+        if (fax.pages().size() > Fax.MOST_PAGES) {
+            LOG.log(Level.WARNING, "fax {0}: over {1} pages", fax.id(), Fax.MOST_PAGES);
+            application.answer(delivery, SmppStatus.PERMANENT_APPLICATION_ERROR);
+        } else {
+            writer.execute(() -> write(fax, delivery));
+        }
+    }
+
+    private void write(Fax fax, Delivery delivery) {
+        Path file = options.folder().resolve("fax-" + fax.id() + ".tif");
+        try {
+            FileReplacement.writeDurably(file, fax.tiff(words::of));
+            thread.execute(() -> {
+                listener.accept(new GatewayEvent.Fax(fax.id(), fax.to(), file.toString()));
+                application.answer(delivery, SmppStatus.OK);
+            });
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "fax {0}: {1}; the SMSC tries again", fax.id(), FileErrors.describe(e));
+            thread.execute(() -> application.answer(delivery, SmppStatus.TEMPORARY_APPLICATION_ERROR));
+        }
+    }
+}
