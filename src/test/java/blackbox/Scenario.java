@@ -175,6 +175,22 @@ public class Scenario implements AutoCloseable {
                 "0");
     }
 
+    /** Starts a gateway for fax alone, with the service number 6329. @param smsc port of an SMSC */
+    public RunningProgram faxGateway(int smsc, Path faxes) {
+        return start(
+                "gateway",
+                "simgsm-gateway",
+                "--headless",
+                "--lang",
+                "en",
+                "--smpp",
+                "127.0.0.1:" + smsc,
+                "--fax-number",
+                "6329",
+                "--fax",
+                faxes.toString());
+    }
+
     /** Where the centre, started with {@code --smpp}, takes applications. */
     public int smppPort() {
         return Integer.parseInt(ready.field("smpp"));

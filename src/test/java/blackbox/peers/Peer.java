@@ -53,7 +53,9 @@ enum Peer {
     XWININFO("xwininfo"),
     PULSEAUDIO("pulseaudio"),
     PACTL("pactl"),
-    PAREC("parec");
+    PAREC("parec"),
+    TIFFINFO("tiffinfo"),
+    TIFFCMP("tiffcmp");
 
     /** Where {@code src/test/peers/install.sh} puts libraries. */
     static final Path LIBRARIES = Dist.root().resolve("target").resolve("peers");

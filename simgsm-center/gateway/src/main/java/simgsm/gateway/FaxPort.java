@@ -13,7 +13,7 @@ import simgsm.console.TextBundle;
 import simgsm.file.FileErrors;
 import simgsm.file.FileReplacement;
 import simgsm.gateway.esme.Application;
-import simgsm.gateway.esme.Delivery;
+import simgsm.gateway.esme.TextDelivery;
 import simgsm.gateway.fax.Fax;
 import simgsm.smpp.SmppStatus;
 import simgsm.station.StationThread;
@@ -30,7 +30,7 @@ final class FaxPort {
     private final TextBundle words;
     private final Consumer<GatewayEvent> listener;
     private final CoreTime time;
-    private final ApplicationPort port;
+    private final EsmePort port;
     private final Application application;
     private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> {
         Thread daemon = new Thread(task, "fax");
@@ -45,7 +45,7 @@ final class FaxPort {
         Locale locale = TextBundle.bundleLocale(language);
         words = new TextBundle(ResourceBundle.getBundle("simgsm.gateway.messages", locale), locale);
         time = new CoreTime(thread);
-        port = new ApplicationPort(thread, options.smpp(), GatewayEvent.FAX, listener);
+        port = new EsmePort(thread, options.smpp(), GatewayEvent.FAX, listener);
         application = new Application(time.timers(), options.smpp().bind(options.number()), port, this::whole);
     }
 
@@ -53,11 +53,11 @@ final class FaxPort {
         port.start(application, time);
     }
 
-    ApplicationPort application() {
+    EsmePort application() {
         return port;
     }
 
-    private void whole(Delivery delivery) {
+    private void whole(TextDelivery delivery) {
         Fax fax = Fax.of(
                 delivery.id(), delivery.number(), options.number().digits(), delivery.text(), ZonedDateTime.now());
         if (fax.pages().size() > Fax.MOST_PAGES) {
@@ -68,12 +68,12 @@ final class FaxPort {
         }
     }
 
-    private void write(Fax fax, Delivery delivery) {
+    private void write(Fax fax, TextDelivery delivery) {
         Path file = options.folder().resolve("fax-" + fax.id() + ".tif");
         try {
-            FileReplacement.writeDurably(file, fax.tiff(words::of));
+            FileReplacement.writeDurably(file, fax.tiff(header -> words.of("fax.header", header)));
             thread.execute(() -> {
-                listener.accept(new GatewayEvent.Fax(fax.id(), fax.to(), file.toString()));
+                listener.accept(new GatewayEvent.Faxed(fax.id(), fax.to(), file.toString()));
                 application.answer(delivery, SmppStatus.OK);
             });
         } catch (IOException e) {

@@ -66,7 +66,7 @@ sealed interface GatewayEvent {
 
     /** A message has become a file. */
     @EventLine("fax id= to= file=")
-    record Fax(String id, String to, String file) implements GatewayEvent {}
+    record Faxed(String id, String to, String file) implements GatewayEvent {}
 
     private static Optional<String> nameOf(WebUser user) {
         return Optional.of(user.name()).filter(name -> !name.isEmpty());

@@ -25,7 +25,7 @@ final class MailPort implements MailTransport {
     private final Consumer<GatewayEvent> listener;
     private final CoreTime time;
     private final MailGateway core;
-    private final ApplicationPort application;
+    private final EsmePort application;
     private final Optional<Acceptor> port;
 
     /** @throws IOException if the port cannot be opened */
@@ -35,7 +35,7 @@ final class MailPort implements MailTransport {
         this.options = options;
         this.listener = listener;
         time = new CoreTime(thread);
-        application = new ApplicationPort(thread, options.smpp(), GatewayEvent.MAIL, listener);
+        application = new EsmePort(thread, options.smpp(), GatewayEvent.MAIL, listener);
         core = new MailGateway(
                 time.timers(), new CivilTime(Instant.now(), time.timers()), options.settings(), this, application);
         port = options.port().isEmpty()
@@ -59,7 +59,7 @@ final class MailPort implements MailTransport {
         return port.map(Acceptor::port);
     }
 
-    ApplicationPort application() {
+    EsmePort application() {
         return application;
     }
 

@@ -28,7 +28,7 @@ public final class Application {
     private ApplicationSession session;
 
     /** @param whole receives each text once all its parts are there, and has it answered by {@link #answer} */
-    public Application(Timers timers, BindSettings settings, Listener listener, Consumer<Delivery> whole) {
+    public Application(Timers timers, BindSettings settings, Listener listener, Consumer<TextDelivery> whole) {
         this.timers = timers;
         this.settings = settings;
         this.listener = listener;
@@ -79,7 +79,7 @@ public final class Application {
     }
 
     /** Answers the deliver_sm of all parts. With status 0 the text is taken, and is not delivered again. */
-    public void answer(Delivery delivery, int status) {
+    public void answer(TextDelivery delivery, int status) {
         texts.answer(delivery, status);
     }
 }

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import simgsm.gateway.esme.Delivery.Part;
+import simgsm.gateway.esme.TextDelivery.Part;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.SmppViolation;
@@ -21,14 +21,14 @@ final class DeliveredTexts {
     private static final long PARTS_NANOS = TimeUnit.SECONDS.toNanos(20);
 
     private final Timers timers;
-    private final Consumer<Delivery> whole;
+    private final Consumer<TextDelivery> whole;
     /** By the group of the parts. */
-    private final Map<String, Delivery> underWay = new HashMap<>();
+    private final Map<String, TextDelivery> underWay = new HashMap<>();
 
     private final Map<String, Boolean> taken = new NewestEntries<>();
 
     /** @param whole receives each complete text, and has it answered by {@link #answer} */
-    DeliveredTexts(Timers timers, Consumer<Delivery> whole) {
+    DeliveredTexts(Timers timers, Consumer<TextDelivery> whole) {
         this.timers = timers;
         this.whole = whole;
     }
@@ -56,7 +56,7 @@ final class DeliveredTexts {
     }
 
     private void add(String number, Part added) {
-        Delivery delivery = underWay.computeIfAbsent(added.text.group(), group -> begin(new Delivery(number)));
+        TextDelivery delivery = underWay.computeIfAbsent(added.text.group(), group -> begin(new TextDelivery(number)));
         for (Part part : delivery.parts) {
             if (part.text.id().equals(added.text.id())) {
                 part.session = added.session;
@@ -76,12 +76,12 @@ final class DeliveredTexts {
         }
     }
 
-    private Delivery begin(Delivery delivery) {
+    private TextDelivery begin(TextDelivery delivery) {
         delivery.limit = timers.start(PARTS_NANOS, () -> answer(delivery, SmppStatus.TEMPORARY_APPLICATION_ERROR));
         return delivery;
     }
 
-    void answer(Delivery delivery, int status) {
+    void answer(TextDelivery delivery, int status) {
         underWay.remove(delivery.parts.get(0).text.group());
         delivery.parts.forEach(part -> {
             if (status == SmppStatus.OK) {

@@ -5,6 +5,7 @@ import java.time.ZonedDateTime;
 import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -22,12 +23,6 @@ public record Fax(String id, String from, String to, String text, ZonedDateTime 
     private static final DateTimeFormatter DATE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm");
     /** As the address in front of a message to e-mail (TS 23.040, 3.8.1); a shorter number may belong to the text. */
     private static final Pattern RECEIVER = Pattern.compile("(\\+?[0-9]{5,15})\\s+(\\S.*)", Pattern.DOTALL);
-
-    /** The texts of header lines. */
-    public interface Words {
-        /** The text of a key, with its arguments. */
-        String of(String key, Object... arguments);
-    }
 
     /** @param number of the service: the receiver, if the text does not begin with a number of at least 5 digits */
     public static Fax of(String id, String from, String number, String text, ZonedDateTime date) {
@@ -65,12 +60,16 @@ public record Fax(String id, String from, String to, String text, ZonedDateTime 
         lines.add(rest);
     }
 
-    /** The file. Each page begins with a line of date, sender, receiver and page number. */
-    public byte[] tiff(Words words) throws IOException {
+    /**
+     * The file. Each page begins with a line.
+     *
+     * @param headers the line for date, sender, receiver, page and number of pages
+     */
+    public byte[] tiff(Function<Object[], String> headers) throws IOException {
         List<List<String>> pages = pages();
         FaxFile file = new FaxFile(pages.size());
         for (int page = 1; page <= pages.size(); page++) {
-            String header = words.of("fax.header", DATE.format(date), from, to, page, pages.size());
+            String header = headers.apply(new Object[] {DATE.format(date), from, to, page, pages.size()});
             file.add(FaxPage.image(header, pages.get(page - 1)));
         }
         return file.octets();

@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.gateway.esme.Application;
-import simgsm.gateway.esme.Delivery;
 import simgsm.gateway.esme.TcpProtocol;
+import simgsm.gateway.esme.TextDelivery;
 import simgsm.octets.OctetString;
 import simgsm.smpp.SmppAddress;
 import simgsm.smpp.SmppMessage;
@@ -63,7 +63,7 @@ public final class MailGateway {
         return application;
     }
 
-    private void whole(Delivery delivery) {
+    private void whole(TextDelivery delivery) {
         out.whole(delivery);
     }
 

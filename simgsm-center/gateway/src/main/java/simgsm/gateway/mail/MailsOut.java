@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.ObjIntConsumer;
-import simgsm.gateway.esme.Delivery;
+import simgsm.gateway.esme.TextDelivery;
 import simgsm.smpp.SmppStatus;
 import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
@@ -31,7 +31,7 @@ final class MailsOut {
     private final MailTransport transport;
     private final Correspondences correspondences;
     private final Notices notices;
-    private final ObjIntConsumer<Delivery> answers;
+    private final ObjIntConsumer<TextDelivery> answers;
     private final Queue<MailJob> queue = new ArrayDeque<>();
     private int connections;
 
@@ -48,7 +48,7 @@ final class MailsOut {
             MailTransport transport,
             Correspondences correspondences,
             Notices notices,
-            ObjIntConsumer<Delivery> answers) {
+            ObjIntConsumer<TextDelivery> answers) {
         this.timers = timers;
         this.clock = clock;
         this.settings = settings;
@@ -59,7 +59,7 @@ final class MailsOut {
     }
 
     /** A text without a receiver is refused for good, and its sender told so. */
-    void whole(Delivery delivery) {
+    void whole(TextDelivery delivery) {
         if (!settings.mails()) {
             answers.accept(delivery, SmppStatus.PERMANENT_APPLICATION_ERROR);
             return;
@@ -90,7 +90,7 @@ final class MailsOut {
         }
     }
 
-    private OutgoingMail mail(Delivery delivery, MailAddresses addresses) {
+    private OutgoingMail mail(TextDelivery delivery, MailAddresses addresses) {
         Optional<String> answered = correspondences
                 .latest(delivery.number())
                 .filter(before -> addresses.to().contains(before.address()))
@@ -111,7 +111,7 @@ final class MailsOut {
     }
 
     /** A text without an address answers an order that came as a mail. */
-    private Optional<OutgoingMail> reply(Delivery delivery) {
+    private Optional<OutgoingMail> reply(TextDelivery delivery) {
         return correspondences
                 .order(delivery.number(), delivery.id())
                 .map(before -> new OutgoingMail(

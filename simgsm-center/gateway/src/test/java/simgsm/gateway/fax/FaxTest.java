@@ -34,10 +34,6 @@ class FaxTest {
         return Fax.of("1.ab", "5550100", "6329", text, DATE);
     }
 
-    private static String words(String key, Object... arguments) {
-        return key + Arrays.toString(arguments);
-    }
-
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -122,7 +118,7 @@ class FaxTest {
     @Test
     void theFileIsOneOfTiffFProfileS() throws IOException {
         ByteBuffer file =
-                ByteBuffer.wrap(fax("Hello\fWorld").tiff(FaxTest::words)).order(ByteOrder.LITTLE_ENDIAN);
+                ByteBuffer.wrap(fax("Hello\fWorld").tiff(Arrays::toString)).order(ByteOrder.LITTLE_ENDIAN);
         assertEquals('I' | 'I' << 8 | 42 << 16, file.getInt(0));
         int at = file.getInt(4);
         assertEquals(HEADER_OCTETS, at, "the first directory follows the header");
@@ -155,11 +151,12 @@ class FaxTest {
     void aReaderSeesEachPageWithItsHeader() throws IOException {
         Fax fax = fax("Hello\fWorld");
         ImageReader reader = ImageIO.getImageReadersByFormatName("tiff").next();
-        try (ImageInputStream in = ImageIO.createImageInputStream(new ByteArrayInputStream(fax.tiff(FaxTest::words)))) {
+        try (ImageInputStream in =
+                ImageIO.createImageInputStream(new ByteArrayInputStream(fax.tiff(Arrays::toString)))) {
             reader.setInput(in);
             assertEquals(2, reader.getNumImages(true));
             for (int page = 0; page < 2; page++) {
-                String header = "fax.header[2026-11-28 09:05, 5550100, 6329, " + (page + 1) + ", 2]";
+                String header = "[2026-11-28 09:05, 5550100, 6329, " + (page + 1) + ", 2]";
                 BufferedImage drawn = FaxPage.image(header, fax.pages().get(page));
                 BufferedImage read = reader.read(page);
                 int[] line = new int[FaxPage.WIDTH];

@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import simgsm.timer.Timer;
 
 /** A text under way from the SMSC, and the deliver_sm that wait for its end. */
-public final class Delivery {
+public final class TextDelivery {
     /** A part of the text, and the latest deliver_sm that brought it. */
     static final class Part {
         final DeliveredText text;
@@ -29,7 +29,7 @@ public final class Delivery {
     final List<Part> parts = new ArrayList<>();
     Timer limit;
 
-    Delivery(String number) {
+    TextDelivery(String number) {
         this.number = number;
     }
 

@@ -11,8 +11,8 @@ import simgsm.net.Connector;
 import simgsm.station.StationThread;
 
 /** Keeps an application bound to the SMSC, and reports its binds. Belongs to the stations' thread. */
-final class ApplicationPort implements Application.Listener {
-    private static final System.Logger LOG = System.getLogger(ApplicationPort.class.getName());
+final class EsmePort implements Application.Listener {
+    private static final System.Logger LOG = System.getLogger(EsmePort.class.getName());
     /** Pause after a refused bind. */
     private static final long REFUSED_PAUSE_NANOS = TimeUnit.SECONDS.toNanos(30);
     /** {@code ready} waits this long for the answer to the first bind. */
@@ -28,7 +28,7 @@ final class ApplicationPort implements Application.Listener {
     private Connector smsc;
 
     /** @param kind {@link GatewayEvent#MAIL} or {@link GatewayEvent#FAX} */
-    ApplicationPort(StationThread thread, SmppOptions options, String kind, Consumer<GatewayEvent> listener) {
+    EsmePort(StationThread thread, SmppOptions options, String kind, Consumer<GatewayEvent> listener) {
         this.thread = thread;
         this.options = options;
         this.kind = kind;
