@@ -5,10 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import blackbox.RunningProgram;
 import blackbox.Scenario;
-import java.io.IOException;
 import java.net.ServerSocket;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -17,18 +14,15 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Mail programs that were written elsewhere: aiosmtpd takes the phones' mail, with faults; swaks sends orders. */
 @Tag("peer")
 class MailPeersTest {
     private static final int MESSAGES = Integer.getInteger("mail.messages", 100);
 
-    @TempDir
-    Path folder;
-
     private final Scenario scenario = new Scenario("mail");
     private Process server;
+    private PrintedLines printed;
     private int serverPort;
 
     @BeforeEach
@@ -40,9 +34,9 @@ class MailPeersTest {
         }
         server = Peer.PYTHON
                 .process(Peer.source("aiosmtpd_faults.py"), String.valueOf(serverPort))
-                .redirectOutput(printed().toFile())
                 .start();
-        await(() -> lines("ready").size() == 1, "aiosmtpd is ready");
+        printed = new PrintedLines(server);
+        printed.await("ready");
         scenario.center("--smpp", "0");
     }
 
@@ -55,33 +49,10 @@ class MailPeersTest {
         scenario.close();
     }
 
-    private Path printed() {
-        return folder.resolve("printed");
-    }
-
-    private List<String> lines(String word) {
-        try {
-            return Files.readAllLines(printed()).stream()
-                    .filter(line -> line.equals(word) || line.startsWith(word + " "))
-                    .toList();
-        } catch (IOException e) {
-            throw new AssertionError(e);
-        }
-    }
-
-    private interface Condition {
-        boolean holds();
-    }
-
-    private static void await(Condition condition, String text) throws InterruptedException {
-        for (int i = 0; !condition.holds(); i++) {
-            assertTrue(i < 1_200, "not within 120 s: " + text);
-            Thread.sleep(100);
-        }
-    }
-
     private Set<String> ids() {
-        return lines("mail").stream().map(line -> line.split(" ")[1]).collect(Collectors.toCollection(TreeSet::new));
+        return printed.of("mail").stream()
+                .map(line -> line.split(" ")[1])
+                .collect(Collectors.toCollection(TreeSet::new));
     }
 
     private static String swaks(int port, String to, String body) throws Exception {
@@ -100,10 +71,10 @@ class MailPeersTest {
         assertTrue(sent.contains("<-  250 2.0.0 taken by the network"), sent);
         robot.expect("order", "text", "**#**20**", "verdict", "accepted");
         gateway.expect("mailed", "to", "ann@example.org");
-        assertTrue(lines("mail").get(0).endsWith(" ann@example.org auto-replied"));
+        assertTrue(printed.of("mail").get(0).endsWith(" ann@example.org auto-replied"));
         assertTrue(
-                lines("text").get(0).startsWith("text 3 Done: #**20."),
-                lines("text").get(0));
+                printed.of("text").get(0).startsWith("text 3 Done: #**20."),
+                printed.of("text").get(0));
         assertTrue(swaks(port, "5550200@elsewhere.example", "x").contains("<** 550 5.7.1"));
     }
 
@@ -119,7 +90,7 @@ class MailPeersTest {
         phone.say("sms 6245 nobody@example.org Hello");
         phone.expect("sms", "from", "6245", "text", "mail to nobody@example.org failed: 550 5.1.1 no such user");
         phone.expect("sms-undelivered", "to", "6245");
-        assertEquals(List.of(), lines("mail"));
+        assertEquals(List.of(), printed.of("mail"));
     }
 
     @Test
@@ -137,11 +108,11 @@ class MailPeersTest {
                 gateway.expect("ready");
             }
         }
-        await(() -> ids().size() >= MESSAGES, "all messages are mailed");
-        Set<String> texts = new TreeSet<>(lines("text"));
+        printed.await(lines -> ids().size() >= MESSAGES, "all messages are mailed");
+        Set<String> texts = new TreeSet<>(printed.of("text"));
         System.out.printf(
                 "  %d messages, %d kills: %d mails, %d Message-IDs, %d texts%n",
-                MESSAGES, kills, lines("mail").size(), ids().size(), texts.size());
+                MESSAGES, kills, printed.of("mail").size(), ids().size(), texts.size());
         assertEquals(MESSAGES, ids().size());
         assertEquals(MESSAGES, texts.size());
     }

@@ -43,6 +43,8 @@ class SipPeersTest {
     private final Scenario scenario = new Scenario("SIP phones");
     private final List<Process> phones = new ArrayList<>();
     private int port;
+    /** What baresip prints, with all SIP messages. */
+    private PrintedLines printed;
 
     @BeforeEach
     void start() {
@@ -101,19 +103,14 @@ class SipPeersTest {
                         + ";auth_pass=secret;audio_codecs=PCMA;regint=60;answermode=auto\n");
         Files.writeString(
                 folder.resolve("contacts"), "\"robot\" <sip:" + Scenario.ROBOT + "@127.0.0.1:" + port + ">\n");
-        phones.add(Peer.BARESIP
-                .process("-f", folder.toString(), "-4")
+        Process baresip = Peer.BARESIP
+                .process("-s", "-f", folder.toString(), "-4")
                 .redirectInput(Path.of("/dev/null").toFile())
-                .redirectOutput(folder.resolve("baresip.log").toFile())
-                .start());
-        for (int i = 0; ; i++) {
-            try {
-                return new Socket(InetAddress.getLoopbackAddress(), own + 2);
-            } catch (IOException e) {
-                assertTrue(i < 100, "baresip opens no control port");
-                Thread.sleep(100);
-            }
-        }
+                .start();
+        phones.add(baresip);
+        printed = new PrintedLines(baresip);
+        printed.await("baresip is ready");
+        return new Socket(InetAddress.getLoopbackAddress(), own + 2);
     }
 
     private static void say(Socket control, String command, String parameters) throws IOException {
@@ -155,6 +152,7 @@ class SipPeersTest {
 
             say(control, "message", "** #*0 **");
             robot.expect("reply", "to", NUMBER);
+            printed.await("3 Done: #*0.");
 
             RunningProgram phone = scenario.phone("5550101");
             phone.say("dial " + NUMBER);
