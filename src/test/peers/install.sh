@@ -77,6 +77,7 @@ python_library pycrate_mobile pycrate==0.8.1
 python_library roslibpy roslibpy==2.1.0
 python_library websockets websockets==17.0
 python_library aiosmtpd aiosmtpd==1.4.6
+python_library pjsua2 pjsua2-python==2.15.1.post1
 python_library gsmmodem python-gsmmodem-new==0.13.0
 python_library pocketsphinx pocketsphinx==5.1.1
 gsmmodem_tests() {

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** SIP phones that were written elsewhere call the robot and are called: baresip, linphonec, SIPp. */
+/** SIP phones that were written elsewhere call the robot and are called: baresip, linphonec, pjsua, SIPp. */
 @Tag("peer")
 class SipPeersTest {
     private static final String NUMBER = "5550100";
@@ -242,6 +242,52 @@ class SipPeersTest {
     private static void type(Process program, String line) throws IOException {
         program.getOutputStream().write((line + "\n").getBytes(StandardCharsets.US_ASCII));
         program.getOutputStream().flush();
+    }
+
+    // pjsua
+
+    @Test
+    void pjsuaRegistersCallsKeysByEventsAndInfoSendsAMessageAndIsCalled() throws Exception {
+        Peer.PYTHON.require();
+        Peer.require(Peer.PYTHON.run("-c", "import pjsua2").status() == 0, "pjsua2 (Python)");
+        RunningProgram robot = scenario.robot("empty.map", "--speed", "10");
+        RunningProgram gateway = gateway();
+        Process pjsua = Peer.PYTHON
+                .process(
+                        Peer.source("sip/pjsua2_calls.py"),
+                        String.valueOf(port),
+                        String.valueOf(freePorts()),
+                        NUMBER,
+                        "secret",
+                        Scenario.ROBOT,
+                        KEYS)
+                .start();
+        phones.add(pjsua);
+        printed = new PrintedLines(pjsua);
+        printed.await("registered 200");
+        gateway.expect("joined", "kind", "sip", "number", NUMBER);
+        for (int call = 0; call < 2; call++) {
+            type(pjsua, "call");
+            robot.expect("tone", "key", "1");
+            type(pjsua, "key");
+            for (char key : KEYS.toCharArray()) {
+                robot.expectNext("keys", "keys", String.valueOf(key));
+                type(pjsua, "next");
+            }
+            robot.expect("order", "text", KEYS, "verdict", "accepted");
+            robot.expect("released", "cause", "16");
+        }
+        type(pjsua, "message");
+        printed.await("sent 202");
+        robot.expect("order", "text", KEYS, "verdict", "accepted");
+        printed.await("message 3 Done: #**20.");
+
+        RunningProgram phone = scenario.phone("5550101");
+        phone.say("dial " + NUMBER);
+        printed.await("incoming");
+        phone.expect("connected", "number", NUMBER);
+        phone.say("hangup");
+        phone.expect("released", "cause", "16");
     }
 
     // SIPp
