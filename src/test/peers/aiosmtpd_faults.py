@@ -1,4 +1,5 @@
 """A mail server (aiosmtpd) with faults by the receiver's name. Prints each mail that it takes as "mail MESSAGE-ID TO"."""
+import asyncio
 import sys
 from email import message_from_bytes, policy
 
@@ -10,6 +11,8 @@ class Faults:
 
     async def handle_RCPT(self, server, session, envelope, address, options):
         name = address.split("@")[0]
+        if name == "silent":
+            await asyncio.sleep(60)
         if name == "later":
             return "451 4.3.0 try later"
         if name == "nobody":

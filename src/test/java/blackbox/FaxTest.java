@@ -66,6 +66,33 @@ class FaxTest {
         }
     }
 
+    @Test
+    void aGatewayThatIsKilledAmongMessagesWritesOneFileForEach() throws Exception {
+        try (Scenario scenario = new Scenario("fax, killed")) {
+            scenario.center("--smpp", "0");
+            RunningProgram phone = scenario.phone(Scenario.PHONE);
+            RunningProgram gateway = scenario.faxGateway(scenario.smppPort(), faxes());
+            gateway.expect("ready");
+            for (int i = 0; i < 30; i++) {
+                phone.say("sms 6329 Message " + i);
+                if (i % 10 == 5) {
+                    gateway.expect("fax");
+                    gateway.kill();
+                    gateway = scenario.faxGateway(scenario.smppPort(), faxes());
+                    gateway.expect("ready");
+                }
+            }
+            for (int i = 0; i < 30; i++) {
+                phone.expect("sms-delivered");
+            }
+            assertEquals(
+                    30,
+                    files().stream()
+                            .filter(file -> file.toString().endsWith(".tif"))
+                            .count());
+        }
+    }
+
     /** An SMSC, written from SMPP 3.4 alone, with one bound application. */
     private static final class Smsc implements AutoCloseable {
         private final Socket socket;

@@ -83,6 +83,7 @@ class MailPeersTest {
         RunningProgram phone = scenario.phone(Scenario.PHONE);
         RunningProgram gateway = scenario.mailGateway(serverPort);
         gateway.expect("ready");
+        phone.say("sms 6245 silent@example.org Hello");
         for (String name : List.of("later", "full", "closes")) {
             phone.say("sms 6245 " + name + "@example.org Hello");
             gateway.expect("mail-failed", "to", name + "@example.org");
@@ -90,6 +91,7 @@ class MailPeersTest {
         phone.say("sms 6245 nobody@example.org Hello");
         phone.expect("sms", "from", "6245", "text", "mail to nobody@example.org failed: 550 5.1.1 no such user");
         phone.expect("sms-undelivered", "to", "6245");
+        gateway.expect("mail-failed", "to", "silent@example.org", "text", "421 no answer within 20 s");
         assertEquals(List.of(), printed.of("mail"));
     }
 
