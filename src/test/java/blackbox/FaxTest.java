@@ -185,6 +185,7 @@ class FaxTest {
                 "--smpp h:1 --fax-number 6329|fax needs --smpp, --fax-number and --fax; --fax is missing",
                 "--smpp h:1 --fax-number x --fax FOLDER|\"x\" is not a telephone number",
                 "--smpp h:1 --fax-number 6329 --fax FILE|there is a file of that name",
+                "--smpp h:1 --fax-number 1 --fax FOLDER --mail-number 1 --mail-domain d --mail-in 0|must be two numbers",
             })
     void aMissingOrWrongOptionIsNamed(String options, String text) throws Exception {
         Path file = Files.createFile(folder.resolve("file"));

@@ -56,6 +56,11 @@ record GatewaySettings(
         HostPort center = arguments.hostPort("center").orElse(DEFAULT_CENTER);
         Optional<MailOptions> mail = MailOptions.of(arguments);
         Optional<FaxOptions> fax = FaxOptions.of(arguments);
+        if (fax.isPresent()
+                && mail.isPresent()
+                && fax.get().number().equals(mail.get().settings().bind().number())) {
+            throw new UsageException("--mail-number and --fax-number must be two numbers");
+        }
         long[] numbers = arguments.value("numbers", GatewaySettings::numbers).orElseGet(() -> numbers(DEFAULT_NUMBERS));
         return new GatewaySettings(
                 new InetSocketAddress(center.host(), center.port()),
