@@ -8,37 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import simgsm.speech.WavWriter;
-import simgsm.words.Prompts;
-import simgsm.words.SpokenLanguage;
-import simgsm.words.Utterance;
 
 /** A caller with enrolled words orders by voice; the caller's voice is that of the prompts. */
 class VoiceOrdersTest {
-    private static final List<String> WORDS = List.of(
-            "forward", "turn", "right", "stop", "status", "yes", "no", "zero", "one", "two", "three", "four", "five",
-            "six", "seven", "eight", "nine");
-
-    /** One after the other with 0.7 s of silence, in one file, so that no word depends on the test's own time. */
-    private static Path spoken(Path folder, String... words) throws IOException {
-        Path file = folder.resolve(String.join("-", words) + ".wav");
-        try (WavWriter wav = new WavWriter(file, 1)) {
-            for (String word : words) {
-                wav.write(new short[1600]);
-                wav.write(Prompts.of(SpokenLanguage.ENGLISH).samples(new Utterance(List.of(word))));
-                wav.write(new short[4000]);
-            }
-        }
-        return file;
-    }
-
-    private static void enrol(Path voice, Path file, String word) throws IOException, InterruptedException {
-        String same = file.toString();
-        FinishedProgram tool = FinishedProgram.run(
-                "simgsm-modem", "enrol", "--templates", voice.toString(), word, same, same, same, same);
-        assertEquals(0, tool.status(), tool.error());
-    }
-
     /** The phone knows the prompts half a second after its first call began. */
     private static void askForStatus(RunningProgram phone) {
         phone.say("press ** #*0 **");
@@ -49,9 +21,7 @@ class VoiceOrdersTest {
     void aSpokenOrderIsReadBackAndExecutedAfterYesAndTheNextKeysStillWork() throws IOException, InterruptedException {
         try (Scenario scenario = new Scenario("an order by voice")) {
             Path data = scenario.folder().resolve("robot-data");
-            for (String word : WORDS) {
-                enrol(data.resolve("voices").resolve(Scenario.PHONE), spoken(scenario.folder(), word), word);
-            }
+            SpokenWords.enrol(data, scenario.folder());
             scenario.center();
             RunningProgram robot = scenario.robot("demo.map", "--voice", "--data", data.toString());
             RunningProgram phone = scenario.phone(Scenario.PHONE);
@@ -60,7 +30,7 @@ class VoiceOrdersTest {
             phone.say("press *#");
             robot.expect("said", "text", "Say");
             phone.expect("words", "text", "Say");
-            phone.say("play " + spoken(scenario.folder(), "forward", "two", "zero"));
+            phone.say("play " + SpokenWords.file(scenario.folder(), "forward", "two", "zero"));
             for (String word : List.of("forward", "two", "zero")) {
                 assertEquals(word, robot.expect("heard", "verdict", "sure").field("word"));
             }
@@ -91,7 +61,7 @@ class VoiceOrdersTest {
             // on a busy machine a word may be lost, and is asked again
             while (asked.equals("Say forward")) {
                 phone.expect("words", "text", asked);
-                phone.say("play " + spoken(scenario.folder(), "forward"));
+                phone.say("play " + SpokenWords.file(scenario.folder(), "forward"));
                 phone.expect("played");
                 asked = robot.expect("said").field("text");
             }

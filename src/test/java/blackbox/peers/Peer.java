@@ -54,6 +54,7 @@ enum Peer {
     PULSEAUDIO("pulseaudio"),
     PACTL("pactl"),
     PAREC("parec"),
+    PAPLAY("paplay"),
     TIFFINFO("tiffinfo"),
     TIFFCMP("tiffcmp");
 

@@ -20,6 +20,7 @@ import simgsm.modem.at.command.AtModem;
 import simgsm.modem.at.port.AtPort;
 import simgsm.phone.handset.Handset;
 import simgsm.sim.SimPhoneBook;
+import simgsm.speech.AudioInput;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.CallRecorder;
@@ -37,6 +38,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private final StationThread thread = new StationThread("station", cause -> FatalError.end(PhoneMain.NAME, cause));
     private final SimPhoneBook phoneBook = new SimPhoneBook();
     private final AudioOutput output;
+    private final AudioInput microphone;
     private final CallAudioListener recorder;
     private final Handset handset;
     private final MobileStation station;
@@ -44,8 +46,10 @@ final class Phone implements HandsetAccess, AutoCloseable {
     private Optional<AtPort> at = Optional.empty();
 
     /** @throws IOException if the recording's file cannot be written, or the stored data cannot be read */
-    Phone(PhoneOptions options, Consumer<StationEvent> listener, AudioOutput output) throws IOException {
+    Phone(PhoneOptions options, Consumer<StationEvent> listener, AudioOutput output, AudioInput microphone)
+            throws IOException {
         this.output = output;
+        this.microphone = microphone;
         recorder = options.recording().isPresent()
                 ? CallRecorder.open(options.recording().get())
                 : CallAudioListener.NONE;
@@ -64,6 +68,7 @@ final class Phone implements HandsetAccess, AutoCloseable {
                 handset::fillFrame,
                 this::accept);
         handset.attach(station);
+        handset.setMicrophone(microphone);
         station.setChannels(options.channels());
         data = options.data().isPresent()
                 ? Optional.of(
@@ -139,5 +144,6 @@ final class Phone implements HandsetAccess, AutoCloseable {
         data.ifPresent(PhoneData::close);
         recorder.close();
         output.close();
+        microphone.close();
     }
 }

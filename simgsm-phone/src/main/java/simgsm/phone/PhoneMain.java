@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Optional;
 import java.util.function.Consumer;
+import simgsm.audio.Microphone;
 import simgsm.audio.SoundCard;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
@@ -19,6 +20,7 @@ import simgsm.console.UsageException;
 import simgsm.modem.at.AtProfile;
 import simgsm.modem.at.port.AtPort;
 import simgsm.phone.ui.HandsetWindow;
+import simgsm.speech.AudioInput;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
 import simgsm.ui.window.ProgramWindow;
@@ -66,6 +68,14 @@ public final class PhoneMain {
         return arguments.has("headless") ? SoundCard.openWhenPlayed() : SoundCard.open();
     }
 
+    private static AudioInput microphone(Arguments arguments) throws UnavailableException {
+        try {
+            return arguments.has("microphone") ? Microphone.open() : AudioInput.SILENT;
+        } catch (IOException e) {
+            throw new UnavailableException("--microphone: " + e.getMessage());
+        }
+    }
+
     /** Opens the port for AT commands, if requested, and adds it to the first event. */
     private static Event withAtPort(Arguments arguments, Phone phone, Event ready) throws UsageException, IOException {
         if (!arguments.has("at")) {
@@ -94,7 +104,7 @@ public final class PhoneMain {
         TextBundle texts = PhoneTexts.in(arguments.language());
         Consumer<StationEvent> printer =
                 console.isPresent() ? new PhoneEventPrinter(console.get(), texts) : event -> {};
-        Phone phone = new Phone(options, printer, sound(arguments));
+        Phone phone = new Phone(options, printer, sound(arguments), microphone(arguments));
         Event ready = withAtPort(arguments, phone, Event.of("ready"));
         Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
         phone.start(address(center));
@@ -119,9 +129,10 @@ public final class PhoneMain {
     }
 
     private static int headless(Arguments arguments, PhoneOptions options, HostPort center, TextBundle texts)
-            throws IOException, InterruptedException, UsageException {
+            throws IOException, InterruptedException, UsageException, UnavailableException {
         try (Console console = Console.onStandardOutput();
-                Phone phone = new Phone(options, new PhoneEventPrinter(console, texts), sound(arguments))) {
+                Phone phone = new Phone(
+                        options, new PhoneEventPrinter(console, texts), sound(arguments), microphone(arguments))) {
             PhoneCommands commands = new PhoneCommands(console, phone);
             Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
             Event ready = withAtPort(arguments, phone, Event.of("ready"));

@@ -17,6 +17,7 @@ import javax.sound.sampled.SourceDataLine;
 import javax.sound.sampled.TargetDataLine;
 import simgsm.net.ByteLine;
 import simgsm.speech.AudioOutput;
+import simgsm.speech.PcmFrames;
 
 /**
  * A sound device as a line: its input is read, its output is written, at 8 kHz, 16 bit, mono, little-endian.
@@ -24,20 +25,13 @@ import simgsm.speech.AudioOutput;
  * @param name part of the device's name in any case; empty for the system's default
  */
 public record SoundCardLine(String name) implements ByteLine {
-    private static final AudioFormat FORMAT = new AudioFormat(8_000, 16, 1, true, false);
-    private static final int FRAME_OCTETS = 320;
-    private static final int INPUT_FRAMES = 5;
-
     @Override
     public ByteChannel open() throws IOException {
-        try {
-            TargetDataLine in = (TargetDataLine) line(new DataLine.Info(TargetDataLine.class, FORMAT));
-            in.open(FORMAT, INPUT_FRAMES * FRAME_OCTETS);
-            in.start();
-            return new Channel(in, SoundCard.open(this::output));
-        } catch (LineUnavailableException | IllegalArgumentException | SecurityException | LinkageError e) {
-            throw new IOException("no sound input of 8 kHz: " + e.getMessage(), e);
-        }
+        return new Channel(Microphone.started(this::input), SoundCard.open(this::output));
+    }
+
+    private TargetDataLine input(AudioFormat format) throws LineUnavailableException {
+        return (TargetDataLine) line(new DataLine.Info(TargetDataLine.class, format));
     }
 
     private SourceDataLine output(AudioFormat format) throws LineUnavailableException {
@@ -69,7 +63,7 @@ public record SoundCardLine(String name) implements ByteLine {
     private record Channel(TargetDataLine in, AudioOutput out) implements ByteChannel {
         @Override
         public int read(ByteBuffer buffer) {
-            byte[] octets = new byte[FRAME_OCTETS];
+            byte[] octets = new byte[PcmFrames.OCTETS];
             int count = in.read(octets, 0, octets.length);
             buffer.put(octets, 0, count);
             return count == 0 ? -1 : count;

@@ -17,6 +17,7 @@ import simgsm.phone.screen.UserSettings;
 import simgsm.phone.store.MessageFolder;
 import simgsm.phone.store.StoredMessage;
 import simgsm.sim.SimPhoneBook;
+import simgsm.speech.AudioInput;
 import simgsm.speech.AudioOutput;
 import simgsm.station.StationCommands;
 import simgsm.station.context.StationEvent;
@@ -116,6 +117,11 @@ public final class Handset {
     public void attach(StationCommands newStation) {
         station = newStation;
         changed();
+    }
+
+    /** Sets the microphone of later frames; without it calls have the sound of keys and files only. */
+    public void setMicrophone(AudioInput microphone) {
+        audio.setMicrophone(microphone);
     }
 
     PhoneCall call() {

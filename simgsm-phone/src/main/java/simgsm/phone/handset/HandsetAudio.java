@@ -10,6 +10,7 @@ import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.phone.screen.RingTone;
 import simgsm.phone.screen.UserSettings;
+import simgsm.speech.AudioInput;
 import simgsm.speech.AudioOutput;
 import simgsm.station.context.StationEvent;
 import simgsm.tone.ToneSet;
@@ -35,8 +36,9 @@ final class HandsetAudio {
     private final PromptListener words;
     private final SupervisoryTones supervisory;
     private final SoundPlayer player = new SoundPlayer();
+    private AudioInput microphone = AudioInput.SILENT;
     private final short[] heardFrame = new short[SAMPLES_PER_FRAME];
-    /** Speech of {@link #keyTones}, which is not sent. */
+    /** Speech that is not sent: of {@link #keyTones}, and of the microphone while keys or a sound are sent. */
     private final short[] unsentFrame = new short[SAMPLES_PER_FRAME];
 
     private RingTone ringTone = RingTone.WARBLE;
@@ -73,6 +75,11 @@ final class HandsetAudio {
     void setSound(RingTone newRingTone, int volume) {
         ringTone = newRingTone;
         earpiece.setVolume(volume);
+    }
+
+    /** A microphone that rests while keys or a sound are sent. */
+    void setMicrophone(AudioInput newMicrophone) {
+        microphone = newMicrophone;
     }
 
     void accept(StationEvent.OfCall event) {
@@ -192,9 +199,12 @@ final class HandsetAudio {
             Arrays.fill(speech, (short) 0);
             return networkPlaysTones && playLocalFrame();
         }
+        boolean isQuiet = keysAreSent();
         DtmfKey before = sender.sounding();
         sender.read(speech, heardFrame);
         player.addTo(speech, heardFrame);
+        // a microphone in the earpiece would howl
+        microphone.read(isQuiet ? speech : unsentFrame);
         earpiece.play(heardFrame);
         return earpiece.pollChanged() || before != sender.sounding();
     }
