@@ -265,17 +265,17 @@ public final class Fleet {
 
     private TelephoneRobot join(Pioneer robot, RobotName name, RealModem modem) throws IOException {
         return simRobot.addBehind(
-                modem,
-                robot,
-                name.number(),
-                kit.answerAfterMillis(),
-                kit.recording().of(name.name()));
+                modem, robot, name.number(), options(kit.recording().of(name.name())));
+    }
+
+    private ModemOptions options(CallAudioListener recorder) {
+        return new ModemOptions(
+                new StationOptions(kit.codec(), recorder), kit.answerAfterMillis(), kit.prompts(), kit.voices());
     }
 
     private TelephoneRobot join(
             Pioneer robot, RobotName name, Optional<InsertedCard> card, CallAudioListener recorder) {
-        ModemOptions options = new ModemOptions(
-                new StationOptions(kit.codec(), recorder), kit.answerAfterMillis(), kit.prompts(), kit.voices());
+        ModemOptions options = options(recorder);
         Imei imei = imei(name.number());
         return card.isPresent()
                 ? simRobot.add(robot, card.get(), imei, options)

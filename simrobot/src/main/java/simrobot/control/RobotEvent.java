@@ -71,7 +71,7 @@ public sealed interface RobotEvent {
     /**
      * The ear has compared a word of the caller with the caller's templates.
      *
-     * @param ratio distance to the nearest word by that to the second, 0 to 1; over 0.90 the word is refused
+     * @param ratio distance to the nearest word by that to the second, 0 to 1; over 0.92 the word is refused
      */
     @EventLine("heard robot= word= second= ratio=:2 verdict=")
     record WordHeard(String word, String second, double ratio, boolean isSure) implements RobotEvent {

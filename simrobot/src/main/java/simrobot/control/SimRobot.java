@@ -158,24 +158,26 @@ public final class SimRobot implements AutoCloseable {
      * Adds a robot with a real modem, before the start.
      *
      * @param number the SIM's
+     * @param options without the codec, which is the modem's
      * @throws IllegalArgumentException if another robot has the number
      */
-    TelephoneRobot addBehind(
-            RealModem modem, Pioneer robot, Msisdn number, int answerAfterMillis, CallAudioListener recorder) {
+    TelephoneRobot addBehind(RealModem modem, Pioneer robot, Msisdn number, ModemOptions options) {
         requireFree(number);
         String name = "modem of " + robot.name();
         ModemLine line = new ModemLine(name, modem.address(), cause -> FatalError.end("simrobot", cause));
         Optional<ModemLine> sound = modem.sound().map(second -> new ModemLine("sound of the " + name, second, line));
+        CallAudioListener recorder = options.station().recorder();
         CallAudioListener heard =
                 modem.isPlayed() ? CallAudioListener.both(recorder, callMonitor.listener(robot.name())) : recorder;
-        SoundPort port =
-                sound.map(second -> new SoundPort(second::sendFrame, heard)).orElse(SoundPort.NONE);
+        SoundPort port = sound.map(
+                        second -> new SoundPort(second::sendFrame, heard, options.prompts(), options.voices()))
+                .orElse(SoundPort.NONE);
         TelephoneRobot added = new TelephoneRobot(
                 robot,
                 number,
                 (admission, listener) -> {
                     AttachedModem core = new AttachedModem(
-                            number, answerAfterMillis, Instant.now(), line::send, port, admission, listener);
+                            number, options.answerAfterMillis(), Instant.now(), line::send, port, admission, listener);
                     modem.pin().ifPresent(core::setPin);
                     sound.ifPresent(second -> second.attach(core.sound()));
                     return line.attach(core);

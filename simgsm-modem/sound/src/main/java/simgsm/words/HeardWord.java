@@ -9,10 +9,10 @@ package simgsm.words;
  */
 public record HeardWord(String word, String second, double ratio) {
     /**
-     * Words nearer to a second one are refused: at 0.90, of 1 200 digits of people at most 0.2 % were taken for another, and 20
-     * to 36 % were refused at 30 dB (docs/MEASURED.md).
+     * Words nearer to a second one are refused. Chosen on three of six people, so that at most 0.2 % of their digits are taken
+     * for another one (docs/MEASURED.md has the others).
      */
-    public static final double MOST_RATIO = 0.9;
+    public static final double MOST_RATIO = 0.92;
 
     /** False if the word is refused: a second one is nearly as near. */
     public boolean isSure() {

@@ -12,6 +12,8 @@ import java.util.Optional;
 public final class SpeakerTemplates {
     private record Rival(String word, double distance) {}
 
+    private static final int NEAREST = 2;
+
     private final Map<String, List<SpokenWord>> templates = new LinkedHashMap<>();
 
     /** Without templates. */
@@ -33,7 +35,7 @@ public final class SpeakerTemplates {
     /** @param allowed the words to compare with @return empty if none of them can be aligned */
     public Optional<HeardWord> hear(SpokenWord heard, Collection<String> allowed) {
         List<Rival> rivals = allowed.stream()
-                .map(word -> new Rival(word, nearest(heard, word)))
+                .map(word -> new Rival(word, distance(heard, word)))
                 .filter(rival -> rival.distance() < Double.POSITIVE_INFINITY)
                 .sorted(Comparator.comparingDouble(Rival::distance))
                 .toList();
@@ -45,10 +47,13 @@ public final class SpeakerTemplates {
         return Optional.of(new HeardWord(best.word(), second.word(), best.distance() / second.distance()));
     }
 
-    private double nearest(SpokenWord heard, String word) {
+    /** Mean distance of the word's two nearest templates: a single one may be near by chance. */
+    private double distance(SpokenWord heard, String word) {
         return templates.getOrDefault(word, List.of()).stream()
                 .mapToDouble(template -> TimeWarping.distance(heard, template))
-                .min()
+                .sorted()
+                .limit(NEAREST)
+                .average()
                 .orElse(Double.POSITIVE_INFINITY);
     }
 }

@@ -18,7 +18,9 @@ public final class SpokenWord {
 
     private static final int MOST = 300;
     private static final double SLOPE_WEIGHT = 3;
-    private static final double LEAST_LOG = -50;
+    /** Quieter bands are equal: the noise of the codecs, so that digital silence around a word resembles a quiet room. */
+    private static final double LEAST_BAND = 100;
+
     private static final double[][] COSINE = new double[CEPSTRA][MelSpectrum.BANDS];
 
     static {
@@ -44,7 +46,7 @@ public final class SpokenWord {
         for (int t = 0; t < length; t++) {
             float[] bands = frames.get(t).bands();
             for (int band = 0; band < bands.length; band++) {
-                double log = bands[band] > 0 ? Math.max(LEAST_LOG, Math.log(bands[band])) : LEAST_LOG;
+                double log = Math.log(Math.max(LEAST_BAND, bands[band]));
                 for (int i = 0; i < CEPSTRA; i++) {
                     cepstra[t][i] += log * COSINE[i][band];
                 }

@@ -51,8 +51,7 @@ public final class Modem implements AnsweringModem {
     private final Replies replies;
     private final DtmfGenerator generator = new DtmfGenerator(this::toneGenerated);
     private final DtmfReceiver receiver;
-    private final Optional<WordPlayer> words;
-    private final Optional<VoiceDialogue> voice;
+    private final CallWords words;
     private final OutageWatch outages = new OutageWatch();
     /** Tones with their last sample in the frame filled last; sent once the next frame is requested. */
     private final Queue<DtmfKey> generated = new ArrayDeque<>();
@@ -95,17 +94,12 @@ public final class Modem implements AnsweringModem {
         this.admission = admission;
         this.listener = listener;
         answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(options.answerAfterMillis());
-        words = options.prompts()
-                .map(prompts -> new WordPlayer(prompts, text -> listener.accept(new ModemEvent.WordsBegun(text))));
-        voice = options.voices()
-                .map(voices -> new VoiceDialogue(
-                        words.orElseThrow(), options.prompts().orElseThrow().language(), voices, listener::accept));
+        words = new CallWords(options.prompts(), options.voices(), listener::accept);
         receiver = new DtmfReceiver(new DtmfListener() {
             @Override
             public void keyDecided(DtmfDigit digit) {
                 idleSamples = 0;
-                words.ifPresent(WordPlayer::stop);
-                if (voice.isPresent() && voice.get().key(digit.key())) {
+                if (words.key(digit.key())) {
                     return;
                 }
                 if (outages.keyDecided(digit.key())) {
@@ -145,22 +139,18 @@ public final class Modem implements AnsweringModem {
 
     @Override
     public boolean say(String reply) {
-        boolean heard = phase == Phase.ACCEPTED && connected;
-        if (heard) {
-            words.ifPresent(player -> player.say(reply));
-        }
-        return heard && words.isPresent();
+        return phase == Phase.ACCEPTED && connected && words.say(reply);
     }
 
     @Override
     public boolean listensToVoice() {
-        return voice.isPresent();
+        return words.listensToVoice();
     }
 
     @Override
     public void listen() {
         if (phase == Phase.ACCEPTED && connected) {
-            voice.ifPresent(dialogue -> dialogue.open(caller.map(Msisdn::digits).orElse("")));
+            words.listen(caller);
         }
     }
 
@@ -204,7 +194,7 @@ public final class Modem implements AnsweringModem {
 
     private void queue(DtmfKey key) {
         idleSamples = 0;
-        words.ifPresent(WordPlayer::stop);
+        words.stop();
         generator.enqueue(key, TONE_MILLIS, PAUSE_MILLIS);
     }
 
@@ -219,7 +209,7 @@ public final class Modem implements AnsweringModem {
             station.clear(Cause.TEMPORARY_FAILURE);
         }
         boolean isTone = generator.read(frame);
-        words.ifPresent(player -> player.read(frame, isTone));
+        words.read(frame, isTone);
     }
 
     private void reportTonesSent() {
@@ -281,8 +271,8 @@ public final class Modem implements AnsweringModem {
         receiver.accept(speech.samples());
         int count = speech.samples().length;
         listener.accept(new ModemEvent.SpeechProcessed(count));
-        voice.ifPresent(dialogue -> dialogue.hear(speech.samples()));
-        if (voice.filter(VoiceDialogue::isOpen).isPresent()) {
+        words.hear(speech.samples());
+        if (words.isListening()) {
             idleSamples = 0;
         } else if (!orderActive) {
             idleSamples += count;
@@ -319,8 +309,7 @@ public final class Modem implements AnsweringModem {
         phase = Phase.NONE;
         connected = false;
         generator.drop();
-        words.ifPresent(WordPlayer::stop);
-        voice.ifPresent(VoiceDialogue::close);
+        words.end();
         listener.accept(released);
     }
 }

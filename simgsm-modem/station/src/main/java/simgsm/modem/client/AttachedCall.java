@@ -15,6 +15,7 @@ import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
 import simgsm.modem.CallDecision;
+import simgsm.modem.CallWords;
 import simgsm.modem.Modem;
 import simgsm.modem.ModemEvent;
 import simgsm.modem.client.AttachedCallTable.AttachedCallPhase;
@@ -184,6 +185,11 @@ final class AttachedCall implements AttachedSound.Listener {
             tones.queue(key);
         }
         return heard;
+    }
+
+    /** The words of the accepted call; none without its sound. */
+    CallWords words() {
+        return isHearing() ? sound.words() : CallWords.NONE;
     }
 
     void setOrderUnderWay(boolean active) {
@@ -374,7 +380,7 @@ final class AttachedCall implements AttachedSound.Listener {
 
     @Override
     public void heard(StationEvent event) {
-        if (event instanceof ModemEvent.KeyDecided) {
+        if (event instanceof ModemEvent.KeyDecided || words().isListening()) {
             restartIdle();
         }
         if (isHearing()) {

@@ -58,6 +58,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private final Set<String> expectedCodes = new HashSet<>(START_CODES);
 
     private final AttachedSound sound;
+    private final SoundPort soundPort;
 
     private Timer attentionTimer;
     private Timer lookTimer;
@@ -91,6 +92,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
             Consumer<StationEvent> listener) {
         this.number = number;
         this.listener = listener;
+        this.soundPort = soundPort;
         state = new ReportedState("modem " + number, listener);
         dialogue = new CommandDialogue(timers, output, new Codes());
         setup = new ModemSetup(dialogue, timers, Integer.MAX_VALUE, soundPort != SoundPort.NONE, this::logged);
@@ -179,6 +181,21 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     @Override
     public boolean sendTone(DtmfKey key) {
         return call.sendTone(key);
+    }
+
+    @Override
+    public boolean say(String reply) {
+        return call.words().say(reply);
+    }
+
+    @Override
+    public boolean listensToVoice() {
+        return soundPort.voices().isPresent();
+    }
+
+    @Override
+    public void listen() {
+        call.words().listen(call.caller());
     }
 
     @Override

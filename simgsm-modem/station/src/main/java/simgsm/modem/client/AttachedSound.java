@@ -9,6 +9,7 @@ import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.DtmfListener;
 import simgsm.dtmf.DtmfReceiver;
+import simgsm.modem.CallWords;
 import simgsm.modem.ModemEvent;
 import simgsm.modem.line.ModemLine;
 import simgsm.speech.CallAudioListener;
@@ -32,7 +33,7 @@ final class AttachedSound implements ModemLine.Party {
 
     /** Receives the sound of a call. */
     interface Listener {
-        /** {@link StationEvent.SpeechReceived}, its keys, and {@link ModemEvent.SpeechProcessed}. */
+        /** {@link StationEvent.SpeechReceived}, its keys, {@link ModemEvent.SpeechProcessed}, and the events of words. */
         void heard(StationEvent event);
 
         void toneSent(DtmfKey key);
@@ -53,6 +54,9 @@ final class AttachedSound implements ModemLine.Party {
     private final DtmfReceiver receiver = new DtmfReceiver(new DtmfListener() {
         @Override
         public void keyDecided(DtmfDigit digit) {
+            if (words.key(digit.key())) {
+                return;
+            }
             listener.heard(new ModemEvent.KeyDecided(digit));
         }
 
@@ -61,6 +65,7 @@ final class AttachedSound implements ModemLine.Party {
             listener.heard(new ModemEvent.KeyEnded());
         }
     });
+    private final CallWords words;
     private Listener listener;
     private Timer guard;
     private boolean isOpen;
@@ -78,6 +83,7 @@ final class AttachedSound implements ModemLine.Party {
         this.timers = timers;
         recorder = port.recorder();
         output = port.output();
+        words = new CallWords(port.prompts(), port.voices(), event -> listener.heard(event));
         this.onLine = onLine;
     }
 
@@ -133,6 +139,11 @@ final class AttachedSound implements ModemLine.Party {
         return isOpen;
     }
 
+    /** Replies in words, and orders by voice, while the sound is live. */
+    CallWords words() {
+        return isLive ? words : CallWords.NONE;
+    }
+
     /** True if keys are heard, and tones sent, in the sound of the call. */
     boolean isLive() {
         return isLive;
@@ -156,6 +167,7 @@ final class AttachedSound implements ModemLine.Party {
         if (isInCall) {
             isInCall = false;
             isLive = false;
+            words.end();
             recorder.callEnded();
         }
     }
@@ -168,6 +180,7 @@ final class AttachedSound implements ModemLine.Party {
     }
 
     void play(DtmfKey key) {
+        words.stop();
         generator.enqueue(key, TONE_MILLIS, PAUSE_MILLIS);
     }
 
@@ -181,6 +194,7 @@ final class AttachedSound implements ModemLine.Party {
         if (isLive) {
             isLive = false;
             generator.drop();
+            words.end();
             listener.soundChanged(isOpen ? "the modem sends no sound" : obstacle);
         }
     }
@@ -198,6 +212,7 @@ final class AttachedSound implements ModemLine.Party {
         listener.heard(new StationEvent.SpeechReceived(heard));
         receiver.accept(heard);
         listener.heard(new ModemEvent.SpeechProcessed(heard.length));
+        words.hear(heard);
         if (isLive) {
             send();
         }
@@ -208,7 +223,8 @@ final class AttachedSound implements ModemLine.Party {
             listener.toneSent(key);
         }
         short[] frame = new short[SpeechCodec.SAMPLES_PER_FRAME];
-        generator.read(frame);
+        boolean isTone = generator.read(frame);
+        words.read(frame, isTone);
         recorder.sent(frame);
         output.accept(PcmFrames.octets(frame));
     }

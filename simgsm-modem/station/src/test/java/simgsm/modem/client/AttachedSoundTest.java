@@ -233,7 +233,7 @@ class AttachedSoundTest {
     }
 
     /** The answers to the commands that enable reported keys. */
-    private static final class DtmfDialectAnswers {
+    static final class DtmfDialectAnswers {
         static void refuseAll(ModemBench bench) {
             commands().forEach(command -> bench.answers.put(command, "ERROR"));
         }
