@@ -46,7 +46,7 @@ class LayeringTest {
             simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.ss
             simgsm.speech            :
             simgsm.tone              : simgsm.speech
-            simgsm.dtmf              : simgsm.speech simgsm.tone
+            simgsm.dtmf              : simgsm.speech simgsm.tone simgsm.words
             simgsm.scope             : simgsm.tone simgsm.dtmf
             simgsm.words             : simgsm.speech
             simgsm.console           : simgsm.event simgsm.file
@@ -59,7 +59,7 @@ class LayeringTest {
             simgsm.ui.file           :
             simgsm.ui.glossary       : simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane
             simgsm.ui.lesson         : simgsm.console simgsm.draw simgsm.lesson simgsm.ui simgsm.ui.glossary simgsm.ui.pane
-            simgsm.ui.scope          : simgsm.console simgsm.draw simgsm.dtmf simgsm.scope simgsm.speech simgsm.tone simgsm.ui simgsm.ui.glossary
+            simgsm.ui.scope          : simgsm.console simgsm.draw simgsm.dtmf simgsm.scope simgsm.speech simgsm.tone simgsm.words simgsm.ui simgsm.ui.glossary
             simgsm.ui.window         : simgsm.console simgsm.draw simgsm.file simgsm.lesson simgsm.ui simgsm.ui.file simgsm.ui.glossary simgsm.ui.lesson
             simgsm.station.context   : simgsm.event simgsm.sms simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.sim simgsm.ss simgsm.dtmf
             simgsm.station.mobility  : simgsm.octets simgsm.state simgsm.air simgsm.sim simgsm.station.context

@@ -168,7 +168,9 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         } else if (event instanceof ModemEvent.WordsBegun words) {
             simulation.execute(() -> control.tell(new RobotEvent.Said(words.text())));
         } else if (event instanceof ModemEvent.WordHeard word) {
-            RobotEvent heard = RobotEvent.WordHeard.of(word.heard());
+            tracer.show(word.compared());
+            trace = tracer.newest();
+            RobotEvent heard = RobotEvent.WordHeard.of(word.compared().result());
             simulation.execute(() -> control.tell(heard));
         } else if (event instanceof ModemEvent.OrderSpoken order) {
             long now = clockNanos.getAsLong();

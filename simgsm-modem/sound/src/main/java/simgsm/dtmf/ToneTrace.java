@@ -1,6 +1,8 @@
 package simgsm.dtmf;
 
+import java.util.Optional;
 import simgsm.tone.ToneExperiment;
+import simgsm.words.WordComparison;
 
 /**
  * A tone scope's immutable data: the last stretch of sound and two receivers' findings. During an experiment the
@@ -11,6 +13,7 @@ import simgsm.tone.ToneExperiment;
  * @param originalLevels before the experiment
  * @param modem the receiver used by phone and modem
  * @param classic the {@link ClassicReceiver} with short blocks
+ * @param word the spoken word that was compared last in the call
  */
 public record ToneTrace(
         SoundStretch original,
@@ -18,7 +21,8 @@ public record ToneTrace(
         ToneExperiment experiment,
         ToneLevels originalLevels,
         ReceiverTrace modem,
-        ReceiverTrace classic) {
+        ReceiverTrace classic,
+        Optional<WordComparison> word) {
     /** 40 ms at 8 kHz. */
     public static final int SAMPLES = 320;
     /** The trace before any sound. */
@@ -28,5 +32,6 @@ public record ToneTrace(
             ToneExperiment.NONE,
             ToneLevels.SILENCE,
             ReceiverTrace.EMPTY,
-            ReceiverTrace.EMPTY);
+            ReceiverTrace.EMPTY,
+            Optional.empty());
 }

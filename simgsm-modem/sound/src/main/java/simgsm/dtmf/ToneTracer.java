@@ -2,8 +2,10 @@ package simgsm.dtmf;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import simgsm.tone.Disturber;
 import simgsm.tone.ToneExperiment;
+import simgsm.words.WordComparison;
 
 /**
  * Makes a tone scope's {@link ToneTrace} from frames of sound. It has its own receivers, of the same kind as the
@@ -28,6 +30,7 @@ public final class ToneTracer {
     private SoundStretch afterwards = SoundStretch.EMPTY;
     private long samplesPassed;
     private boolean silent = true;
+    private Optional<WordComparison> word = Optional.empty();
     private ToneTrace newest = ToneTrace.EMPTY;
 
     public ToneTracer() {
@@ -109,10 +112,16 @@ public final class ToneTracer {
         publish();
     }
 
+    /** Shows the comparison of a spoken word. */
+    public void show(WordComparison compared) {
+        word = Optional.of(compared);
+        publish();
+    }
+
     private void publish() {
         ReceiverTrace ours = modem.newest(isExperiment());
         ToneLevels before = isExperiment() && !silent ? reference.levels() : ours.levels();
-        newest = new ToneTrace(original, afterwards, experiment, before, ours, classic.newest(isExperiment()));
+        newest = new ToneTrace(original, afterwards, experiment, before, ours, classic.newest(isExperiment()), word);
     }
 
     private boolean isSilent() {
@@ -137,6 +146,7 @@ public final class ToneTracer {
         original = SoundStretch.EMPTY;
         afterwards = SoundStretch.EMPTY;
         silent = true;
+        word = Optional.empty();
         if (isExperiment()) {
             publish();
         } else {

@@ -20,7 +20,9 @@ public final class ScopeInstrument {
         /** The wave and the levels of the eight tones. */
         LEVELS,
         /** Power over time and frequency. */
-        SPECTROGRAM
+        SPECTROGRAM,
+        /** The spoken word that was compared last, in its mel bands, and its distances. */
+        WORD
     }
 
     private final ScopeCursors onWave = new ScopeCursors(WAVE_MILLIS, 0, 0);
@@ -71,7 +73,7 @@ public final class ScopeInstrument {
 
     /** Cursors of the selected picture; drawn only if {@link #hasCursors}. */
     public ScopeCursors cursors() {
-        return picture == Picture.LEVELS ? onWave : onSpectrogram;
+        return picture == Picture.SPECTROGRAM ? onSpectrogram : onWave;
     }
 
     public void setCursors(boolean shown) {
@@ -79,7 +81,7 @@ public final class ScopeInstrument {
     }
 
     public boolean hasCursors() {
-        return hasCursors;
+        return hasCursors && picture != Picture.WORD;
     }
 
     /** Draws the sound before the experiment behind that after it. */

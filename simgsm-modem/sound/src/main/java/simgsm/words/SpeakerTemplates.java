@@ -7,11 +7,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import simgsm.words.WordComparison.WordDistance;
 
 /** A speaker's own words, each enrolled several times, and the comparison of a heard one with them. Owned by one thread. */
 public final class SpeakerTemplates {
-    private record Rival(String word, double distance) {}
-
     private static final int NEAREST = 2;
 
     private final Map<String, List<SpokenWord>> templates = new LinkedHashMap<>();
@@ -34,17 +33,32 @@ public final class SpeakerTemplates {
 
     /** @param allowed the words to compare with @return empty if none of them can be aligned */
     public Optional<HeardWord> hear(SpokenWord heard, Collection<String> allowed) {
-        List<Rival> rivals = allowed.stream()
-                .map(word -> new Rival(word, distance(heard, word)))
-                .filter(rival -> rival.distance() < Double.POSITIVE_INFINITY)
-                .sorted(Comparator.comparingDouble(Rival::distance))
-                .toList();
-        if (rivals.isEmpty()) {
+        List<WordDistance> found = distances(heard, allowed);
+        if (found.isEmpty()) {
             return Optional.empty();
         }
-        Rival best = rivals.get(0);
-        Rival second = rivals.size() > 1 ? rivals.get(1) : new Rival("", Double.POSITIVE_INFINITY);
+        WordDistance best = found.get(0);
+        WordDistance second = found.size() > 1 ? found.get(1) : new WordDistance("", Double.POSITIVE_INFINITY);
         return Optional.of(new HeardWord(best.word(), second.word(), best.distance() / second.distance()));
+    }
+
+    /** As {@link #hear}, with what leads to the result. @param frames of the word, as {@link WordCutter} cuts it */
+    public Optional<WordComparison> compare(List<SpeechFrame> frames, Collection<String> allowed) {
+        SpokenWord heard = SpokenWord.of(frames);
+        return hear(heard, allowed).map(result -> {
+            SpokenWord nearest = templates.get(result.word()).stream()
+                    .min(Comparator.comparingDouble(template -> TimeWarping.distance(heard, template)))
+                    .orElseThrow();
+            return new WordComparison(frames, result, distances(heard, allowed), TimeWarping.path(heard, nearest));
+        });
+    }
+
+    private List<WordDistance> distances(SpokenWord heard, Collection<String> allowed) {
+        return allowed.stream()
+                .map(word -> new WordDistance(word, distance(heard, word)))
+                .filter(found -> found.distance() < Double.POSITIVE_INFINITY)
+                .sorted(Comparator.comparingDouble(WordDistance::distance))
+                .toList();
     }
 
     /** Mean distance of the word's two nearest templates: a single one may be near by chance. */

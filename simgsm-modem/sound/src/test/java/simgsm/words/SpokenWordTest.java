@@ -122,4 +122,28 @@ class SpokenWordTest {
 
         assertTrue(refusal.getMessage().contains("expected 5 to 300"), refusal.getMessage());
     }
+
+    @Test
+    void aComparisonHasAllDistancesInOrderAndAPathThatNeverGoesBack() {
+        SpeakerTemplates templates = enrolled();
+        List<List<SpeechFrame>> words = new ArrayList<>();
+        WordCutter frames = new WordCutter(words::add);
+        FrontEnd frontEnd = new FrontEnd(frames::accept);
+        short[] spoken = Prompts.of(SpokenLanguage.ENGLISH).samples(new Utterance(List.of("three")));
+        frontEnd.accept(new short[4_000]);
+        frontEnd.accept(spoken);
+        frontEnd.accept(new short[8_000]);
+        WordComparison compared =
+                templates.compare(words.get(0), templates.words()).orElseThrow();
+        assertEquals("three", compared.result().word());
+        assertEquals(WORDS.size(), compared.distances().size());
+        assertEquals(compared.result().second(), compared.distances().get(1).word());
+        double ratio = compared.distances().get(0).distance()
+                / compared.distances().get(1).distance();
+        assertEquals(ratio, compared.result().ratio(), 1e-9);
+        assertEquals(words.get(0).size(), compared.path().size());
+        assertEquals(compared.path().stream().sorted().toList(), compared.path());
+        assertEquals(1, compared.path().get(compared.path().size() - 1));
+        assertTrue(compared.path().get(0) < 0.1, compared.path().toString());
+    }
 }

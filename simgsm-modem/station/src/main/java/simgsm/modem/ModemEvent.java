@@ -3,7 +3,7 @@ package simgsm.modem;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
 import simgsm.station.context.StationEvent;
-import simgsm.words.HeardWord;
+import simgsm.words.WordComparison;
 
 /** Events of a modem besides its station's. */
 public sealed interface ModemEvent extends StationEvent.OfTerminal {
@@ -35,7 +35,7 @@ public sealed interface ModemEvent extends StationEvent.OfTerminal {
     record WordsBegun(String text) implements ModemEvent {}
 
     /** The ear has compared a word of the caller. */
-    record WordHeard(HeardWord heard) implements ModemEvent {}
+    record WordHeard(WordComparison compared) implements ModemEvent {}
 
     /** The caller has confirmed an order by voice. @param keys that give the same order */
     record OrderSpoken(String keys) implements ModemEvent {}

@@ -14,6 +14,7 @@ import simgsm.words.SpeechFrame;
 import simgsm.words.SpokenLanguage;
 import simgsm.words.SpokenWord;
 import simgsm.words.Utterance;
+import simgsm.words.WordComparison;
 import simgsm.words.WordCutter;
 
 /**
@@ -117,11 +118,10 @@ final class VoiceDialogue {
 
     private void heard(List<SpeechFrame> frames) {
         silentSamples = 0;
-        SpokenWord word = SpokenWord.of(frames);
         switch (phase) {
-            case ENROLLING -> enrol(word);
-            case COMMAND -> take(word, allowed());
-            case CONFIRMING -> take(word, List.of(VoiceWord.YES, VoiceWord.NO));
+            case ENROLLING -> enrol(SpokenWord.of(frames));
+            case COMMAND -> take(frames, allowed());
+            case CONFIRMING -> take(frames, List.of(VoiceWord.YES, VoiceWord.NO));
             case CLOSED -> {}
         }
     }
@@ -133,10 +133,11 @@ final class VoiceDialogue {
                 .toList();
     }
 
-    private void take(SpokenWord word, List<VoiceWord> words) {
-        Optional<HeardWord> found =
-                templates.hear(word, words.stream().map(VoiceWord::template).toList());
-        found.ifPresent(heard -> listener.accept(new ModemEvent.WordHeard(heard)));
+    private void take(List<SpeechFrame> frames, List<VoiceWord> words) {
+        Optional<WordComparison> compared = templates.compare(
+                frames, words.stream().map(VoiceWord::template).toList());
+        compared.ifPresent(word -> listener.accept(new ModemEvent.WordHeard(word)));
+        Optional<HeardWord> found = compared.map(WordComparison::result);
         if (found.isEmpty() || !found.get().isSure()) {
             askAgain();
             return;

@@ -51,7 +51,7 @@ class VoiceDialogueTest {
         if (event instanceof ModemEvent.OrderSpoken order) {
             orders.add(order.keys());
         } else if (event instanceof ModemEvent.WordHeard word) {
-            heard.add(word.heard().word());
+            heard.add(word.compared().result().word());
         }
     }
 

@@ -50,6 +50,17 @@ final class ScopeTools extends JPanel {
         return button(id).isSelected();
     }
 
+    void setVisible(String id, boolean visible) {
+        if (button(id).isVisible() != visible) {
+            button(id).setVisible(visible);
+            revalidate();
+        }
+    }
+
+    private List<AbstractButton> shown() {
+        return buttons.stream().filter(AbstractButton::isVisible).toList();
+    }
+
     private AbstractButton button(String id) {
         return buttons.stream()
                 .filter(each -> id.equals(each.getName()))
@@ -77,15 +88,16 @@ final class ScopeTools extends JPanel {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension((int) (buttons.size() * Theme.exact(SIDE_UNITS)), Theme.px(SIDE_UNITS + Theme.HALF));
+        return new Dimension((int) (shown().size() * Theme.exact(SIDE_UNITS)), Theme.px(SIDE_UNITS + Theme.HALF));
     }
 
     @Override
     public void doLayout() {
-        int words = buttons.stream().mapToInt(this::wide).sum() + (buttons.size() - 1) * Theme.px(Theme.HALF);
+        List<AbstractButton> shown = shown();
+        int words = shown.stream().mapToInt(this::wide).sum() + (shown.size() - 1) * Theme.px(Theme.HALF);
         boolean hasWords = words <= getWidth();
-        int even = (getWidth() - (buttons.size() - 1) * Theme.px(Theme.HALF)) / Math.max(1, buttons.size());
-        for (AbstractButton button : buttons) {
+        int even = (getWidth() - (shown.size() - 1) * Theme.px(Theme.HALF)) / Math.max(1, shown.size());
+        for (AbstractButton button : shown) {
             button.setHideActionText(!hasWords);
             button.setPreferredSize(new Dimension(
                     hasWords ? wide(button) : Math.min(even, Theme.px(1.5 * SIDE_UNITS)), Theme.px(SIDE_UNITS)));

@@ -53,7 +53,7 @@ final class SpectrogramPainter {
         return image;
     }
 
-    private static int between(Color a, Color b, double share) {
+    static int between(Color a, Color b, double share) {
         int red = (int) Math.round(a.getRed() + share * (b.getRed() - a.getRed()));
         int green = (int) Math.round(a.getGreen() + share * (b.getGreen() - a.getGreen()));
         int blue = (int) Math.round(a.getBlue() + share * (b.getBlue() - a.getBlue()));

@@ -52,9 +52,11 @@ final class ToneScopePainter {
 
     private final TextBundle texts;
     private final SpectrogramPainter spectrogram = new SpectrogramPainter();
+    private final WordPainter word;
 
     ToneScopePainter(Locale language) {
         texts = DesktopTexts.in(language);
+        word = new WordPainter(texts);
     }
 
     /**
@@ -69,6 +71,8 @@ final class ToneScopePainter {
         Rectangle2D area = area(instrument, width, height);
         if (instrument.picture() == Picture.SPECTROGRAM) {
             spectrogram.paint(g, trace.heard(), area);
+        } else if (instrument.picture() == Picture.WORD) {
+            word.paint(g, trace.word(), width, height - Theme.exact(LINE_UNITS) - Theme.exact(4));
         } else {
             boolean comparing = instrument.isComparing();
             Rectangle2D keys = keys(width, height);
@@ -309,6 +313,9 @@ final class ToneScopePainter {
         if (instrument.isHiding()) {
             return texts.of("scope.hidden");
         }
+        if (instrument.picture() == Picture.WORD) {
+            return word.words(instrument.trace().word());
+        }
         return shown.digit().map(digit -> reading("scope.reading", digit)).orElseGet(() -> texts.of("scope.idle"));
     }
 
@@ -331,6 +338,9 @@ final class ToneScopePainter {
         }
         if (instrument.isHiding()) {
             return texts.of("scope.name") + ": " + texts.of("scope.hidden");
+        }
+        if (instrument.picture() == Picture.WORD) {
+            return texts.of("scope.name") + ": " + word.words(instrument.trace().word());
         }
         return shown.digit().map(digit -> reading("scope.spoken", digit)).orElseGet(() -> texts.of("scope.name"));
     }

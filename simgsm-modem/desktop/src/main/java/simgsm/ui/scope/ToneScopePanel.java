@@ -44,6 +44,9 @@ public final class ToneScopePanel extends JPanel {
     private static final String NAME = "scope";
     private static final String FREEZE = "scope.freeze";
     private static final String PREDICT = "scope.predict";
+    private static final String SPECTROGRAM = "scope.spectrogram";
+    /** Offered once a word has been compared. */
+    private static final String WORD = "scope.word";
 
     private final Locale language;
     private final TextBundle texts;
@@ -118,16 +121,23 @@ public final class ToneScopePanel extends JPanel {
     private void addTools(boolean opensLarge) {
         tools.toggle(FREEZE, Symbol.PAUSE, on -> scope.changed(() -> instrument.freeze(on)));
         tools.toggle("scope.cursors", Symbol.CURSORS, on -> scope.changed(() -> instrument.setCursors(on)));
-        tools.toggle(
-                "scope.spectrogram",
-                Symbol.SPECTROGRAM,
-                on -> scope.changed(() -> instrument.choose(on ? Picture.SPECTROGRAM : Picture.LEVELS)));
+        tools.toggle(SPECTROGRAM, Symbol.SPECTROGRAM, on -> choose(on, Picture.SPECTROGRAM, WORD));
+        tools.toggle(WORD, Symbol.WORD, on -> choose(on, Picture.WORD, SPECTROGRAM));
+        tools.setVisible(WORD, false);
         tools.toggle("scope.compare", Symbol.COMPARE, on -> scope.changed(() -> instrument.compare(on)));
         tools.toggle(PREDICT, Symbol.QUESTION, this::predict);
         tools.toggle("scope.terms", Symbol.BOOK, this::explain);
         if (opensLarge) {
             tools.button("scope.large", Symbol.FIT, this::openLarge);
         }
+    }
+
+    /** @param other button of the picture that this one replaces */
+    private void choose(boolean on, Picture picture, String other) {
+        if (on && tools.isOn(other)) {
+            tools.press(other);
+        }
+        scope.changed(() -> instrument.choose(on ? picture : Picture.LEVELS));
     }
 
     private void select(ShownReceiver receiver) {
@@ -316,6 +326,9 @@ public final class ToneScopePanel extends JPanel {
 
     public void show(ToneTrace trace) {
         newest = trace;
+        if (trace.word().isPresent()) {
+            tools.setVisible(WORD, true);
+        }
         KeyPrediction.Stage before = instrument.prediction().stage();
         scope.show(trace);
         if (before != instrument.prediction().stage()) {
