@@ -35,7 +35,7 @@ class GatewayTest {
     void start() {
         scenario = new Scenario("browsers");
         scenario.center();
-        robot = scenario.robot("empty.map", "--http", "0");
+        robot = scenario.robot("empty.map", "--http", "0", "--speak");
         String robots = "http://127.0.0.1:" + robot.said("ready").field("http");
         gateway = scenario.gateway("--robots", robots);
         ConsoleEvent ready = gateway.expect("ready");
@@ -67,6 +67,7 @@ class GatewayTest {
             robot.expect("order", "text", "**#**20**", "verdict", "accepted");
             phone.expect("tone", "key", "6");
             assertEquals("executed", phone.expect("tone", "key", "3").get("meaning"));
+            phone.expect("words", "text", robot.expect("said").field("text"));
             List<Character> keys = new ArrayList<>();
             new DtmfReceiver(digit -> keys.add(digit.key().symbol())).accept(phone.heard());
             assertEquals(List.of('1', '6', '3'), keys, "what the page plays");

@@ -125,7 +125,7 @@ class LayeringTest {
             simgsm.gateway.esme      : simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.smpp
             simgsm.gateway.mail      : simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.smpp simgsm.gateway.esme
             simgsm.gateway.fax       :
-            simgsm.gateway           : simgsm.event simgsm.file simgsm.net simgsm.timer simgsm.smpp simgsm.gateway.speech simgsm.gateway.sip simgsm.gateway.esme simgsm.gateway.mail simgsm.gateway.fax simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
+            simgsm.gateway           : simgsm.event simgsm.file simgsm.net simgsm.timer simgsm.smpp simgsm.gateway.speech simgsm.gateway.sip simgsm.gateway.esme simgsm.gateway.mail simgsm.gateway.fax simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.words simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
             simrobot.behaviour       :
             simrobot.world           : simgsm.file
             simrobot.bitmap          : simgsm.file simgsm.octets simrobot.world

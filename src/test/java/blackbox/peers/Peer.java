@@ -55,6 +55,8 @@ enum Peer {
     PACTL("pactl"),
     PAREC("parec"),
     PAPLAY("paplay"),
+    FLITE("flite"),
+    ESPEAK_NG("espeak-ng"),
     TIFFINFO("tiffinfo"),
     TIFFCMP("tiffcmp");
 

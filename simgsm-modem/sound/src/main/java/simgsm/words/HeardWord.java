@@ -5,7 +5,7 @@ package simgsm.words;
  *
  * @param word the nearest one
  * @param second the nearest other word; empty if there is none
- * @param ratio of their distances, 0 to 1; 0 without a second
+ * @param ratio of their distances, 0 to 1; 0 without a second, 1 for a word more than 2.2 times as long or short
  */
 public record HeardWord(String word, String second, double ratio) {
     /**

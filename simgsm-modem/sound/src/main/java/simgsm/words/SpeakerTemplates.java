@@ -31,21 +31,26 @@ public final class SpeakerTemplates {
         return templates.keySet();
     }
 
-    /** @param allowed the words to compare with @return empty if none of them can be aligned */
+    /** @param allowed the words to compare with @return empty without templates of them */
     public Optional<HeardWord> hear(SpokenWord heard, Collection<String> allowed) {
-        List<WordDistance> found = distances(heard, allowed);
+        return result(heard, distances(heard, allowed));
+    }
+
+    private Optional<HeardWord> result(SpokenWord heard, List<WordDistance> found) {
         if (found.isEmpty()) {
             return Optional.empty();
         }
         WordDistance best = found.get(0);
         WordDistance second = found.size() > 1 ? found.get(1) : new WordDistance("", Double.POSITIVE_INFINITY);
-        return Optional.of(new HeardWord(best.word(), second.word(), best.distance() / second.distance()));
+        boolean fits = templates.get(best.word()).stream().anyMatch(each -> TimeWarping.fits(heard, each));
+        return Optional.of(new HeardWord(best.word(), second.word(), fits ? best.distance() / second.distance() : 1));
     }
 
     /** As {@link #hear}, with what leads to the result. @param frames of the word, as {@link WordCutter} cuts it */
     public Optional<WordComparison> compare(List<SpeechFrame> frames, Collection<String> allowed) {
         SpokenWord heard = SpokenWord.of(frames);
-        return hear(heard, allowed).map(result -> {
+        List<WordDistance> distances = distances(heard, allowed);
+        return result(heard, distances).map(result -> {
             SpokenWord nearest = templates.get(result.word()).stream()
                     .min(Comparator.comparingDouble(template -> TimeWarping.distance(heard, template)))
                     .orElseThrow();

@@ -13,15 +13,18 @@ final class TimeWarping {
 
     private TimeWarping() {}
 
-    /** @return infinite if the lengths differ by more than 1 : 2.2 */
-    static double distance(SpokenWord heard, SpokenWord template) {
-        double[][] sums = sums(heard, template);
-        return sums.length == 0
-                ? NONE
-                : sums[heard.length() - 1][template.length() - 1] / (heard.length() + template.length());
+    /** False if the lengths differ by more than 1 : 2.2: these are different words. */
+    static boolean fits(SpokenWord heard, SpokenWord template) {
+        return heard.length() <= MOST_RATIO * template.length() && template.length() <= MOST_RATIO * heard.length();
     }
 
-    /** The aligned frame of the template for each frame of the word, 0 to 1; empty as above. */
+    static double distance(SpokenWord heard, SpokenWord template) {
+        int n = heard.length();
+        int m = template.length();
+        return sums(heard, template)[n - 1][m - 1] / (n + m);
+    }
+
+    /** The aligned frame of the template for each frame of the word, 0 to 1. */
     static List<Double> path(SpokenWord heard, SpokenWord template) {
         double[][] sums = sums(heard, template);
         List<Double> path = new ArrayList<>();
@@ -37,13 +40,10 @@ final class TimeWarping {
         return path;
     }
 
-    /** The least sums up to each pair of frames; no rows if the lengths differ too much. */
+    /** The least sums up to each pair of frames. */
     private static double[][] sums(SpokenWord heard, SpokenWord template) {
         int n = heard.length();
         int m = template.length();
-        if (n > MOST_RATIO * m || m > MOST_RATIO * n) {
-            return new double[0][];
-        }
         double[][] sums = new double[n][m];
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < m; j++) {

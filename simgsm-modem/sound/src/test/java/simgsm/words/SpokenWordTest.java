@@ -146,4 +146,34 @@ class SpokenWordTest {
         assertEquals(1, compared.path().get(compared.path().size() - 1));
         assertTrue(compared.path().get(0) < 0.1, compared.path().toString());
     }
+
+    private static SpokenWord noise(int frames, int seed) {
+        Random random = new Random(seed);
+        List<SpeechFrame> made = new ArrayList<>();
+        FrontEnd frontEnd = new FrontEnd(made::add);
+        short[] sound = new short[FrontEnd.SHIFT * (frames + 2)];
+        for (int i = 0; i < sound.length; i++) {
+            sound[i] = (short) (1000 * random.nextGaussian());
+        }
+        frontEnd.accept(sound);
+        return SpokenWord.of(made.subList(0, frames));
+    }
+
+    /** Once, a long noise was taken for the only word that was as long. */
+    @Test
+    void aWordThatOnlyOneTemplateIsLongEnoughForIsNotSure() {
+        SpeakerTemplates templates = new SpeakerTemplates();
+        templates.add("long", noise(90, 1));
+        templates.add("short", noise(30, 2));
+        HeardWord heard = templates.hear(noise(150, 3), templates.words()).orElseThrow();
+        assertFalse(heard.isSure(), heard.toString());
+    }
+
+    @Test
+    void aWordOfAnotherLengthThanTheNearestIsRefusedWithTheRatioOne() {
+        SpeakerTemplates templates = new SpeakerTemplates();
+        templates.add("short", noise(30, 2));
+        assertEquals(
+                1, templates.hear(noise(90, 3), templates.words()).orElseThrow().ratio());
+    }
 }

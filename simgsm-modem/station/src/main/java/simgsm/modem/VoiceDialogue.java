@@ -29,7 +29,7 @@ final class VoiceDialogue {
     private static final int COMPLETE_SAMPLES = 12_000;
     /** Silence after which a question is repeated, 5 s. */
     private static final int PATIENCE_SAMPLES = 40_000;
-    /** A question is repeated so often; then the dialogue ends. */
+    /** A question is repeated so often without an understood word; then the dialogue ends. */
     private static final int MOST_REPEATS = 2;
 
     private enum Phase {
@@ -142,6 +142,7 @@ final class VoiceDialogue {
             askAgain();
             return;
         }
+        repeats = 0;
         VoiceWord taken = VoiceWord.ofTemplate(found.get().word());
         if (phase == Phase.CONFIRMING) {
             if (taken == VoiceWord.YES) {

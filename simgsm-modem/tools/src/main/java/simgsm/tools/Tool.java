@@ -17,6 +17,7 @@ record Tool(String word, String logLevel, int arguments, Body body) {
             new Tool("tones", "warning", 2, TonesTool::run),
             new Tool("decode", "warning", Integer.MAX_VALUE, DecodeTool::run),
             new Tool("gsm", "warning", 3, GsmTool::run),
+            new Tool("say", "warning", Integer.MAX_VALUE, SayTool::run),
             new Tool("enrol", "warning", Integer.MAX_VALUE, WordTools::enrol),
             new Tool("hear", "warning", Integer.MAX_VALUE, WordTools::hear),
             new Tool("pdu", "warning", 2, PduTool::run),

@@ -6,10 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -53,9 +58,9 @@ class WordToolsTest {
         }
         assertEquals(word("yes") + "\tyes\t2\n", run("enrol", "--templates", templates, "yes", "" + word("yes")));
         assertEquals(word("seven") + "\tseven\t0.000\n", run("hear", "--templates", templates, "" + word("seven")));
-        String heading = word("heading").toString();
-        assertEquals(heading + "\t-\t0.919\n", run("hear", "--templates", templates, heading));
-        assertEquals(heading + "\tseven\t0.919\n", run("hear", "--limit", "1", "--templates", templates, heading));
+        String meters = word("meters").toString();
+        assertEquals(meters + "\t-\t0.955\n", run("hear", "--templates", templates, meters));
+        assertEquals(meters + "\tyes\t0.955\n", run("hear", "--limit", "1", "--templates", templates, meters));
         assertEquals(0, status);
     }
 
@@ -84,6 +89,8 @@ class WordToolsTest {
 
     @ParameterizedTest
     @CsvSource({
+        "say, missing DIR",
+        "say x, missing WORD",
         "hear, missing FILE.wav",
         "hear x.wav, missing --templates DIR",
         "hear --templates nowhere x.wav, '--templates: expected templates made by enrol, found none'",
@@ -95,5 +102,51 @@ class WordToolsTest {
         run(line.split(" "));
         assertEquals("simgsm-modem: " + reason + "; see --help\n", errors);
         assertEquals(2, status);
+    }
+
+    private short[] said(String... options) throws IOException {
+        List<String> words = new ArrayList<>(List.of("say", "" + folder, "seven"));
+        words.addAll(List.of(options));
+        assertEquals(folder.resolve("seven.wav") + "\n", run(words.toArray(String[]::new)));
+        assertEquals("", errors);
+        byte[] octets = Files.readAllBytes(folder.resolve("seven.wav"));
+        short[] samples = new short[(octets.length - 44) / 2];
+        ByteBuffer.wrap(octets, 44, octets.length - 44)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .asShortBuffer()
+                .get(samples);
+        return samples;
+    }
+
+    private static double power(short[] samples, int from, int to) {
+        return IntStream.range(from, to)
+                .mapToDouble(i -> (double) samples[i] * samples[i])
+                .average()
+                .orElseThrow();
+    }
+
+    @Test
+    void wordsOfThePromptsAreWrittenWithNoiseAtAnotherPitchOrThroughACodec() throws IOException {
+        short[] plain = said();
+        assertTrue(power(plain, 0, 2400) < 100, "silence before: " + power(plain, 0, 2400));
+        short[] noisy = said("--noise", "10");
+        double decibels = 10 * Math.log10(power(noisy, 0, 2400) / power(plain, 2400, plain.length - 2400));
+        assertEquals(-10, decibels, 3);
+        assertEquals(plain.length, noisy.length);
+        int length = plain.length - 4800;
+        assertEquals(length / 1.25, said("--pitch", "25").length - 4800, 160);
+        short[] coded = said("--codec", "gsm");
+        assertEquals(plain.length, coded.length);
+        assertTrue(!Arrays.equals(plain, coded));
+        assertTrue(!Arrays.equals(noisy, said("--noise", "10", "--seed", "2")));
+    }
+
+    @Test
+    void aWordOfEitherLanguageIsSaidAndAnUnknownOneIsNamed() {
+        assertEquals(folder.resolve("adelante.wav") + "\n", run("say", "" + folder, "adelante"));
+        run("say", "" + folder, "anchovy");
+        assertEquals(
+                "simgsm-modem: expected a word of the prompts, such as forward or adelante, found anchovy; see --help\n",
+                errors);
     }
 }
