@@ -21,6 +21,7 @@ import simgsm.station.mobility.Sim;
 import simgsm.trace.MessageText;
 import simgsm.web.JsonText;
 import simgsm.web.WebSocket;
+import simgsm.words.PromptListener;
 
 /**
  * One browser as a subscriber: its station, the sound in both directions, and the socket of its page, if connected.
@@ -43,6 +44,8 @@ final class WebUser {
     private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
     private final DtmfReceiver receiver =
             new DtmfReceiver(digit -> keyHeard(digit.key().symbol()));
+    private final PromptListener captions =
+            new PromptListener(sentence -> tell(Event.of("words").with("text", sentence.text())));
     private final MobileStation station;
     private final List<Received> inbox = new ArrayList<>();
     private final Deque<Event> ladder = new ArrayDeque<>(MOST_RUNGS);
@@ -175,6 +178,7 @@ final class WebUser {
             page.ifPresent(socket -> socket.send(codec.encode(received.samples())));
             if (isConnected) {
                 receiver.accept(received.samples());
+                captions.accept(received.samples());
             }
             return;
         }
@@ -185,6 +189,7 @@ final class WebUser {
         if (event instanceof StationEvent.Connected) {
             isConnected = true;
             receiver.reset();
+            captions.reset();
             speech.clear();
         } else if (event instanceof StationEvent.Released) {
             isConnected = false;

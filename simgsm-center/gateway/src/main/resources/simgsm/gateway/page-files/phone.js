@@ -172,6 +172,7 @@
       chip.textContent = event.key;
       item.append(chip, ' ' + (words['tone.' + event.key] || ''));
     },
+    words: event => row($('tones'), 'said', event.text),
     sms: event => { message(word('sms.from', event.from, event.text)); show(word('sms.new', event.from)); },
     'sms-sent': event => message(word('sms.sent', event.to), 'quiet'),
     'sms-delivered': event => message(word('sms.delivered', event.to), 'quiet'),
