@@ -40,7 +40,8 @@ final class LessonTools {
 
     /**
      * A tool of {@code simgsm-modem.jar}: an event with the tool's name, {@code status}, {@code output} and {@code options},
-     * the words after its name; for {@code decode} also {@code keys} and {@code count}.
+     * the words after its name; for {@code decode} also {@code keys} and {@code count}, for {@code hear} as {@code count} the words that
+     * their files are named after.
      */
     Event tool(List<String> words) throws IOException, InterruptedException {
         Printed printed = jar("simgsm-modem.jar", words);
@@ -52,6 +53,14 @@ final class LessonTools {
             String[] columns = printed.output().lines().findFirst().orElse("").split("\t", -1);
             String keys = columns.length > 1 ? columns[1] : "";
             return event.with("keys", keys).with("count", keys.length());
+        }
+        if (words.get(0).equals("hear")) {
+            return event.with(
+                    "count",
+                    printed.output()
+                            .lines()
+                            .filter(line -> line.matches("(.*/)?([^/]+)\\.wav\t\\2\t.*"))
+                            .count());
         }
         return event;
     }

@@ -2,6 +2,7 @@ package simgsm.classroom.lesson;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import simgsm.console.Event;
 import simgsm.console.TextBundle;
 
@@ -26,10 +27,18 @@ final class ToolTexts {
                         fields.get("collisions"),
                         fields.get("near"),
                         fields.get("far"));
+            case "hear" -> words.of("lesson.told.heard", fields.get("count"), heard(output));
             case "pdu" -> output;
             case "java" -> output;
             default -> "";
         };
+    }
+
+    /** As {@code one 0.57, - 0.95}. */
+    private static String heard(String output) {
+        return output.lines()
+                .map(line -> line.substring(line.indexOf('\t') + 1).replace('\t', ' '))
+                .collect(Collectors.joining(", "));
     }
 
     private static String decoded(Map<String, String> fields, TextBundle words) {
