@@ -46,9 +46,9 @@ class LayeringTest {
             simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.ss
             simgsm.speech            :
             simgsm.tone              : simgsm.speech
+            simgsm.words             : simgsm.speech
             simgsm.dtmf              : simgsm.speech simgsm.tone simgsm.words
             simgsm.scope             : simgsm.tone simgsm.dtmf
-            simgsm.words             : simgsm.speech
             simgsm.console           : simgsm.event simgsm.file
             simgsm.lesson            : simgsm.file simgsm.console
             simgsm.web               : simgsm.file simgsm.timer simgsm.net simgsm.event simgsm.console
@@ -74,7 +74,7 @@ class LayeringTest {
             simgsm.modem.at.command  : simgsm.modem simgsm.modem.at.state simgsm.modem.at.sms simgsm.ss simgsm.octets simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.station simgsm.station.context simgsm.station.call simgsm.modem.at
             simgsm.modem.at.port     : simgsm.timer simgsm.net simgsm.station simgsm.station.context simgsm.modem.at simgsm.modem.at.command
             simgsm.modem.line        : simgsm.net
-            simgsm.modem.client      : simgsm.modem.line simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.station simgsm.station.call simgsm.station.context simgsm.modem simgsm.modem.at
+            simgsm.modem.client      : simgsm.modem.line simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.sim simgsm.sms simgsm.dtmf simgsm.speech simgsm.words simgsm.station simgsm.station.call simgsm.station.context simgsm.modem simgsm.modem.at
             simgsm.tools.audio       : simgsm.speech
             simgsm.tools.load        : simgsm.air simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call
             simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.tone simgsm.dtmf simgsm.speech simgsm.words simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load
