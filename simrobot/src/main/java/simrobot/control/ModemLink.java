@@ -18,6 +18,7 @@ import simgsm.modem.CallDecision;
 import simgsm.modem.ModemEvent;
 import simgsm.station.context.StationEvent;
 import simgsm.tone.ToneExperiment;
+import simgsm.words.WordComparison;
 import vericommand.ReplyTone;
 
 /**
@@ -168,10 +169,7 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         } else if (event instanceof ModemEvent.WordsBegun words) {
             simulation.execute(() -> control.tell(new RobotEvent.Said(words.text())));
         } else if (event instanceof ModemEvent.WordHeard word) {
-            tracer.show(word.compared());
-            trace = tracer.newest();
-            RobotEvent heard = RobotEvent.WordHeard.of(word.compared().result());
-            simulation.execute(() -> control.tell(heard));
+            wordHeard(word.compared());
         } else if (event instanceof ModemEvent.OrderSpoken order) {
             long now = clockNanos.getAsLong();
             simulation.execute(() -> order.keys().chars().forEach(key -> control.key((char) key, now)));
@@ -179,6 +177,13 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
             LOG.log(Level.INFO, "tone " + failed.key().symbol() + " was not sent: the modem refuses it");
             toneLeft();
         }
+    }
+
+    private void wordHeard(WordComparison compared) {
+        tracer.show(compared);
+        trace = tracer.newest();
+        RobotEvent heard = RobotEvent.WordHeard.of(compared.result());
+        simulation.execute(() -> control.tell(heard));
     }
 
     private void toneLeft() {
