@@ -136,8 +136,9 @@ final class WordPainter {
                     name(heard.word()),
                     number("%.1f", distances.get(0).distance()));
         }
+        String reason = heard.isSure() ? "sure" : heard.ratio() == 1 ? "length" : "refused";
         return texts.of(
-                heard.isSure() ? "scope.word.sure" : "scope.word.refused",
+                "scope.word." + reason,
                 name(heard.word()),
                 number("%.1f", distances.get(0).distance()),
                 name(heard.second()),

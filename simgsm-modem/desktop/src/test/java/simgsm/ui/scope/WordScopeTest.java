@@ -33,6 +33,7 @@ class WordScopeTest {
         Theme.install(Appearance.LIGHT, 1);
     }
 
+    /** @param distance below 20 of a word of another length */
     private static WordComparison two(double distance) {
         List<SpeechFrame> frames = IntStream.range(0, 40)
                 .mapToObj(i -> {
@@ -43,7 +44,7 @@ class WordScopeTest {
                 .toList();
         return new WordComparison(
                 frames,
-                new HeardWord("two", "zero", distance / 50),
+                new HeardWord("two", "zero", distance < 20 ? 1 : distance / 50),
                 List.of(new WordDistance("two", distance), new WordDistance("zero", 50), new WordDistance("yes", 80)),
                 IntStream.range(0, 40).mapToObj(i -> i / 39.0).toList());
     }
@@ -74,6 +75,7 @@ class WordScopeTest {
             value = {
                 "en | 40 | Tone scope: two 40.0, zero 50.0; ratio 0.80 < 0.92: taken",
                 "en | 48 | Tone scope: two 48.0, zero 50.0; ratio 0.96 > 0.92: refused",
+                "en | 10 | Tone scope: two 10.0, zero 50.0; over 2.2 times as long or short: refused",
                 "es | 48 | Osciloscopio de tonos: dos 48.0, cero 50.0; cociente 0.96 > 0.92: rechazada"
             })
     void theReasonIsSaidInWordsWithDistancesAndLimit(String language, double distance, String spoken) {
