@@ -48,7 +48,7 @@ final class DigitTracker {
     private final Consumer<KeyCandidate> candidates;
 
     /** Log odds above which a candidate is a key. */
-    private final double limit;
+    private double limit;
 
     private final ToneFit fit = new ToneFit();
     private final KeyMeasures measures = new KeyMeasures();
@@ -107,6 +107,10 @@ final class DigitTracker {
         this.bank = bank;
         this.recent = recent;
         this.listener = listener;
+    }
+
+    void setLimit(double limit) {
+        this.limit = limit;
     }
 
     /**

@@ -48,6 +48,11 @@ public final class DtmfReceiver implements KeyReceiver {
         tracker = new DigitTracker(bank, gate, recent, listener, candidates, limit, judge);
     }
 
+    /** Changes the limit for the samples that follow. */
+    public void setLimit(double limit) {
+        tracker.setLimit(limit);
+    }
+
     @Override
     public void accept(short[] samples, int from, int to) {
         int at = from;

@@ -28,6 +28,9 @@ import simgsm.station.mobility.Sim;
  */
 public final class Modem implements AnsweringModem {
     static final int TONE_MILLIS = 150;
+    /** Log odds that are enough near lost speech, which disturbs a key's tones; lower ones are also wrong keys'. */
+    static final double OUTAGE_LIMIT = 1.5;
+
     static final int PAUSE_MILLIS = 70;
     /** Longest time without a key. */
     public static final int IDLE_SECONDS = 60;
@@ -102,7 +105,7 @@ public final class Modem implements AnsweringModem {
                 if (words.key(digit.key())) {
                     return;
                 }
-                if (outages.keyDecided(digit.key())) {
+                if (outages.keyDecided(digit)) {
                     listener.accept(new ModemEvent.KeyUnreadable());
                 }
                 listener.accept(new ModemEvent.KeyDecided(digit));
@@ -268,6 +271,7 @@ public final class Modem implements AnsweringModem {
         }
         listener.accept(speech);
         outages.heard(speech.samples().length);
+        receiver.setLimit(outages.isNear() ? OUTAGE_LIMIT : DtmfReceiver.LIMIT);
         receiver.accept(speech.samples());
         int count = speech.samples().length;
         listener.accept(new ModemEvent.SpeechProcessed(count));
