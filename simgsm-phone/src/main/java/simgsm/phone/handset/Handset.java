@@ -356,6 +356,8 @@ public final class Handset {
             keysSignalled.accept(ofKey);
         } else if (event instanceof StationEvent.OfMessage message) {
             store.mailbox().accept(message);
+        } else if (event instanceof StationEvent.NetworkTimeReceived received) {
+            store.setClock(received.time());
         } else {
             screens.accept(event, station.snapshot().card());
         }
@@ -395,6 +397,7 @@ public final class Handset {
                 settings,
                 audio.sounding(),
                 audio.earpiece().trace(),
+                store.clock(),
                 audio.earpiece().isAudible(),
                 events.entries());
     }

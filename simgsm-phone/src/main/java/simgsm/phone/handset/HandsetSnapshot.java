@@ -25,6 +25,7 @@ import simgsm.station.StationSnapshot;
  * @param names by number, without a plus sign
  * @param missed calls not yet seen by the user
  * @param sounding the key with the tone that sounds now
+ * @param clock set by the network
  * @param audible true with a sound device
  * @param log recent events, oldest first
  */
@@ -42,6 +43,7 @@ public record HandsetSnapshot(
         UserSettings settings,
         Optional<DtmfKey> sounding,
         ToneTrace trace,
+        ClockSetting clock,
         boolean audible,
         List<HandsetLog.Entry> log) {
 

@@ -1,6 +1,7 @@
 package simgsm.phone.handset;
 
 import java.time.InstantSource;
+import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -11,16 +12,19 @@ import simgsm.phone.store.Mailbox;
 import simgsm.phone.store.PhoneImage;
 import simgsm.sim.SimPhoneBook;
 
-/** The data stored for a handset's next run: names, calls, messages, settings. */
+/** The data stored for a handset's next run: names, calls, messages, settings. The clock's setting is not stored. */
 final class HandsetStore {
+    private final InstantSource wallClock;
     private final Mailbox mailbox;
     private final CallLog log = new CallLog();
     private final Contacts contacts;
     private final PhoneImage image;
     private Consumer<Map<String, String>> keep = texts -> {};
     private UserSettings kept;
+    private ClockSetting clock = ClockSetting.NONE;
 
     HandsetStore(SimPhoneBook phoneBook, InstantSource wallClock) {
+        this.wallClock = wallClock;
         mailbox = new Mailbox(wallClock);
         contacts = new Contacts(phoneBook);
         image = new PhoneImage(phoneBook, log, mailbox);
@@ -36,6 +40,14 @@ final class HandsetStore {
 
     Contacts contacts() {
         return contacts;
+    }
+
+    ClockSetting clock() {
+        return clock;
+    }
+
+    void setClock(OffsetDateTime time) {
+        clock = ClockSetting.of(time, wallClock.instant());
     }
 
     /** All data, as texts by key. */

@@ -3,6 +3,7 @@ package simgsm.phone.ui;
 import java.awt.Graphics2D;
 import java.time.Clock;
 import java.time.LocalTime;
+import java.time.ZonedDateTime;
 import java.util.Locale;
 import javax.accessibility.AccessibleRole;
 import simgsm.console.TextBundle;
@@ -35,6 +36,7 @@ final class Lcd extends PaintedComponent {
                 && snapshot.softKeys().equals(phone.softKeys())
                 && snapshot.names() == phone.names()
                 && snapshot.missed() == phone.missed()
+                && snapshot.clock().equals(phone.clock())
                 && snapshot.station().equals(phone.station())
                 && snapshot.folders().equals(phone.folders());
         change(() -> phone = snapshot);
@@ -45,9 +47,13 @@ final class Lcd extends PaintedComponent {
 
     /** Repaints when the minute has changed. */
     void lookAtClock() {
-        if (LocalTime.now(clock).getMinute() != shownMinute) {
+        if (time().getMinute() != shownMinute) {
             repaint();
         }
+    }
+
+    private LocalTime time() {
+        return phone.clock().at(ZonedDateTime.now(clock)).toLocalTime();
     }
 
     @Override
@@ -57,7 +63,7 @@ final class Lcd extends PaintedComponent {
 
     @Override
     protected void paint(Graphics2D g, double width, double height) {
-        LocalTime now = LocalTime.now(clock);
+        LocalTime now = time();
         shownMinute = now.getMinute();
         painter.paint(g, phone, now, getWidth(), getHeight());
     }
