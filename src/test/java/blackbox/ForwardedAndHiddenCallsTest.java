@@ -28,6 +28,30 @@ class ForwardedAndHiddenCallsTest {
             receiver.say("answer");
             caller.expect("connected", "number", THIRD);
             caller.say("hangup");
+            receiver.expect("released");
+            forwarding.say("dial " + THIRD);
+            forwarding.expect("forwarding-active");
+            receiver.expect("ringing", "from", OTHER);
+        }
+    }
+
+    @Test
+    void aSubscriberWhoIsBusyIsToldThatACallIsForwarded() throws Exception {
+        try (Scenario scenario = new Scenario("a call forwarded on busy")) {
+            scenario.center();
+            RunningProgram caller = scenario.phone(Scenario.PHONE);
+            RunningProgram busy = scenario.phone(OTHER);
+            RunningProgram receiver = scenario.phone(THIRD);
+            RunningProgram peer = scenario.phone("5550103");
+            busy.say("dial #43#");
+            busy.expect("service", "code", "43");
+            busy.say("dial **67*" + THIRD + "#");
+            busy.expect("service", "state", "active");
+            busy.say("dial 5550103");
+            peer.expect("ringing");
+            caller.say("dial " + OTHER);
+            busy.expect("incoming-forwarded");
+            receiver.expect("ringing", "from", Scenario.PHONE);
         }
     }
 

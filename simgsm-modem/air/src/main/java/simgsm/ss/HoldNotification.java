@@ -1,5 +1,6 @@
 package simgsm.ss;
 
+import java.util.Arrays;
 import java.util.Optional;
 import simgsm.air.MessageReader;
 import simgsm.air.ProtocolViolation;
@@ -22,10 +23,29 @@ public final class HoldNotification {
     /** [5] IMPLICIT SS-Notification. */
     private static final int NOTIFICATION = 0x85;
 
-    private static final int OUTGOING_CALL_FORWARDED = 0x04;
+    /** [4] IMPLICIT SS-Status. */
+    private static final int STATUS = 0x84;
 
     /** The network expects no answer, so its invocations may have the same identifier. */
     private static final int INVOKE_ID = 1;
+
+    /** What is told of a call forwarding (TS 24.082, 1 to 4): the tag of its argument and a bit of its value. */
+    public enum Forwarding {
+        /** To the caller. */
+        OUTGOING_CALL_FORWARDED(NOTIFICATION, 0x04),
+        /** To the subscriber who has set it. */
+        INCOMING_CALL_FORWARDED(NOTIFICATION, 0x02),
+        /** To the subscriber who has set it and makes a call. */
+        ACTIVE(STATUS, ServiceStatus.ACTIVE);
+
+        private final int tag;
+        private final int bit;
+
+        Forwarding(int tag, int bit) {
+            this.tag = tag;
+            this.bit = bit;
+        }
+    }
 
     private HoldNotification() {}
 
@@ -34,9 +54,10 @@ public final class HoldNotification {
         return encode(CALL_HOLD, INDICATOR, onHold ? 1 : 0);
     }
 
-    /** The facility for a caller whose call is forwarded (TS 24.082, 2 to 5). */
-    public static OctetString encodeForwarded(SsCode condition) {
-        return encode(condition.code(), NOTIFICATION, OUTGOING_CALL_FORWARDED);
+    /** The facility about a forwarding on this condition. */
+    public static OctetString encode(Forwarding what, SsCode condition) {
+        int others = what == Forwarding.ACTIVE ? ServiceStatus.PROVISIONED | ServiceStatus.REGISTERED : 0;
+        return encode(condition.code(), what.tag, what.bit | others);
     }
 
     private static OctetString encode(int service, int tag, int value) {
@@ -47,11 +68,13 @@ public final class HoldNotification {
         return ComponentCodec.encode(new Invoke(INVOKE_ID, SsOperation.NOTIFY_SS, argument));
     }
 
-    /** True if the caller is told that the call is forwarded. */
-    public static boolean isForwarded(OctetString facility) {
-        return element(facility, NOTIFICATION)
-                .filter(value -> (value & OUTGOING_CALL_FORWARDED) != 0)
-                .isPresent();
+    /** What is told of a forwarding; empty for any other or a broken component. */
+    public static Optional<Forwarding> forwarding(OctetString facility) {
+        return Arrays.stream(Forwarding.values())
+                .filter(each -> element(facility, each.tag)
+                        .filter(value -> (value & each.bit) != 0)
+                        .isPresent())
+                .findFirst();
     }
 
     /** True if the call is on hold; empty for any other or a broken component. */

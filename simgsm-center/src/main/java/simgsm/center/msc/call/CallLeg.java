@@ -223,10 +223,12 @@ public final class CallLeg implements PagedTransaction {
         }
     }
 
-    /** Notifies the caller of a forwarding, once the network has accepted the call. */
-    void notifyForwarding(SsCode condition) {
-        if (state() == NetworkCallState.CALL_PROCEEDING || state() == NetworkCallState.CALL_DELIVERED) {
-            link.send(new CallControl.Facility(transaction, HoldNotification.encodeForwarded(condition)));
+    /** Notifies the mobile of a forwarding; a caller, once the network has accepted its call (TS 24.082). */
+    void notify(HoldNotification.Forwarding what, SsCode condition) {
+        if (what == HoldNotification.Forwarding.INCOMING_CALL_FORWARDED
+                || state() == NetworkCallState.CALL_PROCEEDING
+                || state() == NetworkCallState.CALL_DELIVERED) {
+            link.send(new CallControl.Facility(transaction, HoldNotification.encode(what, condition)));
         }
     }
 

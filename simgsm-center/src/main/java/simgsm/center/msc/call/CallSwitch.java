@@ -20,6 +20,7 @@ import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkUser;
 import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.center.subscriber.Subscriber;
+import simgsm.ss.HoldNotification.Forwarding;
 import simgsm.ss.SsCode;
 import simgsm.tone.ToneSet;
 
@@ -192,6 +193,14 @@ public final class CallSwitch implements LinkUser {
             call.refuse(Cause.SWITCHING_EQUIPMENT_CONGESTION);
         } else {
             call.originating().proceed();
+            Link caller = call.originating().link();
+            if (caller.hasSubscriber()) {
+                SsCode unconditional = SsCode.FORWARDING_UNCONDITIONAL;
+                caller.subscriber()
+                        .services()
+                        .forwarding(unconditional)
+                        .ifPresent(to -> call.originating().notify(Forwarding.ACTIVE, unconditional));
+            }
             reach(call);
         }
     }
@@ -254,8 +263,13 @@ public final class CallSwitch implements LinkUser {
      */
     boolean divert(NetworkCall call, SsCode condition) {
         Optional<Msisdn> next = forwarding(call, condition);
+        Optional<Link> forwarding = subscriberOf(call).flatMap(mobility::locationOf);
         if (next.isEmpty() || !call.forward(next.get(), condition)) {
             return false;
+        }
+        if (condition != SsCode.FORWARDING_UNCONDITIONAL) {
+            forwarding.ifPresent(
+                    link -> on(link).live().forEach(leg -> leg.notify(Forwarding.INCOMING_CALL_FORWARDED, condition)));
         }
         if (mobility.register().isAssigned(next.get())) {
             reach(call);

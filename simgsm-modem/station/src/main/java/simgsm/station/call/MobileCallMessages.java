@@ -45,9 +45,8 @@ public final class MobileCallMessages {
         } else if (message instanceof CallControl.Facility facility && isKnown(message)) {
             HoldNotification.decode(facility.facility())
                     .ifPresent(onHold -> call.heldByPeer(facility.transaction(), onHold));
-            if (HoldNotification.isForwarded(facility.facility())) {
-                context.events().add(new StationEvent.CallForwarded());
-            }
+            HoldNotification.forwarding(facility.facility())
+                    .ifPresent(what -> context.events().add(notified(what)));
         } else if (isKnown(message) && call.callHold().answered(message)) {
             context.log().trace(Level.DEBUG, "{0} answers a request to hold or retrieve", message);
         } else if (call.has(message.transaction())) {
@@ -57,6 +56,14 @@ public final class MobileCallMessages {
         } else {
             arrivedOutsideCall(message);
         }
+    }
+
+    private static StationEvent notified(HoldNotification.Forwarding what) {
+        return switch (what) {
+            case OUTGOING_CALL_FORWARDED -> new StationEvent.CallForwarded();
+            case INCOMING_CALL_FORWARDED -> new StationEvent.IncomingCallForwarded();
+            case ACTIVE -> new StationEvent.ForwardingActive();
+        };
     }
 
     private boolean isKnown(CallControl message) {

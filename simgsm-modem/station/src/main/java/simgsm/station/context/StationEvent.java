@@ -82,6 +82,14 @@ public sealed interface StationEvent {
     @EventLine("forwarded")
     record CallForwarded() implements OfCall {}
 
+    /** The network forwards a call to this terminal, which is busy or does not answer, to another number (TS 24.082). */
+    @EventLine("incoming-forwarded")
+    record IncomingCallForwarded() implements OfCall {}
+
+    /** The terminal makes a call while all calls to it are forwarded (TS 24.082). */
+    @EventLine("forwarding-active")
+    record ForwardingActive() implements OfCall {}
+
     /** The called terminal rings. */
     @EventLine("alerting")
     record CalledPartyAlerted() implements OfCall {}
