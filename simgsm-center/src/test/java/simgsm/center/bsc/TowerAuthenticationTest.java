@@ -84,6 +84,26 @@ class TowerAuthenticationTest {
                         .orElseThrow());
     }
 
+    /** As of COMP128 version 2 in place of 3: SRES is right, the key is not, so the tower cannot read the answer. */
+    @Test
+    void aMobileWithAWrongKeyIsReleasedAndRegistersWhenItsKeyIsRight() {
+        String channel = west.access("05", "0508 70 00f110 fffe 33 " + TestTower.imsi("5550100"));
+        String request = west.nextLayer3();
+        GsmVector vector = ANA.vector(OctetString.ofHex(request.substring(6)));
+        west.tell(channel, "0554" + vector.sres());
+        assertEquals(
+                OctetString.ofHex("02" + vector.kc()),
+                west.next(RslType.ENCRYPTION_COMMAND)
+                        .find(RslElement.ENCRYPTION_INFORMATION)
+                        .orElseThrow());
+        stage.passMillis(12_000);
+        assertEquals("060d00", west.nextLayer3());
+        assertEquals(List.of(), attachedOrDetached());
+        west.leave(channel);
+        register(ANA, TowerStage.IMEI);
+        assertEquals(List.of(new ExchangeEvent.Attached(ANA.number())), attachedOrDetached());
+    }
+
     /** Classmark 1 with the bit that says that A5/1 is not available. */
     @Test
     void aMobileWithoutAnAlgorithmIsServedInTheClear() {
