@@ -20,8 +20,9 @@ import simgsm.sim.SimFile;
  *
  * @param file lists the cards of a closed network; empty for an open one
  * @param cards of the file
+ * @param countryCode for numbers in international form; empty for none
  */
-public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredEquipment) {
+public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredEquipment, String countryCode) {
     /** @throws IOException naming the invalid file and line */
     static HomeSettings read(Arguments arguments) throws UsageException, IOException {
         Optional<Path> file = arguments.path("hlr");
@@ -29,7 +30,13 @@ public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredE
         return new HomeSettings(
                 file,
                 file.isPresent() ? SimFile.read(file.get()) : SimFile.EMPTY,
-                arguments.value("barred-imeis", HomeSettings::imeis).orElse(Set.of()));
+                arguments.value("barred-imeis", HomeSettings::imeis).orElse(Set.of()),
+                arguments.value("country-code", HomeSettings::countryCode).orElse(""));
+    }
+
+    private static String countryCode(String code) {
+        HomeRegister.OPEN.inCountry(code);
+        return code;
     }
 
     private static Set<Imei> imeis(String list) {
@@ -43,7 +50,8 @@ public record HomeSettings(Optional<Path> file, SimFile cards, Set<Imei> barredE
     HomeRegister register() {
         Set<Imei> barred = new LinkedHashSet<>(barredEquipment);
         barred.addAll(cards.barredEquipment());
-        return isClosed() ? HomeRegister.closed(cards.subscriptions(), barred) : HomeRegister.open(barred);
+        HomeRegister home = isClosed() ? HomeRegister.closed(cards.subscriptions(), barred) : HomeRegister.open(barred);
+        return home.inCountry(countryCode);
     }
 
     public boolean isClosed() {

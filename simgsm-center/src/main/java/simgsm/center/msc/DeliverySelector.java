@@ -25,6 +25,11 @@ final class DeliverySelector implements DeliveryPort {
     }
 
     @Override
+    public Msisdn called(Msisdn dialled) {
+        return register.home().called(dialled);
+    }
+
+    @Override
     public boolean isServed(Msisdn number) {
         return register.isServed(number) || applications.serves(number);
     }

@@ -98,7 +98,7 @@ public final class Exchange {
                 new MobilityProcedures(register, random, information, this::attached, this::detached, this::reachable);
         Function<Msisdn, Optional<Link>> locations =
                 number -> register.ofNumber(number).flatMap(mobility::locationOf);
-        MobileMessages mobiles = new MobileMessages(locations);
+        MobileMessages mobiles = new MobileMessages(locations, settings.home()::shown);
         UssdDialogues services =
                 new UssdDialogues(locations, settings.language(), settings.callWaiting(), reports(), this::store);
         shortMessages = new ShortMessageCenter(

@@ -5,6 +5,11 @@ import simgsm.air.Msisdn;
 
 /** Delivers messages to mobiles and applications. */
 public interface DeliveryPort {
+    /** The number of the subscriber or application that was dialled so. */
+    default Msisdn called(Msisdn dialled) {
+        return dialled.plain();
+    }
+
     /** True if messages to this number are accepted: it is assigned, or may be assigned later. */
     default boolean isServed(Msisdn number) {
         return true;

@@ -2,6 +2,8 @@ package simgsm.center.smsc;
 
 import java.time.Instant;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
+import simgsm.air.Msisdn;
 import simgsm.octets.OctetString;
 
 /** An element of a receiver's queue: a message, or a report on one. */
@@ -21,8 +23,14 @@ public sealed interface Envelope {
      * The DELIVER or STATUS-REPORT.
      *
      * @param moreWaiting true if further messages wait for the destination (TP-MMS)
+     * @param shown a subscriber's number as others see it
      */
-    OctetString tpdu(boolean moreWaiting);
+    OctetString tpdu(boolean moreWaiting, UnaryOperator<Msisdn> shown);
+
+    /** The same with numbers as they are in the registers. */
+    default OctetString tpdu(boolean moreWaiting) {
+        return tpdu(moreWaiting, UnaryOperator.identity());
+    }
 
     /** A message for its receiver. */
     record Delivery(ShortMessage message) implements Envelope {
@@ -42,8 +50,8 @@ public sealed interface Envelope {
         }
 
         @Override
-        public OctetString tpdu(boolean moreWaiting) {
-            return TransferUnits.deliver(message, moreWaiting);
+        public OctetString tpdu(boolean moreWaiting, UnaryOperator<Msisdn> shown) {
+            return TransferUnits.deliver(message, moreWaiting, shown);
         }
     }
 
@@ -57,7 +65,7 @@ public sealed interface Envelope {
         }
 
         @Override
-        public OctetString tpdu(boolean moreWaiting) {
+        public OctetString tpdu(boolean moreWaiting, UnaryOperator<Msisdn> shown) {
             return TransferUnits.statusReport(message, state, at, moreWaiting);
         }
     }

@@ -115,7 +115,7 @@ public final class ShortMessageCenter {
     public void submit(Msisdn from, OctetString submit, boolean isRepeated, Consumer<Optional<RpCause>> answer) {
         ShortMessage message;
         try {
-            message = TransferUnits.accept(nextId, from, submit, now(), DEFAULT_VALIDITY);
+            message = TransferUnits.accept(nextId, from, submit, now(), DEFAULT_VALIDITY, port::called);
         } catch (ProtocolViolation violation) {
             answer.accept(Optional.of(RpCause.ofCode(violation.statusCause().code())));
             return;
@@ -156,7 +156,7 @@ public final class ShortMessageCenter {
             Consumer<Optional<RpCause>> answer) {
         List<ShortMessage> accepted = new ArrayList<>(units.size());
         for (SubmitTpdu unit : units) {
-            Msisdn to = unit.destination().number().orElseThrow().plain();
+            Msisdn to = port.called(unit.destination().number().orElseThrow());
             Optional<RpCause> refusal = admission.refusal(to, units.size());
             if (refusal.isPresent()) {
                 answer.accept(refusal);

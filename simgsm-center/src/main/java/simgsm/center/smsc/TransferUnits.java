@@ -3,6 +3,7 @@ package simgsm.center.smsc;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.ZoneOffset;
+import java.util.function.UnaryOperator;
 import simgsm.air.Cause;
 import simgsm.air.Direction;
 import simgsm.air.Msisdn;
@@ -11,6 +12,7 @@ import simgsm.octets.OctetString;
 import simgsm.octets.Timestamp;
 import simgsm.sms.DeliverTpdu;
 import simgsm.sms.DeliveryStatus;
+import simgsm.sms.SmsAddress;
 import simgsm.sms.StatusReportTpdu;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.TpduCodec;
@@ -22,14 +24,21 @@ final class TransferUnits {
     /**
      * Decodes a SUBMIT into a message.
      *
+     * @param called number that was dialled so
      * @throws ProtocolViolation if the octets are no SUBMIT, or the destination is no telephone number
      */
-    static ShortMessage accept(long id, Msisdn from, OctetString octets, Instant now, Duration defaultValidity)
+    static ShortMessage accept(
+            long id,
+            Msisdn from,
+            OctetString octets,
+            Instant now,
+            Duration defaultValidity,
+            UnaryOperator<Msisdn> called)
             throws ProtocolViolation {
         SubmitTpdu submit = decode(octets);
         Msisdn to = submit.destination()
                 .number()
-                .map(Msisdn::plain)
+                .map(called)
                 .orElseThrow(() -> new ProtocolViolation(
                         Cause.UNASSIGNED_NUMBER, "\"" + submit.destination() + "\" is not a telephone number"));
         Instant expiry = submit.validity().map(period -> period.expiry(now)).orElse(now.plus(defaultValidity));
@@ -58,13 +67,13 @@ final class TransferUnits {
                 : submitOf(message).statusReportRequest();
     }
 
-    static OctetString deliver(ShortMessage message, boolean moreWaiting) {
+    static OctetString deliver(ShortMessage message, boolean moreWaiting, UnaryOperator<Msisdn> shown) {
         SubmitTpdu submit = submitOf(message);
         return TpduCodec.encode(new DeliverTpdu(
                 moreWaiting,
                 submit.statusReportRequest(),
                 submit.replyPath(),
-                message.sender(),
+                message.esme().map(EsmeOrigin::source).orElseGet(() -> SmsAddress.of(shown.apply(message.from()))),
                 submit.protocolIdentifier(),
                 timestamp(message.acceptedAt()),
                 submit.userData()));

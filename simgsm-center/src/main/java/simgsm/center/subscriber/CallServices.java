@@ -60,11 +60,9 @@ public final class CallServices {
         return true;
     }
 
-    /** The destination of calls on this condition; empty if they are not forwarded. */
+    /** The destination of calls on this condition as it was dialled; empty if they are not forwarded. */
     public Optional<Msisdn> forwarding(SsCode condition) {
-        return active.contains(condition)
-                ? Optional.of(forwardedTo.get(condition).plain())
-                : Optional.empty();
+        return active.contains(condition) ? Optional.of(forwardedTo.get(condition)) : Optional.empty();
     }
 
     public void setCallWaiting(boolean isActive) {

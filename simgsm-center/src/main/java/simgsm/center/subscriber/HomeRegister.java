@@ -29,11 +29,20 @@ public final class HomeRegister {
     private final Map<Imsi, Subscription> subscriptions;
 
     private final Set<String> barredEquipment;
+    /** Digits before a subscriber's number in its international form; empty for a network without a country. */
+    private final String countryCode;
 
     private HomeRegister(Map<Imsi, Subscription> subscriptions, Collection<Imei> barredEquipment) {
         this.subscriptions = subscriptions;
+        countryCode = "";
         this.barredEquipment =
                 barredEquipment.stream().map(HomeRegister::compared).collect(Collectors.toSet());
+    }
+
+    private HomeRegister(HomeRegister other, String countryCode) {
+        subscriptions = other.subscriptions;
+        barredEquipment = other.barredEquipment;
+        this.countryCode = countryCode;
     }
 
     public static HomeRegister open(Collection<Imei> barredEquipment) {
@@ -44,6 +53,30 @@ public final class HomeRegister {
         Map<Imsi, Subscription> byImsi = new LinkedHashMap<>();
         listed.forEach(each -> byImsi.put(each.card().imsi(), each));
         return new HomeRegister(byImsi, barredEquipment);
+    }
+
+    /** The same in a country. @param code 1 to 3 digits (ITU-T E.164, 6.2.1); empty for none */
+    public HomeRegister inCountry(String code) {
+        if (!code.matches("|[1-9][0-9]{0,2}")) {
+            throw new IllegalArgumentException("\"" + code + "\" is not a country code of 1 to 3 digits");
+        }
+        return new HomeRegister(this, code);
+    }
+
+    /** The subscriber's number of a dialled one; the same number if it is of another country. */
+    public Msisdn called(Msisdn dialled) {
+        if (countryCode.isEmpty() || !dialled.international()) {
+            return dialled.plain();
+        }
+        boolean isOwn =
+                dialled.digits().startsWith(countryCode) && dialled.digits().length() > countryCode.length();
+        return isOwn ? new Msisdn(dialled.digits().substring(countryCode.length())) : dialled;
+    }
+
+    /** A subscriber's number as others see it: international in a network with a country. */
+    public Msisdn shown(Msisdn number) {
+        boolean fits = countryCode.length() + number.digits().length() <= Msisdn.MAX_DIGITS;
+        return countryCode.isEmpty() || !fits ? number : new Msisdn(countryCode + number.digits(), true);
     }
 
     public boolean isOpen() {

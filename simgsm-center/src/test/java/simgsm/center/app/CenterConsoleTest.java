@@ -51,7 +51,7 @@ class CenterConsoleTest {
                 Optional.empty(),
                 OptionalInt.empty(),
                 Optional.empty(),
-                new HomeSettings(Optional.empty(), SimFile.EMPTY, Set.of()),
+                new HomeSettings(Optional.empty(), SimFile.EMPTY, Set.of(), ""),
                 new SplittableRandom(1),
                 Locale.ENGLISH,
                 Optional.empty(),

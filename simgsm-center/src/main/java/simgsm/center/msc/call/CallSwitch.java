@@ -19,6 +19,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkUser;
 import simgsm.center.msc.mobility.MobilityProcedures;
+import simgsm.center.subscriber.HomeRegister;
 import simgsm.center.subscriber.Subscriber;
 import simgsm.ss.HoldNotification.Forwarding;
 import simgsm.ss.SsCode;
@@ -148,8 +149,9 @@ public final class CallSwitch implements LinkUser {
     }
 
     private void open(Link link, CallControl setup) {
-        Optional<Msisdn> called =
-                setup instanceof CallControl.Setup normal ? normal.called().map(Msisdn::plain) : Optional.of(EMERGENCY);
+        Optional<Msisdn> called = setup instanceof CallControl.Setup normal
+                ? normal.called().map(home()::called)
+                : Optional.of(EMERGENCY);
         boolean isEmergency = setup instanceof CallControl.EmergencySetup;
         if (link.radio().takeService() && (isEmergency || link.hasSubscriber())) {
             boolean isHidden = setup instanceof CallControl.Setup normal && normal.hidesNumber();
@@ -229,6 +231,10 @@ public final class CallSwitch implements LinkUser {
         }
     }
 
+    HomeRegister home() {
+        return mobility.register().home();
+    }
+
     private Optional<Subscriber> subscriberOf(NetworkCall call) {
         return call.target().flatMap(mobility.register()::ofNumber);
     }
@@ -247,7 +253,9 @@ public final class CallSwitch implements LinkUser {
 
     /** The called subscriber's forwarding of this call on a condition. */
     Optional<Msisdn> forwarding(NetworkCall call, SsCode condition) {
-        return subscriberOf(call).flatMap(called -> called.services().forwarding(condition));
+        return subscriberOf(call)
+                .flatMap(called -> called.services().forwarding(condition))
+                .map(home()::called);
     }
 
     /** Ringing time of the called mobile before a call is forwarded. */

@@ -103,7 +103,7 @@ public final class NetworkCall {
     /** The subscriber who answers, possibly after forwarding; empty if the network does. */
     Optional<Msisdn> connected() {
         return Optional.ofNullable(terminating)
-                .map(leg -> leg.link().subscriber().number());
+                .map(leg -> exchange.home().shown(leg.link().subscriber().number()));
     }
 
     /** Answers the call with a notice, in place of a subscriber. */
@@ -154,7 +154,7 @@ public final class NetworkCall {
     }
 
     Optional<Msisdn> redirecting() {
-        return redirecting;
+        return redirecting.map(exchange.home()::shown);
     }
 
     private void stopNoReply() {
@@ -164,9 +164,15 @@ public final class NetworkCall {
     /** Calls the mobile on this link. */
     void extend(LinkCalls called, TransactionIdentifier transaction) {
         originating.proceed();
-        terminating =
-                new CallLeg(this, called, transaction, Optional.of(from).filter(number -> !isHidden), Optional.empty());
+        terminating = new CallLeg(this, called, transaction, shownCaller(), Optional.empty());
         terminating.page();
+    }
+
+    private Optional<Msisdn> shownCaller() {
+        boolean isSubscriber = originating.link().hasSubscriber();
+        return isHidden
+                ? Optional.empty()
+                : Optional.of(isSubscriber ? exchange.home().shown(from) : from);
     }
 
     /** Ends a call that cannot be connected. */

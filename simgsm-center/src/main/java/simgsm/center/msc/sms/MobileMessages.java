@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import simgsm.air.Msisdn;
 import simgsm.air.ShortMessageControl;
 import simgsm.center.msc.link.Link;
@@ -18,12 +19,17 @@ import simgsm.center.smsc.ShortMessageCenter;
 /** Short messages from and to mobiles on all links. */
 public final class MobileMessages implements LinkUser, DeliveryPort {
     private final Function<Msisdn, Optional<Link>> locations;
+    private final UnaryOperator<Msisdn> shown;
     private final Map<Link, ShortMessageTransfers> transfers = new HashMap<>();
     private ShortMessageCenter center;
 
-    /** @param locations finds the link of an attached subscriber */
-    public MobileMessages(Function<Msisdn, Optional<Link>> locations) {
+    /**
+     * @param locations finds the link of an attached subscriber
+     * @param shown a subscriber's number as others see it
+     */
+    public MobileMessages(Function<Msisdn, Optional<Link>> locations, UnaryOperator<Msisdn> shown) {
         this.locations = locations;
+        this.shown = shown;
     }
 
     /** Sets the short message centre that delivers through this port. */
@@ -67,7 +73,7 @@ public final class MobileMessages implements LinkUser, DeliveryPort {
     public void deliver(Envelope envelope, boolean moreWaiting, Consumer<DeliveryOutcome> ended) {
         linkOf(envelope.destination())
                 .ifPresentOrElse(
-                        link -> on(link).deliver(envelope.tpdu(moreWaiting), ended),
+                        link -> on(link).deliver(envelope.tpdu(moreWaiting, shown), ended),
                         () -> ended.accept(DeliveryOutcome.ABSENT));
     }
 }
