@@ -29,11 +29,11 @@ final class SoundCushion {
         endNanos = nowNanos;
     }
 
-    /** Samples to write now, at 8 kHz: the frame after a cushion, the frame alone, or nothing. */
+    /** Samples to write now, at 8 kHz: the frame after a cushion, the frame alone, or nothing, as for an empty frame. */
     short[] accept(short[] frame, long nowNanos) {
         long ahead = Math.max(0, endNanos - nowNanos);
         boolean silent = isSilent(frame);
-        if (silent && pausing || ahead > TimeUnit.MILLISECONDS.toNanos(MOST_MILLIS)) {
+        if (frame.length == 0 || silent && pausing || ahead > TimeUnit.MILLISECONDS.toNanos(MOST_MILLIS)) {
             return NOTHING;
         }
         long missing = pausing || ahead == 0 ? TimeUnit.MILLISECONDS.toNanos(CUSHION_MILLIS) - ahead : 0;

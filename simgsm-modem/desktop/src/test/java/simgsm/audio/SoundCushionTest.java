@@ -53,6 +53,13 @@ class SoundCushionTest {
                 .count();
     }
 
+    /** The end of the queue, after the device has played a key. */
+    @Test
+    void anEmptyFrameAfterASoundIsNothing() {
+        key(0, 5, 0);
+        assertEquals(0, cushion.accept(new short[0], (START_MICROS + 1_000_000) * 1000).length);
+    }
+
     @Test
     void aKeyBegins40MillisecondsAfterItWasPressedAndHasNoHoleThoughItsFramesComeLate() {
         assertEquals(40_000, key(0, 25, 0, 39, 5, 20, 38));
