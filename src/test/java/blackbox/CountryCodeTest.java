@@ -43,6 +43,19 @@ class CountryCodeTest {
     }
 
     @Test
+    void aRobotAnswersAnOrderBySmsToTheNumberThatItWasShown() throws Exception {
+        try (Scenario scenario = new Scenario("an order by SMS in a country")) {
+            scenario.center("--country-code", "34");
+            RunningProgram caller = scenario.phone(Scenario.PHONE);
+            scenario.robot("empty.map", "--operators", "+34" + Scenario.PHONE);
+            caller.say("sms +34" + Scenario.ROBOT + " **#**10**");
+            assertTrue(caller.expect("sms", "from", "+34" + Scenario.ROBOT)
+                    .field("text")
+                    .startsWith("3 Done"));
+        }
+    }
+
+    @Test
     void aForwardingToAnInternationalNumberReachesTheSubscriber() throws Exception {
         try (Scenario scenario = new Scenario("a forwarding in a country")) {
             scenario.center("--country-code", "34");

@@ -115,9 +115,7 @@ final class ModemLink<M extends AnsweringModem> implements ModemPort {
         } else if (event instanceof StationEvent.Released released) {
             callEnded(released.cause());
         } else if (event instanceof StationEvent.ShortMessageReceived message) {
-            // lists of operators omit the plus sign of an international number
-            String sender = message.from().replaceFirst("^\\+(?=[0-9]+$)", "");
-            simulation.execute(() -> control.message(sender, message.text()));
+            simulation.execute(() -> control.message(message.from(), message.text()));
         } else if (event instanceof StationEvent.UssdReceived question && modem.isAskedByNetwork()) {
             simulation.execute(() -> {
                 String reply = control.question(question.text());
