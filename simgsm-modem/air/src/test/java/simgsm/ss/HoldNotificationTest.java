@@ -19,7 +19,7 @@ class HoldNotificationTest {
         assertEquals(Optional.of(false), HoldNotification.decode(HoldNotification.encode(false)));
     }
 
-    /** The same octets as pycrate's NotifySS-Arg of TS 24.080. */
+    /** Wireshark names the service and the status of these octets, and shows ss-Notification (TS 24.080) as an octet. */
     @ParameterizedTest
     @CsvSource({
         "OUTGOING_CALL_FORWARDED, FORWARDING_UNCONDITIONAL, a10e0201010201103006810121850104",
