@@ -13,8 +13,8 @@ import simgsm.tone.ToneLevel;
  *     extends into the pause and is no longer than it
  */
 public record ToneShape(int toneMillis, int pauseMillis, double rowDbm0, double columnDbm0, double rampMillis) {
-    /** 100 ms tone, 100 ms pause, -10 dBm0 per tone, ramps of 2 ms. */
-    public static final ToneShape STANDARD = new ToneShape(100, 100, -10, -10, 2);
+    /** 100 ms tone, 100 ms pause, -10 dBm0 per tone, ramps of 5 ms. */
+    public static final ToneShape STANDARD = new ToneShape(100, 100, -10, -10, 5);
 
     private static final int LONGEST_MILLIS = 3_600_000;
 
