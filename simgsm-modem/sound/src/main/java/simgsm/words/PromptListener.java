@@ -1,12 +1,11 @@
 package simgsm.words;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
+import java.util.stream.Stream;
 
 /**
  * Reads the built-in prompts of both languages from the speech of a call, for a caption. A modem sends them in whole
@@ -22,9 +21,6 @@ public final class PromptListener {
     /** Frames without a prompt that end a sentence, 300 ms. */
     private static final int END_FRAMES = 15;
 
-    /** All are made within 0.5 s of a process's first call. */
-    private static final int LOADED_A_FRAME = 8;
-
     private static final double SILENCE = 0.02;
     private static final float[] SILENT = new float[MelSpectrum.BANDS];
 
@@ -38,9 +34,16 @@ public final class PromptListener {
         static final Path NONE = new Path(null, "");
     }
 
-    private static final Queue<Supplier<Pattern>> waiting = new ArrayDeque<>();
-    private static final List<Pattern> made = new ArrayList<>();
-    private static List<Pattern> patterns = List.of();
+    /** The patterns of all prompts, made by a thread of their own: they take 0.5 s and would hold up a call's thread. */
+    private static final class Patterns {
+        static final CompletableFuture<List<Pattern>> MADE =
+                CompletableFuture.supplyAsync(PromptListener::patterns, task -> {
+                    Thread thread = new Thread(task, "prompts");
+                    thread.setDaemon(true);
+                    thread.setPriority(Thread.MIN_PRIORITY);
+                    thread.start();
+                });
+    }
 
     private final Consumer<Utterance> sentences;
     private final double[] window = new double[MelSpectrum.FRAME + 1];
@@ -55,25 +58,16 @@ public final class PromptListener {
         this.sentences = sentences;
     }
 
-    /**
-     * Makes the next patterns, a few at a time: all of them would hold up a call's thread.
-     *
-     * @return the patterns, empty until all are made
-     */
-    static synchronized List<Pattern> load(int count) {
-        if (patterns.isEmpty()) {
-            if (waiting.isEmpty()) {
-                for (SpokenLanguage language : SpokenLanguage.values()) {
-                    Prompts prompts = Prompts.of(language);
-                    prompts.names().forEach(name -> waiting.add(() -> pattern(prompts, name)));
-                }
-            }
-            for (int i = 0; i < count && !waiting.isEmpty(); i++) {
-                made.add(waiting.remove().get());
-            }
-            patterns = waiting.isEmpty() ? List.copyOf(made) : patterns;
-        }
-        return patterns;
+    /** Waits until sentences are read; without it the first second of a process's first call has no caption. */
+    public static void load() {
+        Patterns.MADE.join();
+    }
+
+    private static List<Pattern> patterns() {
+        return Stream.of(SpokenLanguage.values())
+                .map(Prompts::of)
+                .flatMap(prompts -> prompts.names().stream().map(name -> pattern(prompts, name)))
+                .toList();
     }
 
     private static Pattern pattern(Prompts prompts, String name) {
@@ -114,7 +108,7 @@ public final class PromptListener {
 
     /** @param frame 160 samples */
     public void accept(short[] frame) {
-        List<Pattern> known = load(LOADED_A_FRAME);
+        List<Pattern> known = Patterns.MADE.getNow(List.of());
         if (known.isEmpty()) {
             return;
         }

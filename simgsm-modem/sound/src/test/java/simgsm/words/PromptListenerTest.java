@@ -18,7 +18,7 @@ class PromptListenerTest {
 
     @BeforeAll
     static void load() {
-        PromptListener.load(Integer.MAX_VALUE);
+        PromptListener.load();
     }
 
     private static final List<String> ENGLISH = List.of(

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
@@ -65,6 +66,11 @@ class AttachedWordsTest {
         public void add(String caller, String word, int number, SpokenWord template) {
             throw new AssertionError("nothing is to be enrolled");
         }
+    }
+
+    @BeforeAll
+    static void load() {
+        PromptListener.load();
     }
 
     private void hear(short[] samples) {
