@@ -13,7 +13,13 @@ final class ListeningRequest {
         boolean isAsked = isStarAlone && key == '#' && !isOpen;
         isStarAlone = key == '*' && !isOpen && before != '*' && before != '#';
         boolean isOfOrder = isOpen && key == '*';
-        before = isOfOrder ? ' ' : key;
+        before = isOfOrder || isAsked ? ' ' : key;
         return isAsked;
+    }
+
+    /** The call has ended. */
+    void reset() {
+        before = ' ';
+        isStarAlone = false;
     }
 }

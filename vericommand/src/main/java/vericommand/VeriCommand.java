@@ -73,6 +73,7 @@ public final class VeriCommand {
         call = null;
         hasEndedProcess = false;
         recognizer.reset();
+        listening.reset();
         listener.changed();
         if (brakes) {
             robot.brake();

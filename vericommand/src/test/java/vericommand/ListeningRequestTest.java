@@ -6,7 +6,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class ListeningRequestTest {
-    /** A key in brackets is within an order. */
+    /** A key in brackets is within an order; a bar ends the call. */
     @ParameterizedTest(name = "{0}")
     @CsvSource({
         "*#, 1",
@@ -18,7 +18,10 @@ class ListeningRequestTest {
         "(*#), 0",
         "(#*0**)#, 0",
         "(#*0**)*#, 1",
-        "*#*#, 1"
+        "*#*#, 2",
+        "*#*#*#, 3",
+        "#|*#, 1",
+        "*|#, 0"
     })
     void aStarAloneAndAHashOutsideAnOrderAskToBeHeard(String keys, int requests) {
         ListeningRequest request = new ListeningRequest();
@@ -27,6 +30,8 @@ class ListeningRequestTest {
         for (char key : keys.toCharArray()) {
             if (key == '(' || key == ')') {
                 isOpen = key == '(';
+            } else if (key == '|') {
+                request.reset();
             } else if (request.key(key, isOpen)) {
                 found++;
             }

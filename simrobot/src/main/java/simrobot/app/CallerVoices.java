@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.file.Path;
+import simgsm.file.PrivateFiles;
 import simgsm.modem.VoiceStore;
 import simgsm.words.SpeakerTemplates;
 import simgsm.words.SpokenWord;
@@ -26,6 +27,8 @@ record CallerVoices(Path folder) implements VoiceStore {
     @Override
     public void add(String caller, String word, int number, SpokenWord template) {
         try {
+            // a voice tells who calls
+            PrivateFiles.makeFolder(folder.resolve(caller));
             of(caller).add(word, number, template);
         } catch (IOException e) {
             LOG.log(Level.WARNING, "voice of " + caller + ": " + e.getMessage());

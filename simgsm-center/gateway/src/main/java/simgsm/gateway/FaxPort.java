@@ -76,8 +76,9 @@ final class FaxPort {
                 listener.accept(new GatewayEvent.Faxed(fax.id(), fax.to(), file.toString()));
                 application.answer(delivery, SmppStatus.OK);
             });
-        } catch (IOException e) {
-            LOG.log(Level.WARNING, "fax {0}: {1}; the SMSC tries again", fax.id(), FileErrors.describe(e));
+        } catch (IOException | RuntimeException e) {
+            String why = e instanceof IOException ofFile ? FileErrors.describe(ofFile) : e.toString();
+            LOG.log(Level.WARNING, "fax {0}: {1}; the SMSC tries again", fax.id(), why);
             thread.execute(() -> application.answer(delivery, SmppStatus.TEMPORARY_APPLICATION_ERROR));
         }
     }

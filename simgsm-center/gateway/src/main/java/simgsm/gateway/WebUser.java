@@ -178,7 +178,7 @@ final class WebUser {
             page.ifPresent(socket -> socket.send(codec.encode(received.samples())));
             if (isConnected) {
                 receiver.accept(received.samples());
-                captions.accept(received.samples());
+                page.ifPresent(shown -> captions.accept(received.samples()));
             }
             return;
         }

@@ -76,6 +76,12 @@ public final class Microphone implements AudioInput {
     }
 
     @Override
+    public void begin() {
+        queue.clear();
+        isFlowing = false;
+    }
+
+    @Override
     public void read(short[] frame) {
         isFlowing = isFlowing || queue.size() >= FIRST_FRAMES;
         short[] next = isFlowing ? queue.poll() : null;

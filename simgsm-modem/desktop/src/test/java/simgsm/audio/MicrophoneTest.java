@@ -69,6 +69,22 @@ class MicrophoneTest {
     }
 
     @Test
+    void soundOfBeforeTheCallIsNotHeardInIt() {
+        assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
+            try (Microphone microphone = new Microphone(format -> line())) {
+                for (int i = 1; i <= 12; i++) {
+                    give(i);
+                }
+                microphone.begin();
+                for (int i = 13; i <= 15; i++) {
+                    give(i);
+                }
+                assertEquals(13, next(microphone));
+            }
+        });
+    }
+
+    @Test
     void ofMoreThanTenFramesTheOldestAreDropped() {
         assertTimeoutPreemptively(Duration.ofSeconds(20), () -> {
             try (Microphone microphone = new Microphone(format -> line())) {

@@ -54,7 +54,7 @@ public final class SpeakerTemplates {
             SpokenWord nearest = templates.get(result.word()).stream()
                     .min(Comparator.comparingDouble(template -> TimeWarping.distance(heard, template)))
                     .orElseThrow();
-            return new WordComparison(frames, result, distances(heard, allowed), TimeWarping.path(heard, nearest));
+            return new WordComparison(frames, result, distances, TimeWarping.path(heard, nearest));
         });
     }
 

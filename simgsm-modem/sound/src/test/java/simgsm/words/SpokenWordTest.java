@@ -147,6 +147,34 @@ class SpokenWordTest {
         assertTrue(compared.path().get(0) < 0.1, compared.path().toString());
     }
 
+    @Test
+    void thePathIsThatOfTheLeastDistance() {
+        for (int seed = 0; seed < 20; seed++) {
+            SpokenWord heard = noise(20 + seed, seed);
+            SpokenWord template = noise(40 - seed, seed + 100);
+            List<Double> path = TimeWarping.path(heard, template);
+            double sum = 0;
+            int before = -1;
+            for (int i = 0; i < heard.length(); i++) {
+                int to = (int) Math.round(path.get(i) * (template.length() - 1));
+                double within = 0;
+                for (int j = before + 2; j <= to; j++) {
+                    within += heard.distance(i, template, j);
+                }
+                int next = Math.min(before + 1, to);
+                double both = 2 * heard.distance(i, template, next) + within;
+                double one = i == 0
+                        ? Double.POSITIVE_INFINITY
+                        : heard.distance(i, template, before)
+                                + (to > before ? heard.distance(i, template, before + 1) + within : 0);
+                sum += to == before ? one : Math.min(both, one);
+                before = to;
+            }
+            double least = TimeWarping.distance(heard, template);
+            assertEquals(least, sum / (heard.length() + template.length()), 1e-9);
+        }
+    }
+
     private static SpokenWord noise(int frames, int seed) {
         Random random = new Random(seed);
         List<SpeechFrame> made = new ArrayList<>();

@@ -130,6 +130,7 @@ final class HandsetAudio {
 
     private void connected() {
         connected = true;
+        microphone.begin();
         networkPlaysTones = false;
         receiver.reset();
         words.reset();

@@ -48,6 +48,9 @@ class HandsetSoundTest {
 
     /** Each frame has the next value in all samples. */
     private static final class Counting implements AudioInput {
+        @Override
+        public void begin() {}
+
         private short count;
 
         @Override
