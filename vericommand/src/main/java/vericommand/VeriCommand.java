@@ -120,10 +120,7 @@ public final class VeriCommand {
         listener.changed();
     }
 
-    /**
-     * Speech of the call, lost frames included, was received: its samples measure the time-out of an unfinished
-     * order.
-     */
+    /** Speech of the call, lost frames included, was received: samples measure the time-out of an unfinished order. */
     public void speech(long samples) {
         if (call != null && handle(recognizer.elapsed(samples), call)) {
             listener.changed();
