@@ -67,6 +67,7 @@ record ImageProgram(
                     "SimGSM cells",
                     "The towers of a town between terminals and the centre",
                     "Las torres de una ciudad entre los terminales y el centro"),
+            new ImageProgram("simgsm-gateway", "simgsm.gateway", List.of(), null, "", "", "", ""),
             new ImageProgram("simgsm-modem", "simgsm.tools", List.of(), null, "", "", "", ""),
             new ImageProgram("vericommand", "vericommand", List.of(), null, "", "", "", ""));
 

@@ -88,7 +88,8 @@ final class MailPort implements MailTransport {
         public void failed(String reason) {
             connector.close();
             time.advance();
-            client.lost(reason);
+            InetSocketAddress server = options.server().orElseThrow();
+            client.lost("no mail server at " + server.getHostString() + ":" + server.getPort() + ": " + reason);
         }
     }
 

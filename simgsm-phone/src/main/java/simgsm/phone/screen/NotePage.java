@@ -1,6 +1,6 @@
 package simgsm.phone.screen;
 
-/** A short notice; any key leaves. */
+/** A short notice; any key leaves, and a tone key belongs to the entry below. */
 final class NotePage extends ScreenPage {
     private final Screen.Note note;
 
@@ -21,6 +21,10 @@ final class NotePage extends ScreenPage {
 
     @Override
     KeyIntent press(PhoneKey key, long nowNanos) {
-        return stack.close(this);
+        KeyIntent left = stack.close(this);
+        return stack.top()
+                .filter(below -> below instanceof EntryPage && key.tone().isPresent())
+                .map(below -> below.press(key, nowNanos))
+                .orElse(left);
     }
 }

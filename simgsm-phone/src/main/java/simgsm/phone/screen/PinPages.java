@@ -12,7 +12,7 @@ final class PinPages {
     private static final int MAX_DIGITS = 8;
 
     private final PageStack stack;
-    private boolean isAsking;
+    private PinLock.State asked = PinLock.State.READY;
 
     PinPages(PageStack stack) {
         this.stack = stack;
@@ -20,10 +20,10 @@ final class PinPages {
 
     /** Asks for what the card demands, in place of all other pages; leaves the question if it demands nothing. */
     KeyIntent ask(PinLock.Status card) {
-        if (isAsking || !card.isReady()) {
+        if (asked != PinLock.State.READY || !card.isReady()) {
             stack.home();
         }
-        isAsking = !card.isReady();
+        asked = card.state();
         return switch (card.state()) {
             case PIN ->
                 open(Words.of("pin.enter", card.tries()), pin -> CardPin.isPin(pin) ? verify(pin) : wrongLength());
@@ -66,10 +66,11 @@ final class PinPages {
 
     /** The card has answered a code. */
     void answered(PinLock.Result result, PinLock.Status card) {
+        boolean isBlocked = asked == PinLock.State.PIN && card.state() == PinLock.State.PUK;
         ask(card);
         switch (result) {
             case DONE -> note(Note.Kind.SAVED, "");
-            case WRONG -> note(Note.Kind.PIN_WRONG, String.valueOf(card.tries()));
+            case WRONG -> note(isBlocked ? Note.Kind.PIN_BLOCKED : Note.Kind.PIN_WRONG, String.valueOf(card.tries()));
             case REFUSED -> note(Note.Kind.REFUSED, "");
         }
     }

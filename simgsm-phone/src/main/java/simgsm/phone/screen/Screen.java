@@ -122,6 +122,8 @@ public sealed interface Screen {
             SAVED,
             /** The SIM refuses a PIN or PUK; the detail is the number of tries left. */
             PIN_WRONG,
+            /** The third wrong PIN: the SIM demands the PUK. */
+            PIN_BLOCKED,
             /** A PIN has 4 to 8 digits, a PUK 8. */
             PIN_LENGTH,
             /** The two new PINs differ. */

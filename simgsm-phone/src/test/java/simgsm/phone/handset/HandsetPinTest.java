@@ -68,6 +68,17 @@ class HandsetPinTest {
     }
 
     @Test
+    void theThirdWrongPinTellsThatThePukIsDue() {
+        for (int i = 0; i < 3; i++) {
+            key("9999");
+            bench.tap(PhoneKey.OK);
+        }
+        assertEquals(new Note(Note.Kind.PIN_BLOCKED, "10"), screen());
+        key("1");
+        assertEquals(entry(Words.of("pin.puk", 10), "*"), screen());
+    }
+
+    @Test
     void thePukIsAskedForWithTwiceTheSameNewPin() {
         insert(new CardPin("1234", "12345678", true, 0, 10));
         key("12345678");
