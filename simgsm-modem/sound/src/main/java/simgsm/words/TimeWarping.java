@@ -8,14 +8,15 @@ import java.util.List;
  * weigh 1, in both 2; the sum is divided by both lengths.
  */
 final class TimeWarping {
-    private static final double MOST_RATIO = 2.2;
+    private static final double MOST_LENGTH_RATIO = 2.2;
     private static final double NONE = Double.POSITIVE_INFINITY;
 
     private TimeWarping() {}
 
     /** False if the lengths differ by more than 1 : 2.2: these are different words. */
     static boolean fits(SpokenWord heard, SpokenWord template) {
-        return heard.length() <= MOST_RATIO * template.length() && template.length() <= MOST_RATIO * heard.length();
+        return heard.length() <= MOST_LENGTH_RATIO * template.length()
+                && template.length() <= MOST_LENGTH_RATIO * heard.length();
     }
 
     static double distance(SpokenWord heard, SpokenWord template) {
