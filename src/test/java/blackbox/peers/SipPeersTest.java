@@ -43,7 +43,7 @@ class SipPeersTest {
     private final Scenario scenario = new Scenario("SIP phones");
     private final List<Process> phones = new ArrayList<>();
     private int port;
-    /** What baresip prints, with all SIP messages. */
+    /** baresip's output, with all SIP messages. */
     private PrintedLines printed;
 
     @BeforeEach

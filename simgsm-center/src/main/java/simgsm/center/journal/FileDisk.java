@@ -19,7 +19,6 @@ import simgsm.file.PrivateFiles;
 
 /** A directory of the file system. An open file is locked, so that no other process changes the store at the same time. */
 public final class FileDisk implements Disk {
-
     private final Path directory;
 
     /** @param directory must exist */

@@ -29,7 +29,7 @@ public final class HoldNotification {
     /** The network expects no answer, so its invocations may have the same identifier. */
     private static final int INVOKE_ID = 1;
 
-    /** What is told of a call forwarding (TS 24.082, 1 to 4): the tag of its argument and a bit of its value. */
+    /** A notification of call forwarding (TS 24.082, 1 to 4), by its argument's tag and a bit of its value. */
     public enum Forwarding {
         /** To the caller. */
         OUTGOING_CALL_FORWARDED(NOTIFICATION, 0x04),
@@ -68,7 +68,7 @@ public final class HoldNotification {
         return ComponentCodec.encode(new Invoke(INVOKE_ID, SsOperation.NOTIFY_SS, argument));
     }
 
-    /** What is told of a forwarding; empty for any other or a broken component. */
+    /** The notification of forwarding in a facility; empty for any other or a broken component. */
     public static Optional<Forwarding> forwarding(OctetString facility) {
         return Arrays.stream(Forwarding.values())
                 .filter(each -> element(facility, each.tag)

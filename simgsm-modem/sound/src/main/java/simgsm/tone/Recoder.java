@@ -5,15 +5,18 @@ import java.util.Optional;
 import simgsm.speech.SpeechCodec;
 
 /** Encodes and decodes sound by a codec in frames of 20 ms. Owned by one thread. */
-final class Recoder {
+public final class Recoder {
     private Optional<SpeechCodec.Kind> kind = Optional.empty();
     private SpeechCodec coder;
     private SpeechCodec decoder;
     /** The incomplete frame. */
     private short[] rest = new short[0];
 
+    /** Leaves the sound unchanged until a codec is set. */
+    public Recoder() {}
+
     /** @param newKind empty to leave the sound unchanged */
-    void set(Optional<SpeechCodec.Kind> newKind) {
+    public void set(Optional<SpeechCodec.Kind> newKind) {
         if (!newKind.equals(kind)) {
             kind = newKind;
             clear();
@@ -27,7 +30,7 @@ final class Recoder {
     }
 
     /** Accepts the next stretch. @return the completed frames, none or several */
-    short[] recoded(short[] samples) {
+    public short[] recoded(short[] samples) {
         if (kind.isEmpty()) {
             return samples;
         }

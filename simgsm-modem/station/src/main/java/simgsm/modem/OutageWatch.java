@@ -9,7 +9,7 @@ import simgsm.speech.SpeechCodec;
  * an outage, which fading copies of the last frame replace, a key may be heard twice.
  */
 final class OutageWatch {
-    /** 3 frames hide any key; it takes 65 ms or more, of which too little is left. */
+    /** An outage of 3 frames, 60 ms, hides any key: it leaves too little of the shortest one, 65 ms. */
     private static final int LEAST_FRAMES = 3;
     /** 2 frames hide a key of the phones here that they hit behind its first 20 ms, the more rarely the longer it is. */
     private static final int LEAST_HIDING_FRAMES = 2;

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 import simgsm.console.Arguments;
@@ -15,6 +16,7 @@ import simgsm.file.FileErrors;
 import simgsm.speech.Resampler;
 import simgsm.speech.SpeechCodec;
 import simgsm.speech.WavWriter;
+import simgsm.tone.Recoder;
 import simgsm.words.Prompts;
 import simgsm.words.SpokenLanguage;
 import simgsm.words.Utterance;
@@ -42,7 +44,9 @@ final class SayTool {
         for (String word : rest.subList(1, rest.size())) {
             short[] spoken = pitched(prompt(word), pitch);
             Path file = folder.resolve(word.replace(' ', '-') + ".wav");
-            FileErrors.naming(file, () -> write(file, coded(noisy(spoken, snr, random), codec)));
+            Recoder recoder = new Recoder();
+            recoder.set(Optional.of(codec));
+            FileErrors.naming(file, () -> write(file, recoder.recoded(noisy(spoken, snr, random))));
             out.println(file);
         }
         return ExitStatus.OK;
@@ -100,16 +104,5 @@ final class SayTool {
             noisy[i] = Resampler.saturate((float) (sample + sigma * random.nextGaussian()));
         }
         return noisy;
-    }
-
-    private static short[] coded(short[] samples, SpeechCodec.Kind kind) {
-        SpeechCodec there = kind.open();
-        SpeechCodec here = kind.open();
-        short[] coded = new short[samples.length];
-        for (int at = 0; at < samples.length; at += SpeechCodec.SAMPLES_PER_FRAME) {
-            short[] frame = Arrays.copyOfRange(samples, at, at + SpeechCodec.SAMPLES_PER_FRAME);
-            System.arraycopy(here.decode(there.encode(frame)), 0, coded, at, frame.length);
-        }
-        return coded;
     }
 }
