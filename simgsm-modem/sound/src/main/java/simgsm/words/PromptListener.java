@@ -145,11 +145,18 @@ public final class PromptListener {
         }
     }
 
+    /** Ends the paths that cannot win: to the last frame of the prompt, other sound costs at most OTHER a frame. */
     private void advance(int p, float[][] frames, float[] heard) {
         for (int i = frames.length - 1; i >= 0; i--) {
             double before = i == 0 ? endCost : costs[p][i - 1];
+            if (before == Double.POSITIVE_INFINITY) {
+                costs[p][i] = before;
+                continue;
+            }
+            double cost = before + distance(frames[i], heard);
+            boolean canWin = cost < endCost + OTHER * (frames.length - i);
+            costs[p][i] = canWin ? cost : Double.POSITIVE_INFINITY;
             paths[p][i] = i == 0 ? end : paths[p][i - 1];
-            costs[p][i] = before == Double.POSITIVE_INFINITY ? before : before + distance(frames[i], heard);
         }
     }
 

@@ -33,6 +33,7 @@ import simgsm.air.RadioResource.ChannelRelease;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.Tmsi;
 import simgsm.octets.OctetString;
+import simgsm.station.call.SpeechSource;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.context.Uplink;
 import simgsm.station.mobility.Sim;
@@ -48,6 +49,22 @@ final class Scene implements Uplink {
     final StationIdentity identity = StationIdentity.ofOpenNumber(OWN, new Imei("490154203237518"), "SimGSM phone");
     final ReportedEvents reported = new ReportedEvents();
     final short[] speech = new short[160];
+    /** Frames that the source drops before the next one. */
+    int framesDropped;
+
+    private final SpeechSource source = new SpeechSource() {
+        @Override
+        public void read(short[] frame) {
+            System.arraycopy(speech, 0, frame, 0, speech.length);
+        }
+
+        @Override
+        public int framesDropped() {
+            int frames = framesDropped;
+            framesDropped = 0;
+            return frames;
+        }
+    };
     final Queue<RslMessage> up = new ArrayDeque<>();
     final Queue<CcmMessage> ccm = new ArrayDeque<>();
     final List<RtpPacket> spoken = new ArrayList<>();
@@ -72,8 +89,7 @@ final class Scene implements Uplink {
     }
 
     Scene(Sim sim, StationOptions options) {
-        station = new MobileStation(
-                identity, sim, options, frame -> System.arraycopy(speech, 0, frame, 0, 160), reported, new Random(1));
+        station = new MobileStation(identity, sim, options, source, reported, new Random(1));
         reported.station = station;
         station.timePassed(now);
     }

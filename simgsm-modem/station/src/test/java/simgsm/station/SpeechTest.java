@@ -89,15 +89,31 @@ class SpeechTest {
     @Test
     void aShortPauseOfTheOwnerIsMadeUpForAndALongOneIsNot() {
         scene.pass(0);
-        scene.now += 100 * Scene.MILLI;
+        scene.now += 1_900 * Scene.MILLI;
         scene.station.timePassed(scene.now);
-        assertEquals(6, scene.spoken.size());
+        assertEquals(96, scene.spoken.size());
         scene.now += 10 * Scene.SECOND;
         scene.station.timePassed(scene.now);
-        assertEquals(7, scene.spoken.size());
+        assertEquals(97, scene.spoken.size());
         scene.pass(20 * Scene.MILLI);
-        assertEquals(8, scene.spoken.size());
-        assertEquals(scene.spoken.get(6).sequence() + 1, scene.spoken.get(7).sequence());
+        assertEquals(98, scene.spoken.size());
+        assertEquals(scene.spoken.get(96).sequence() + 1, scene.spoken.get(97).sequence());
+    }
+
+    @Test
+    void framesThatTheSourceDropsAreMissingInTheSequence() {
+        scene.pass(0);
+        scene.framesDropped = 3;
+        scene.pass(20 * Scene.MILLI);
+        scene.framesDropped = 1_000;
+        scene.pass(20 * Scene.MILLI);
+        int first = scene.spoken.get(0).sequence();
+        assertEquals(
+                List.of(0, 4, 55),
+                scene.spoken.stream()
+                        .map(packet -> packet.sequence() - first & 0xffff)
+                        .toList(),
+                "a gap above 50 frames would be a new stream");
     }
 
     @Test

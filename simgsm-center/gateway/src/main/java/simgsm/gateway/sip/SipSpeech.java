@@ -204,6 +204,11 @@ final class SipSpeech implements SpeechSource {
         }
     }
 
+    @Override
+    public int framesDropped() {
+        return sound.framesDropped();
+    }
+
     /** The next 20 ms from the network. */
     void heard(short[] frame) {
         if (isActive && session != null && session.isReceiving()) {

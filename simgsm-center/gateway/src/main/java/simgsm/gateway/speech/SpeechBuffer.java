@@ -13,8 +13,8 @@ public final class SpeechBuffer implements SpeechSource {
     /** Number of frames before the first one is released: 40 ms. */
     static final int CUSHION_FRAMES = 2;
 
-    /** 2 s, longer than a browser stalls; the oldest frame above this is dropped. */
-    static final int MOST_FRAMES = 100;
+    /** 5 s, longer than a browser or this machine stalls; the oldest frame above this is dropped. */
+    static final int MOST_FRAMES = 250;
 
     /** Maximum of substitutes; after them the sender counts as silent. */
     static final int MOST_SUBSTITUTES = 5;
@@ -32,6 +32,7 @@ public final class SpeechBuffer implements SpeechSource {
 
     private int substitutes;
     private int silentFrames;
+    private int dropped;
 
     /**
      * Adds a frame.
@@ -41,6 +42,7 @@ public final class SpeechBuffer implements SpeechSource {
     public void accept(short[] frame) {
         if (waiting.size() == MOST_FRAMES) {
             waiting.removeFirst();
+            dropped++;
         }
         waiting.addLast(frame);
     }
@@ -51,6 +53,14 @@ public final class SpeechBuffer implements SpeechSource {
         isFilling = true;
         isInterrupted = false;
         silentFrames = 0;
+        dropped = 0;
+    }
+
+    @Override
+    public int framesDropped() {
+        int frames = dropped;
+        dropped = 0;
+        return frames;
     }
 
     @Override

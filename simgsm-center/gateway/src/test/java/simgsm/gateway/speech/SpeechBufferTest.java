@@ -64,11 +64,14 @@ class SpeechBufferTest {
     }
 
     @Test
-    void beyond2SecondsTheOldestFrameIsDropped() {
+    void beyond5SecondsTheOldestFrameIsDroppedAndCounted() {
         for (int i = 1; i <= SpeechBuffer.MOST_FRAMES + 2; i++) {
             accept(100 * i);
         }
         assertEquals(300, read());
+        assertEquals(2, speech.framesDropped());
+        assertEquals(400, read());
+        assertEquals(0, speech.framesDropped());
     }
 
     /** The page sends 100 ms of each key and 80 ms of silence, and stops for up to 600 ms at random; what waited comes at once then. */

@@ -16,7 +16,7 @@ import simgsm.station.context.StationTimer;
 /** The speech of a call: sends a frame every 20 ms of the station's time and orders received frames by RTP. */
 public final class SpeechPath {
     /** Frames of a stall up to this length are sent late; those of a longer one are dropped. */
-    private static final long MAX_CATCH_UP_NANOS = 200_000_000L;
+    private static final long MAX_CATCH_UP_NANOS = 2_000_000_000L;
 
     /** 1 s; a larger jump of the sequence numbers is a new stream, not a loss. */
     private static final int MAX_LOSS_FRAMES = 50;
@@ -150,6 +150,7 @@ public final class SpeechPath {
         frame = added.addTo(frame);
         recorder.sent(frame);
         framesSinceHeard++;
+        sequence = sequence + Math.min(MAX_LOSS_FRAMES, source.framesDropped()) & SEQUENCE_MASK;
         RtpPacket packet =
                 new RtpPacket(codec.payloadType(), sequence, timestamp, synchronizationSource, coder.encode(frame));
         sequence = sequence + 1 & SEQUENCE_MASK;
