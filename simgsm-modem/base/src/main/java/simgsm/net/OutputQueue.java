@@ -87,7 +87,7 @@ public final class OutputQueue {
     }
 
     /** True if a further droppable message replaces a waiting one. */
-    boolean dropsNext() {
+    public boolean dropsNext() {
         return droppable == mostDroppable;
     }
 

@@ -105,6 +105,9 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
         if (output.isEmpty()) {
             expectProgress();
         }
+        if (isDroppable && output.dropsNext()) {
+            flush();
+        }
         flushLater();
         if (!output.add(octets, isDroppable)) {
             fail(NOT_READING);

@@ -95,6 +95,10 @@ class WebSocketPortTest {
         public void binary(byte[] octets) {
             if (octets.length == 3) {
                 socket.close(WebSocket.UNSUPPORTED_DATA, "three octets");
+            } else if (octets.length == 1) {
+                for (int i = 0; i < octets[0]; i++) {
+                    socket.send(new byte[] {(byte) i});
+                }
             } else {
                 socket.send(octets);
             }
@@ -181,6 +185,16 @@ class WebSocketPortTest {
             List<String> head = client.head();
             assertTrue(head.contains("Sec-WebSocket-Accept: s3pPLMBiTxaQ9kYGzzhZRbK+xOo="), head.toString());
             assertTrue(head.contains("Sec-WebSocket-Protocol: echo.v1"), head.toString());
+        }
+    }
+
+    @Test
+    void aClientThatReadsGetsAllOfTheMessagesSentAtOnce() throws IOException {
+        try (Client client = open()) {
+            client.send(frame(0x82, "64"));
+            for (int i = 0; i < 100; i++) {
+                assertEquals(String.format("82%02x", i), client.frame());
+            }
         }
     }
 
