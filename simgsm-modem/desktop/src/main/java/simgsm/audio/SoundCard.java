@@ -1,5 +1,6 @@
 package simgsm.audio;
 
+import java.io.IOException;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -50,6 +51,24 @@ public final class SoundCard implements AudioOutput {
     /** As {@link #open()}, of another device. */
     static AudioOutput open(Lines lines) {
         return new SoundCard(lines, LOG, RETRY_MILLIS);
+    }
+
+    /** @throws IOException if there is no such device; one that another program uses is searched for again */
+    static void require(Lines lines) throws IOException {
+        String reason = "";
+        for (int rate : RATES_HERTZ) {
+            try {
+                lines.line(format(rate));
+                return;
+            } catch (LineUnavailableException | IllegalArgumentException | SecurityException | LinkageError e) {
+                reason = e.getMessage();
+            }
+        }
+        throw new IOException("no sound output of 16 bit, mono: " + reason);
+    }
+
+    private static AudioFormat format(int rate) {
+        return new AudioFormat(rate, 16, 1, true, false);
     }
 
     /** The device is opened by the first call of {@link #play}. */
@@ -107,7 +126,7 @@ public final class SoundCard implements AudioOutput {
     private void openAndPlay() throws InterruptedException {
         String reason = "";
         for (int rate : RATES_HERTZ) {
-            AudioFormat format = new AudioFormat(rate, 16, 1, true, false);
+            AudioFormat format = format(rate);
             // without a device getLine throws IllegalArgumentException, not LineUnavailableException
             try (SourceDataLine line = lines.line(format)) {
                 line.open(format, rate / 1000 * LINE_MILLIS * 2);

@@ -27,7 +27,13 @@ import simgsm.speech.PcmFrames;
 public record SoundCardLine(String name) implements ByteLine {
     @Override
     public ByteChannel open() throws IOException {
-        return new Channel(Microphone.started(this::input), SoundCard.open(this::output));
+        return open(this::input, this::output);
+    }
+
+    static ByteChannel open(Microphone.Lines input, SoundCard.Lines output) throws IOException {
+        // an input alone would stay open: its call is heard, and never answered
+        SoundCard.require(output);
+        return new Channel(Microphone.started(input), SoundCard.open(output));
     }
 
     private TargetDataLine input(AudioFormat format) throws LineUnavailableException {
