@@ -24,7 +24,7 @@ class MailTest {
             assertTrue(MailServer.send(port, ANN, to, "Subject: Go\n\n** #**20 **\n-- \nAnn")
                     .startsWith("250 "));
             robot.expect("order", "text", "**#**20**", "verdict", "accepted");
-            robot.expect("reply", "to", "6245");
+            assertTrue(robot.expect("reply").field("to").matches("6245[0-9]{8}"));
             String answer = server.next();
             assertTrue(answer.contains("RCPT TO:<" + ANN + ">\n"), answer);
             assertTrue(answer.contains("Subject: Re: Go\n"), answer);
@@ -39,6 +39,41 @@ class MailTest {
             gateway.expect("refused", "kind", "mail", "cause", "550");
             assertEquals(0, gateway.quit());
         }
+    }
+
+    @Test
+    void twoPeopleWhoOrderOneRobotGetTheirOwnAnswersAndNobodyThoseOfAKilledGateway() throws Exception {
+        try (Scenario scenario = new Scenario("two people order by mail");
+                MailServer server = new MailServer()) {
+            scenario.center("--smpp", "0");
+            RunningProgram robot = scenario.robot("empty.map", "--speed", "0", "--operators", "5550100,6245*");
+            RunningProgram gateway = scenario.mailGateway(server.port());
+            int port = Integer.parseInt(gateway.expect("ready").field("mail"));
+            String to = Scenario.ROBOT + "@sms.example";
+            MailServer.send(port, ANN, to, "\n** #**20 **");
+            robot.expect("order", "verdict", "accepted");
+            MailServer.send(port, "bob@x.org", to, "\n** #**30 **");
+            assertAnswer(server.next(), "bob@x.org", "6 ");
+            MailServer.send(port, "eve@x.org", to, "\nHello");
+            assertAnswer(server.next(), "eve@x.org", "7 ");
+            robot.say("speed 20");
+            assertAnswer(server.next(), ANN, "3 ");
+
+            robot.say("speed 0");
+            MailServer.send(port, ANN, to, "\n** #**20 **");
+            robot.expect("order", "verdict", "accepted");
+            gateway.kill();
+            RunningProgram second = scenario.mailGateway(server.port());
+            port = Integer.parseInt(second.expect("ready").field("mail"));
+            MailServer.send(port, "bob@x.org", to, "\n** #**30 **");
+            assertAnswer(server.next(), "bob@x.org", "6 ");
+            robot.say("speed 20");
+            second.expect("mail-failed", "to", "-", "text", "no address");
+        }
+    }
+
+    private static void assertAnswer(String mail, String to, String text) {
+        assertTrue(mail.contains("RCPT TO:<" + to + ">\n") && mail.contains("\n\n" + text), mail);
     }
 
     @Test
@@ -72,6 +107,7 @@ class MailTest {
                 "--mail-number 6245|mail needs --smpp, --mail-number and --mail-domain; --smpp is missing",
                 "--smpp h:1 --mail-number 6245 --mail-domain d|mail needs --mail-to, --mail-in or both",
                 "--smpp h:1 --mail-number x --mail-domain d --mail-in 0|\"x\" is not a telephone number",
+                "--smpp h:1 --mail-number 12345678 --mail-domain d --mail-in 0|expected at most 7 digits",
                 "--smpp h:1 --mail-number 1 --mail-domain -d --mail-in 0|expected a domain such as sms.example",
                 "--smpp h:1 --smpp-user x --mail-number 1 --mail-domain d --mail-in 0|expected ID:PASSWORD",
             })

@@ -7,7 +7,7 @@ import java.util.Set;
  * Who may command a robot, and how it replies.
  *
  * @param language of the reply texts; English unless Spanish
- * @param operators the numbers that may command, without a plus sign; empty: every number
+ * @param operators the numbers that may command, without a plus sign; {@code 6245*} is all that begin so; empty: every number
  * @param answered which short messages get a reply
  */
 public record VeriCommandSettings(Locale language, Set<String> operators, OnHangup onHangup, Answered answered) {
@@ -41,7 +41,12 @@ public record VeriCommandSettings(Locale language, Set<String> operators, OnHang
 
     /** @param number as authenticated by the network; empty when the network does not say */
     public boolean permits(String number) {
-        return operators.isEmpty() || operators.contains(number.replaceFirst("^\\+", ""));
+        String digits = number.replaceFirst("^\\+", "");
+        return operators.isEmpty()
+                || operators.stream()
+                        .anyMatch(it -> it.endsWith("*")
+                                ? digits.startsWith(it.substring(0, it.length() - 1))
+                                : digits.equals(it));
     }
 
     /** The first tone of a call: accepted, or denied because the robot is off or the caller is not permitted. */

@@ -186,6 +186,22 @@ class VeriCommandMessageTest {
         assertTrue(bench.robot.started.isEmpty());
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "5550101, 5550101, true",
+        "5550101, +5550101, true",
+        "5550101, 55501011, false",
+        "6245*, 624500000001, true",
+        "6245*, +6245, true",
+        "6245*, 6244, false",
+        "6245*, '', false",
+    })
+    void anOperatorIsANumberOrABeginning(String operator, String number, boolean isPermitted) {
+        assertEquals(
+                isPermitted,
+                Bench.settings(VeriCommandSettings.OnHangup.STOP, "1", operator).permits(number));
+    }
+
     @Test
     void repliesCanBeSpanish() {
         Bench bench = Bench.with(

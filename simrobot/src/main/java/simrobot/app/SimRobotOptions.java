@@ -152,8 +152,10 @@ public final class SimRobotOptions {
 
     private static Set<String> operators(String list) {
         Set<String> numbers = new HashSet<>();
-        for (String number : list.split(",", -1)) {
-            numbers.add(Msisdn.parse(number.strip()).digits());
+        for (String item : list.split(",", -1)) {
+            String number = item.strip();
+            String digits = Msisdn.parse(number.replaceFirst("\\*$", "")).digits();
+            numbers.add(number.endsWith("*") ? digits + "*" : digits);
         }
         return numbers;
     }

@@ -93,7 +93,14 @@ class RequestedRobotsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"--operators=5550100;5550101", "--operators=", "--on-hangup=maybe", "--lang=fr"})
+    @CsvSource({
+        "--operators=5550100;5550101",
+        "--operators=",
+        "--operators=*",
+        "--operators=62*45",
+        "--on-hangup=maybe",
+        "--lang=fr"
+    })
     void wrongSettingsAreNamed(String option) throws Exception {
         Arguments arguments = SimRobotOptions.all().parse(List.of(option));
         String message = assertThrows(UsageException.class, () -> SimRobotOptions.settings(arguments))
@@ -102,10 +109,10 @@ class RequestedRobotsTest {
     }
 
     @Test
-    void operatorsAreAListOfNumbers() throws Exception {
-        Arguments arguments = SimRobotOptions.all().parse(List.of("--operators", "5550100, +5550101"));
+    void operatorsAreAListOfNumbersAndOfTheirBeginnings() throws Exception {
+        Arguments arguments = SimRobotOptions.all().parse(List.of("--operators", "5550100, +5550101, 6245*"));
         assertEquals(
-                java.util.Set.of("5550100", "5550101"),
+                java.util.Set.of("5550100", "5550101", "6245*"),
                 SimRobotOptions.settings(arguments).operators());
     }
 

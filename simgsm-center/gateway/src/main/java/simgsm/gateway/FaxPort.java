@@ -46,7 +46,11 @@ final class FaxPort {
         words = new TextBundle(ResourceBundle.getBundle("simgsm.gateway.messages", locale), locale);
         time = new CoreTime(thread);
         port = new EsmePort(thread, options.smpp(), GatewayEvent.FAX, listener);
-        application = new Application(time.timers(), options.smpp().bind(options.number()), port, this::whole);
+        application = new Application(
+                time.timers(),
+                options.smpp().bind(options.number(), options.number().digits()),
+                port,
+                this::whole);
     }
 
     void start() throws InterruptedException {

@@ -58,8 +58,13 @@ record GatewaySettings(
         Optional<FaxOptions> fax = FaxOptions.of(arguments);
         if (fax.isPresent()
                 && mail.isPresent()
-                && fax.get().number().equals(mail.get().settings().bind().number())) {
-            throw new UsageException("--mail-number and --fax-number must be two numbers");
+                && fax.get()
+                        .number()
+                        .digits()
+                        .startsWith(mail.get().settings().bind().number().digits())) {
+            throw new UsageException(
+                    "--mail-number and --fax-number must be two numbers, and --fax-number not begin with"
+                            + " --mail-number, as the numbers of mails do");
         }
         long[] numbers = arguments.value("numbers", GatewaySettings::numbers).orElseGet(() -> numbers(DEFAULT_NUMBERS));
         return new GatewaySettings(

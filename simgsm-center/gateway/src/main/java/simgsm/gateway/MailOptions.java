@@ -30,8 +30,9 @@ record MailOptions(SmppOptions smpp, MailSettings settings, Optional<InetSocketA
         if (!arguments.has("mail-to") && !arguments.has("mail-in")) {
             throw new UsageException("mail needs --mail-to, --mail-in or both");
         }
+        Msisdn number = arguments.value("mail-number", MailOptions::number).orElseThrow();
         MailSettings settings = new MailSettings(
-                smpp.bind(arguments.value("mail-number", Msisdn::new).orElseThrow()),
+                smpp.bind(number, "^" + number),
                 arguments.value("mail-domain", MailOptions::domain).orElseThrow(),
                 arguments.has("mail-to"));
         return Optional.of(new MailOptions(
@@ -41,6 +42,15 @@ record MailOptions(SmppOptions smpp, MailSettings settings, Optional<InetSocketA
                 arguments.has("mail-in")
                         ? OptionalInt.of((int) arguments.integer("mail-in", 0, 0, MAX_PORT))
                         : OptionalInt.empty()));
+    }
+
+    private static Msisdn number(String text) {
+        Msisdn number = new Msisdn(text);
+        if (text.length() > MailSettings.MOST_DIGITS) {
+            throw new IllegalArgumentException("expected at most " + MailSettings.MOST_DIGITS
+                    + " digits, as each mail has a number of 8 more, found " + text);
+        }
+        return number;
     }
 
     private static String domain(String text) {

@@ -2,7 +2,7 @@ package simgsm.gateway;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.time.Instant;
+import java.time.InstantSource;
 import java.util.Optional;
 import java.util.function.Consumer;
 import simgsm.gateway.esme.TcpProtocol;
@@ -13,7 +13,6 @@ import simgsm.net.Connection;
 import simgsm.net.ConnectionLimits;
 import simgsm.net.Connector;
 import simgsm.station.StationThread;
-import simgsm.timer.CivilTime;
 
 /** Gives the core of mail its sockets and its time. Belongs to the stations' thread. */
 final class MailPort implements MailTransport {
@@ -36,8 +35,7 @@ final class MailPort implements MailTransport {
         this.listener = listener;
         time = new CoreTime(thread);
         application = new EsmePort(thread, options.smpp(), GatewayEvent.MAIL, listener);
-        core = new MailGateway(
-                time.timers(), new CivilTime(Instant.now(), time.timers()), options.settings(), this, application);
+        core = new MailGateway(time.timers(), InstantSource.system(), options.settings(), this, application);
         port = options.port().isEmpty()
                 ? Optional.empty()
                 : Optional.of(thread.listen(

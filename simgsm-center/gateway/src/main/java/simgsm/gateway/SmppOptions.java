@@ -33,8 +33,8 @@ record SmppOptions(InetSocketAddress smsc, String systemId, String password) {
         return new SmppOptions(address(arguments.hostPort("smpp").orElseThrow()), user[0], user[1]);
     }
 
-    BindSettings bind(Msisdn number) {
-        return new BindSettings(number, systemId, password);
+    BindSettings bind(Msisdn number, String addressRange) {
+        return new BindSettings(number, addressRange, systemId, password);
     }
 
     static InetSocketAddress address(HostPort at) {

@@ -58,7 +58,7 @@ final class ApplicationSession implements TcpProtocol {
                 settings.password(),
                 "",
                 SmppCodec.INTERFACE_VERSION,
-                settings.number().digits()));
+                settings.addressRange()));
         silence = timers.start(ANSWER_NANOS, this::end);
     }
 

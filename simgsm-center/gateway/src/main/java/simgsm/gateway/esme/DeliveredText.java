@@ -24,7 +24,7 @@ record DeliveredText(String id, String group, int parts, int part, String text) 
     /** @throws SmppViolation if the content is no text */
     static DeliveredText of(SmppMessage message) throws SmppViolation {
         byte[] octets = message.content().toArray();
-        String source = message.source().value();
+        String source = message.source().value() + ">" + message.destination().value();
         String reference = message.parameter(Tlv.USER_MESSAGE_REFERENCE)
                 .map(value -> HexFormat.of().formatHex(value.toArray()))
                 .orElse("");

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.air.Msisdn;
 import simgsm.gateway.esme.TextDelivery.Part;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppStatus;
@@ -38,7 +39,7 @@ final class DeliveredTexts {
             session.answer(sequence, SmppStatus.OK);
             return;
         }
-        Optional<String> number = message.source().number().map(it -> it.digits());
+        Optional<String> number = message.source().number().map(Msisdn::digits);
         DeliveredText text;
         try {
             text = DeliveredText.of(message);
@@ -51,12 +52,13 @@ final class DeliveredTexts {
         } else if (taken.containsKey(text.id())) {
             session.answer(sequence, SmppStatus.OK);
         } else {
-            add(number.get(), new Part(text, session, sequence));
+            String to = message.destination().number().map(Msisdn::digits).orElse("");
+            add(new TextDelivery(number.get(), to), new Part(text, session, sequence));
         }
     }
 
-    private void add(String number, Part added) {
-        TextDelivery delivery = underWay.computeIfAbsent(added.text.group(), group -> begin(new TextDelivery(number)));
+    private void add(TextDelivery first, Part added) {
+        TextDelivery delivery = underWay.computeIfAbsent(added.text.group(), group -> begin(first));
         for (Part part : delivery.parts) {
             if (part.text.id().equals(added.text.id())) {
                 part.session = added.session;

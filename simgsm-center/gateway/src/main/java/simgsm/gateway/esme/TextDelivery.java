@@ -26,11 +26,13 @@ public final class TextDelivery {
     }
 
     private final String number;
+    private final String to;
     final List<Part> parts = new ArrayList<>();
     Timer limit;
 
-    TextDelivery(String number) {
+    TextDelivery(String number, String to) {
         this.number = number;
+        this.to = to;
     }
 
     boolean isWhole() {
@@ -40,6 +42,11 @@ public final class TextDelivery {
     /** The sender's digits. */
     public String number() {
         return number;
+    }
+
+    /** The destination's digits: the application's number, or one that begins so. */
+    public String to() {
+        return to;
     }
 
     public String text() {

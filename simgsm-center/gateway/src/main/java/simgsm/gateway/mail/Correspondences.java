@@ -1,50 +1,52 @@
 package simgsm.gateway.mail;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
+import java.time.InstantSource;
 import java.util.Map;
 import java.util.Optional;
+import simgsm.gateway.esme.TextDelivery;
 import simgsm.timer.NewestEntries;
 
-/** The mails that became short messages, so that answers find their way back; of at most 10 000 numbers. */
+/**
+ * The newest 10 000 mails that became short messages. Each is sent from a number of its own, so that an answer names its
+ * mail by its destination, in whatever order the answers arrive.
+ */
 final class Correspondences {
-    private static final int MOST_ORDERS = 100;
+    /** Digits behind the service's number: a time in ms, which returns after 10<sup>8</sup> ms (27 h 46 min 40 s). */
+    static final int MAIL_DIGITS = 8;
+
+    private static final long NUMBERS = 100_000_000;
 
     /**
      * A mail that became a short message.
      *
+     * @param number it was sent to
+     * @param address of its sender
      * @param id its Message-ID with brackets, may be empty
      */
-    record Mail(String address, String id, String subject) {}
+    record Mail(String number, String address, String id, String subject) {}
 
-    private final Map<String, Mail> latest = new NewestEntries<>();
-    /** Orders by number, the oldest without an answer first; the last one stays. */
-    private final Map<String, Deque<Mail>> orders = new NewestEntries<>();
-    /** The order that a text without an address answers, also when the SMSC repeats the text. */
-    private final Map<String, Mail> answered = new NewestEntries<>();
+    private final String service;
+    private final InstantSource clock;
+    private final Map<String, Mail> mails = new NewestEntries<>();
+    private long lastMillis;
 
-    void add(String number, Mail mail, boolean isOrder) {
-        latest.put(number, mail);
-        if (isOrder) {
-            Deque<Mail> waiting = orders.computeIfAbsent(number, it -> new ArrayDeque<>());
-            waiting.add(mail);
-            if (waiting.size() > MOST_ORDERS) {
-                waiting.remove();
-            }
-        }
+    /** @param service number of the application */
+    Correspondences(String service, InstantSource clock) {
+        this.service = service;
+        this.clock = clock;
     }
 
-    /** The latest mail to a number. */
-    Optional<Mail> latest(String number) {
-        return Optional.ofNullable(latest.get(number));
+    /** Gives a mail its number. The time in it is above that of mails before a restart, whose answers are refused. */
+    String add(Mail mail) {
+        lastMillis = Math.max(lastMillis + 1, clock.millis());
+        String own = service + String.valueOf(NUMBERS + lastMillis % NUMBERS).substring(1);
+        mails.put(own, mail);
+        return own;
     }
 
-    /** The order that is answered by the text of this id. */
-    Optional<Mail> order(String number, String textId) {
-        Deque<Mail> waiting = orders.get(number);
-        if (waiting != null && !answered.containsKey(textId)) {
-            answered.put(textId, waiting.size() > 1 ? waiting.remove() : waiting.element());
-        }
-        return Optional.ofNullable(answered.get(textId));
+    /** The mail that a text answers: its receiver, also in international form, writes to the mail's number. */
+    Optional<Mail> answered(TextDelivery delivery) {
+        return Optional.ofNullable(mails.get(delivery.to()))
+                .filter(mail -> delivery.number().endsWith(mail.number()));
     }
 }

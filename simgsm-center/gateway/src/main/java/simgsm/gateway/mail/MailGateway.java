@@ -1,10 +1,10 @@
 package simgsm.gateway.mail;
 
 import java.nio.charset.StandardCharsets;
+import java.time.InstantSource;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.gateway.esme.Application;
@@ -16,7 +16,6 @@ import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.Tlv;
 import simgsm.sms.GsmAlphabet;
-import simgsm.timer.CivilTime;
 import simgsm.timer.NewestEntries;
 import simgsm.timer.RecentCounts;
 import simgsm.timer.Timers;
@@ -37,7 +36,7 @@ public final class MailGateway {
     private final Timers timers;
     private final MailSettings settings;
     private final MailTransport transport;
-    private final Correspondences correspondences = new Correspondences();
+    private final Correspondences correspondences;
     private final MailsOut out;
     private final RecentCounts pairs = new RecentCounts(MOST_AN_HOUR, TimeUnit.HOURS.toNanos(1));
     private final RecentCounts noticesTo = new RecentCounts(MOST_AN_HOUR, TimeUnit.HOURS.toNanos(1));
@@ -48,7 +47,7 @@ public final class MailGateway {
 
     public MailGateway(
             Timers timers,
-            CivilTime clock,
+            InstantSource clock,
             MailSettings settings,
             MailTransport transport,
             Application.Listener binds) {
@@ -56,6 +55,7 @@ public final class MailGateway {
         this.settings = settings;
         this.transport = transport;
         application = new Application(timers, settings.bind(), binds, this::whole);
+        correspondences = new Correspondences(settings.bind().number().digits(), clock);
         out = new MailsOut(timers, clock, settings, transport, correspondences, this::notice, application::answer);
     }
 
@@ -83,43 +83,35 @@ public final class MailGateway {
         }
         noticesTo.count(number, timers.nowNanos());
         // Without the signs of an order, whatever the address holds.
-        application.submit(submission(number, text.replace('*', '.').replace('#', '.')), status -> then.run());
+        String harmless = text.replace('*', '.').replace('#', '.');
+        application.submit(submission(settings.bind().number().digits(), number, harmless), status -> then.run());
     }
 
+    /** Of automatic mail, a notice of non-delivery is told to its number; a notice is never refused for good. */
     private void mail(String number, String sender, String octets, Consumer<String> reply) {
         IncomingMail mail = IncomingMail.read(sender, octets);
         String pair = number + " " + sender.toLowerCase(Locale.ROOT);
         String key = pair + " " + mail.id();
-        if (mail.isAutomatic()) {
-            automatic(number, sender, mail, reply);
+        if (mail.isAutomatic() && mail.failure().isEmpty()) {
+            reply.accept(sender.isEmpty() ? "250 2.0.0 dropped" : "550 5.7.1 automatic mail is not taken");
         } else if (!mail.id().isEmpty() && taken.containsKey(key)) {
             reply.accept(TAKEN);
-        } else if (pairs.isFull(pair, timers.nowNanos())) {
-            reply.accept("550 5.7.1 more than " + MOST_AN_HOUR + " an hour to one number");
         } else if (!application.isBound()) {
             reply.accept("451 4.3.0 the network does not answer");
+        } else if (mail.isAutomatic()) {
+            notice(number, mail.failure().get(), () -> reply.accept(TAKEN));
+        } else if (pairs.isFull(pair, timers.nowNanos())) {
+            reply.accept("550 5.7.1 more than " + MOST_AN_HOUR + " an hour to one number");
         } else {
-            Optional<String> order = mail.order();
-            String text = order.orElse(sender + " " + mail.text());
-            correspondences.add(number, new Correspondences.Mail(sender, mail.id(), mail.subject()), order.isPresent());
-            application.submit(submission(number, text), status -> {
+            String text = mail.order().orElse(sender + " " + mail.text());
+            String own = correspondences.add(new Correspondences.Mail(number, sender, mail.id(), mail.subject()));
+            application.submit(submission(own, number, text), status -> {
                 if (status == SmppStatus.OK) {
                     pairs.count(pair, timers.nowNanos());
                     taken.put(key, true);
                 }
                 reply.accept(reply(status));
             });
-        }
-    }
-
-    /** A notice of non-delivery is told to its number; all other automatic mail is refused, and a notice never is. */
-    private void automatic(String number, String sender, IncomingMail mail, Consumer<String> reply) {
-        if (mail.failure().isPresent()) {
-            notice(number, mail.failure().get(), () -> reply.accept(TAKEN));
-        } else if (sender.isEmpty()) {
-            reply.accept("250 2.0.0 dropped");
-        } else {
-            reply.accept("550 5.7.1 automatic mail is not taken");
         }
     }
 
@@ -134,13 +126,13 @@ public final class MailGateway {
         return "554 5.3.0 the network refuses it, status 0x%02x".formatted(status);
     }
 
-    private SmppMessage submission(String number, String text) {
+    private static SmppMessage submission(String from, String number, String text) {
         boolean isGsm = GsmAlphabet.encodes(text);
         byte[] octets = isGsm ? GsmAlphabet.encode(text) : text.getBytes(StandardCharsets.UTF_16BE);
         boolean isShort = octets.length <= SmppMessage.MAX_SHORT_MESSAGE;
         OctetString content = OctetString.of(octets);
         return SmppMessage.of(
-                new SmppAddress(1, 1, settings.bind().number().digits()),
+                new SmppAddress(0, 1, from),
                 new SmppAddress(1, 1, number),
                 0,
                 MAIL_PROTOCOL,

@@ -1,5 +1,6 @@
 package simgsm.gateway.mail;
 
+import simgsm.air.Msisdn;
 import simgsm.gateway.esme.BindSettings;
 
 /**
@@ -9,4 +10,7 @@ import simgsm.gateway.esme.BindSettings;
  * @param domain of the addresses NUMBER@domain
  * @param mails false without a mail server for messages from phones
  */
-public record MailSettings(BindSettings bind, String domain, boolean mails) {}
+public record MailSettings(BindSettings bind, String domain, boolean mails) {
+    /** Digits of the application's number; the numbers of mails begin with it. */
+    public static final int MOST_DIGITS = Msisdn.MAX_DIGITS - Correspondences.MAIL_DIGITS;
+}

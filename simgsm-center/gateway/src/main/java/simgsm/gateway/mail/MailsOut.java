@@ -1,5 +1,6 @@
 package simgsm.gateway.mail;
 
+import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Collection;
 import java.util.List;
@@ -10,7 +11,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.ObjIntConsumer;
 import simgsm.gateway.esme.TextDelivery;
 import simgsm.smpp.SmppStatus;
-import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /**
@@ -26,7 +26,7 @@ final class MailsOut {
     private static final int MOST_CONNECTIONS = 8;
 
     private final Timers timers;
-    private final CivilTime clock;
+    private final InstantSource clock;
     private final MailSettings settings;
     private final MailTransport transport;
     private final Correspondences correspondences;
@@ -43,7 +43,7 @@ final class MailsOut {
 
     MailsOut(
             Timers timers,
-            CivilTime clock,
+            InstantSource clock,
             MailSettings settings,
             MailTransport transport,
             Correspondences correspondences,
@@ -58,9 +58,10 @@ final class MailsOut {
         this.answers = answers;
     }
 
-    /** A text without a receiver is refused for good, and its sender told so. */
+    /** A text without a receiver is refused for good, and its sender told so; not a late answer, of a robot perhaps. */
     void whole(TextDelivery delivery) {
         if (!settings.mails()) {
+            transport.failed(delivery.id(), "-", "no mail server, --mail-to is missing");
             answers.accept(delivery, SmppStatus.PERMANENT_APPLICATION_ERROR);
             return;
         }
@@ -69,10 +70,12 @@ final class MailsOut {
                 addresses.isPresent() ? Optional.of(mail(delivery, addresses.get())) : reply(delivery);
         if (mail.isEmpty()) {
             transport.failed(delivery.id(), "-", "no address");
-            notices.send(
-                    delivery.number(),
-                    "mail not sent: expected ADDRESS TEXT",
-                    () -> answers.accept(delivery, SmppStatus.PERMANENT_APPLICATION_ERROR));
+            Runnable end = () -> answers.accept(delivery, SmppStatus.PERMANENT_APPLICATION_ERROR);
+            if (delivery.to().equals(settings.bind().number().digits())) {
+                notices.send(delivery.number(), "mail not sent: expected ADDRESS TEXT", end);
+            } else {
+                end.run();
+            }
         } else {
             MailJob job = new MailJob(delivery, mail.get());
             job.limit = timers.start(UNTIL_TEXT_NANOS, () -> expire(job, "421 no answer within 20 s"));
@@ -92,7 +95,7 @@ final class MailsOut {
 
     private OutgoingMail mail(TextDelivery delivery, MailAddresses addresses) {
         Optional<String> answered = correspondences
-                .latest(delivery.number())
+                .answered(delivery)
                 .filter(before -> addresses.to().contains(before.address()))
                 .map(Correspondences.Mail::id)
                 .filter(id -> !id.isEmpty());
@@ -107,13 +110,13 @@ final class MailsOut {
                 addresses.text(),
                 answered,
                 false,
-                clock.now());
+                clock.instant());
     }
 
-    /** A text without an address answers an order that came as a mail. */
+    /** A text without an address to a mail's number answers it. A robot's is not told from a person's: it is automatic. */
     private Optional<OutgoingMail> reply(TextDelivery delivery) {
         return correspondences
-                .order(delivery.number(), delivery.id())
+                .answered(delivery)
                 .map(before -> new OutgoingMail(
                         delivery.id(),
                         delivery.number(),
@@ -124,7 +127,7 @@ final class MailsOut {
                         delivery.text(),
                         Optional.of(before.id()).filter(id -> !id.isEmpty()),
                         true,
-                        clock.now()));
+                        clock.instant()));
     }
 
     private void next() {

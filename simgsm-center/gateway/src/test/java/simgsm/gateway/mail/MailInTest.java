@@ -55,13 +55,15 @@ class MailInTest {
                 "Content-Type: multipart/alternative; boundary=b\\n\\nx\\n--b\\nContent-Type: text/html\\n\\n<p>no</p>\\n--b\\n\\n** #**20 **\\n--b--|** #**20 **",
                 "Content-Type: text/html\\n\\n<style>p{}</style><p>a &lt; b</p>|ann@example.org a < b",
                 "Content-Type: image/png\\n\\nxyz|ann@example.org (no text)",
+                "Content-Type:\\n text/plain;\\n  charset=iso-8859-1\\nContent-Transfer-Encoding: quoted-printable\\n \\n=F6|ann@example.org ö",
+                "Subject: without a body|'ann@example.org '",
             })
     void theOwnWordsOfAMailAreTheMessageAndAnOrderStandsAlone(String content, String text) {
         stage.mail(ANN, ROBOT, content.replace("\\n", "\n"));
         SmppPdu.Message submitted = stage.submitted();
         assertEquals(text, MailStage.text(submitted));
         assertEquals(ROBOT, submitted.message().destination().value());
-        assertEquals("6245", submitted.message().source().value());
+        assertTrue(submitted.message().source().value().matches("6245[0-9]{8}"), "a number of its own");
         assertEquals(0x32, submitted.message().protocolId());
     }
 
@@ -123,6 +125,12 @@ class MailInTest {
     }
 
     @Test
+    void aBounceWaitsForTheSmsc() {
+        stage.smsc.protocol.lost("gone");
+        assertTrue(stage.mail("", ROBOT, BOUNCE.formatted("")).text().startsWith("451 "));
+    }
+
+    @Test
     void theBounceOfAnAutomaticAnswerEndsTheLoop() {
         MailStage.Wire client = stage.mail("", ROBOT, BOUNCE.formatted("Auto-Submitted: auto-replied\n"));
         assertTrue(client.text().startsWith("250 "));
@@ -146,18 +154,68 @@ class MailInTest {
 
     @Test
     void theRobotsAnswerIsMailedToTheOneWhoOrderedAndMarkedAutomatic() {
-        stage.mail(ANN, ROBOT, "Message-ID: <1@x>\nSubject: =?utf-8?Q?T=C3=A9st_1?=\n\n" + ORDER);
-        stage.answer(stage.submitted(), 0);
-        stage.mail("bob@x.org", ROBOT, "Message-ID: <2@x>\n\n" + ORDER);
-        stage.answer(stage.submitted(), 0);
-        stage.deliver(ROBOT, 1, "Done.");
-        stage.deliver(ROBOT, 2, "Done.");
-        String first = stage.takeMail();
-        assertTrue(first.contains("RCPT TO:<ann@example.org>"), first);
-        assertTrue(first.contains("Subject: =?utf-8?B?UmU6IFTDqXN0IDE=?=\r\n"), first);
+        SmppPdu.Message order =
+                stage.mailed(ANN, ROBOT, "Message-ID: <1@x>\nSubject: =?utf-8?Q?T=C3=A9st_1?=\n\n" + ORDER, 0);
+        stage.reply(order, 1, "Done.");
+        String answer = stage.takeMail();
+        assertTrue(answer.contains("RCPT TO:<ann@example.org>"), answer);
+        assertTrue(answer.contains("Subject: =?utf-8?B?UmU6IFTDqXN0IDE=?=\r\n"), answer);
         assertTrue(
-                first.contains("In-Reply-To: <1@x>\r\nReferences: <1@x>\r\nAuto-Submitted: auto-replied\r\n"), first);
+                answer.contains("In-Reply-To: <1@x>\r\nReferences: <1@x>\r\nAuto-Submitted: auto-replied\r\n"), answer);
+    }
+
+    @Test
+    void twoPeoplesOrdersAreAnsweredToEachInWhateverOrderTheRobotAnswers() {
+        SmppPdu.Message anns = stage.mailed(ANN, ROBOT, "Message-ID: <1@x>\n\n" + ORDER, 0);
+        SmppPdu.Message bobs = stage.mailed("bob@x.org", ROBOT, "Message-ID: <2@x>\n\n" + ORDER, 0);
+        stage.reply(bobs, 1, "6 Executing a command.");
+        stage.reply(anns, 2, "3 Done.");
+        String first = stage.takeMail();
+        assertTrue(first.contains("RCPT TO:<bob@x.org>") && first.contains("In-Reply-To: <2@x>"), first);
+        assertTrue(first.endsWith("\r\n\r\n6 Executing a command.\r\n.\r\n"), first);
+        String second = stage.takeMail();
+        assertTrue(second.contains("RCPT TO:<ann@example.org>") && second.contains("In-Reply-To: <1@x>"), second);
+    }
+
+    @Test
+    void anOrderThatTheSmscRefusesTakesNoAnswerOfAnother() {
+        stage.mailed(ANN, ROBOT, "\n" + ORDER, 0x45);
+        SmppPdu.Message bobs = stage.mailed("bob@x.org", ROBOT, "\n" + ORDER, 0);
+        stage.reply(bobs, 1, "3 Done.");
         assertTrue(stage.takeMail().contains("RCPT TO:<bob@x.org>"));
+    }
+
+    @Test
+    void aTextThatIsNoOrderIsAnsweredToTheOneWhoWroteIt() {
+        SmppPdu.Message anns = stage.mailed(ANN, ROBOT, "\n" + ORDER, 0);
+        SmppPdu.Message bobs = stage.mailed("bob@x.org", ROBOT, "\nHello", 0);
+        stage.reply(bobs, 1, "7 Not a valid command.");
+        stage.reply(anns, 2, "3 Done.");
+        String first = stage.takeMail();
+        assertTrue(first.contains("RCPT TO:<bob@x.org>") && first.contains("auto-replied"), first);
+        assertTrue(stage.takeMail().contains("RCPT TO:<ann@example.org>"));
+    }
+
+    @Test
+    void anAnswerAfterKillMinusNineGoesToNobodyAlsoWhenAnotherHasOrderedSince() {
+        SmppPdu.Message anns = stage.mailed(ANN, ROBOT, "\n" + ORDER, 0);
+        stage.pass(1);
+        stage.restart();
+        SmppPdu.Message bobs = stage.mailed("bob@x.org", ROBOT, "\n" + ORDER, 0);
+        stage.reply(anns, 1, "3 Done.");
+        assertEquals(List.of(0x65), stage.answers());
+        assertEquals(List.of(), stage.connecting);
+        stage.reply(bobs, 2, "3 Done.");
+        assertTrue(stage.takeMail().contains("RCPT TO:<bob@x.org>"));
+    }
+
+    @Test
+    void anotherNumbersTextToTheNumberOfAMailIsNoAnswer() {
+        SmppPdu.Message anns = stage.mailed(ANN, ROBOT, "\n" + ORDER, 0);
+        stage.deliver("5550199", anns.message().source().value(), 1, "3 Done.");
+        assertEquals(List.of(0x65), stage.answers());
+        stage.deliver("34" + ROBOT, anns.message().source().value(), 2, "3 Done.");
+        assertEquals(1, stage.connecting.size(), "a network in a country shows the robot in international form");
     }
 
     @Test
@@ -191,9 +249,7 @@ class MailInTest {
 
     @Test
     void aMessageIdCannotAddHeadersToTheAnswer() {
-        stage.mail(ANN, ROBOT, "Message-ID: <1@x>\rBcc: <eve@x.org>\n\n" + ORDER);
-        stage.answer(stage.submitted(), 0);
-        stage.deliver(ROBOT, 1, "Done.");
+        stage.reply(stage.mailed(ANN, ROBOT, "Message-ID: <1@x>\rBcc: <eve@x.org>\n\n" + ORDER, 0), 1, "Done.");
         String answer = stage.takeMail();
         assertTrue(!answer.contains("Bcc") && !answer.contains("In-Reply-To"), answer);
     }

@@ -21,7 +21,6 @@ import simgsm.smpp.SmppPdu;
 import simgsm.smpp.SmppViolation;
 import simgsm.smpp.Tlv;
 import simgsm.sms.GsmAlphabet;
-import simgsm.timer.CivilTime;
 import simgsm.timer.Timers;
 
 /** The core of mail between an SMSC, a mail server and mail clients that a test plays; the clock moves by hand. */
@@ -84,8 +83,8 @@ final class MailStage implements MailTransport, Application.Listener {
         connecting.clear();
         gateway = new MailGateway(
                 timers,
-                new CivilTime(Instant.EPOCH, timers),
-                new MailSettings(new BindSettings(new Msisdn("6245"), "mail", ""), "sms.example", true),
+                () -> Instant.EPOCH.plusNanos(timers.nowNanos()),
+                new MailSettings(new BindSettings(new Msisdn("6245"), "^6245", "mail", ""), "sms.example", true),
                 this,
                 this);
         smsc = new Wire(gateway.application().connection());
@@ -171,13 +170,28 @@ final class MailStage implements MailTransport, Application.Listener {
     }
 
     int deliver(String from, int reference, int esmClass, byte[] octets) {
+        return deliver(from, "6245", reference, esmClass, octets);
+    }
+
+    /** The receiver of a message answers it. */
+    int reply(SmppPdu.Message message, int reference, String text) {
+        String from = message.message().destination().value();
+        String to = message.message().source().value();
+        return deliver(from, to, reference, text);
+    }
+
+    int deliver(String from, String to, int reference, String text) {
+        return deliver(from, to, reference, 0, text.getBytes(StandardCharsets.ISO_8859_1));
+    }
+
+    private int deliver(String from, String to, int reference, int esmClass, byte[] octets) {
         sequence++;
         toCore(new SmppPdu.Message(
                 SmppCommand.DELIVER_SM,
                 sequence,
                 SmppMessage.of(
                         new SmppAddress(1, 1, from),
-                        new SmppAddress(1, 1, "6245"),
+                        new SmppAddress(1, 1, to),
                         esmClass,
                         0,
                         3,
@@ -214,6 +228,14 @@ final class MailStage implements MailTransport, Application.Listener {
     }
 
     // A mail client.
+
+    /** Sends a mail that the SMSC answers by this status; returns its submission. */
+    SmppPdu.Message mailed(String from, String to, String content, int status) {
+        mail(from, to, content);
+        SmppPdu.Message message = submitted();
+        answer(message, status);
+        return message;
+    }
 
     /** Sends a mail; returns the reply, empty while there is none. */
     Wire mail(String from, String to, String content) {
