@@ -1,6 +1,7 @@
 package blackbox;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -153,15 +154,14 @@ class FaxTest {
                 gateway.expect("ready");
                 Files.delete(faxes());
                 assertEquals(TEMPORARY_ERROR, smsc.deliver(1, "Hello"));
+                String why = gateway.expect("fax-failed", "to", "6329").field("text");
+                assertTrue(why.contains(faxes() + ""), why);
                 Files.createDirectory(faxes());
                 assertEquals(0, smsc.deliver(1, "Hello"));
                 assertEquals(0, smsc.deliver(1, "Hello"), "from memory");
                 gateway.kill();
             }
             assertEquals(1, files().size());
-            String log = gateway.log();
-            assertTrue(log.contains(faxes() + ""), log);
-            assertTrue(log.contains("the SMSC tries again"), log);
 
             scenario.tell("a gateway that was killed before its answer writes the file again");
             RunningProgram second = scenario.faxGateway(port.getLocalPort(), faxes());
@@ -172,6 +172,7 @@ class FaxTest {
                 assertEquals(0, smsc.deliver(2, "Hello"));
                 assertEquals(2, files().size());
                 assertEquals(PERMANENT_ERROR, smsc.deliver(3, "\f".repeat(50)), "51 pages");
+                second.expect("fax-failed", "text", "over 50 pages");
             }
         }
     }
@@ -184,17 +185,20 @@ class FaxTest {
                 "--smpp h:1 --fax d|fax needs --smpp, --fax-number and --fax; --fax-number is missing",
                 "--smpp h:1 --fax-number 6329|fax needs --smpp, --fax-number and --fax; --fax is missing",
                 "--smpp h:1 --fax-number x --fax FOLDER|\"x\" is not a telephone number",
+                "--smpp h:1 --fax-number 6329 --fax FOLDER --numbers x|expected FROM-TO",
                 "--smpp h:1 --fax-number 6329 --fax FILE|there is a file of that name",
                 "--smpp h:1 --fax-number 1 --fax FOLDER --mail-number 1 --mail-domain d --mail-in 0|must be two numbers",
+                "--smpp h:1 --fax-number 62 --fax FOLDER --mail-number 6 --mail-domain d --mail-in 0|not begin with --mail-number",
             })
     void aMissingOrWrongOptionIsNamed(String options, String text) throws Exception {
         Path file = Files.createFile(folder.resolve("file"));
         String[] words = ("--headless " + options)
-                .replace("FOLDER", folder.toString())
+                .replace("FOLDER", faxes().toString())
                 .replace("FILE", file.toString())
                 .split(" ");
         FinishedProgram gateway = FinishedProgram.run("simgsm-gateway", words);
         assertTrue(gateway.status() > 0);
         assertTrue(gateway.error().contains(text), gateway.error());
+        assertFalse(Files.exists(faxes()), "made after the checks of the options");
     }
 }

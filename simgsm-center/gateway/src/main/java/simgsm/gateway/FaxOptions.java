@@ -1,8 +1,5 @@
 package simgsm.gateway;
 
-import java.io.IOException;
-import java.nio.file.FileSystemException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import simgsm.air.Msisdn;
@@ -13,22 +10,19 @@ import simgsm.console.UsageException;
  * The options of fax.
  *
  * @param number a message to it becomes a file
- * @param folder of the files; it exists
+ * @param folder of the files
  */
 record FaxOptions(SmppOptions smpp, Msisdn number, Path folder) {
-    /** Empty without an option of fax. @throws IOException if the folder cannot be made */
-    static Optional<FaxOptions> of(Arguments arguments) throws UsageException, IOException {
+    /** Empty without an option of fax. */
+    static Optional<FaxOptions> of(Arguments arguments) throws UsageException {
         if (!isUsed(arguments)) {
             return Optional.empty();
         }
         SmppOptions smpp = SmppOptions.of(arguments, "fax", "smpp", "fax-number", "fax");
-        Path folder = arguments.path("fax").orElseThrow();
-        Files.createDirectories(folder);
-        if (!Files.isWritable(folder)) {
-            throw new FileSystemException(folder.toString(), null, "the folder is write-protected");
-        }
-        return Optional.of(
-                new FaxOptions(smpp, arguments.value("fax-number", Msisdn::new).orElseThrow(), folder));
+        return Optional.of(new FaxOptions(
+                smpp,
+                arguments.value("fax-number", Msisdn::new).orElseThrow(),
+                arguments.path("fax").orElseThrow()));
     }
 
     static boolean isUsed(Arguments arguments) {

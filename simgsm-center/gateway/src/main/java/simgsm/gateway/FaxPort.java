@@ -1,7 +1,8 @@
 package simgsm.gateway;
 
 import java.io.IOException;
-import java.lang.System.Logger.Level;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.ZonedDateTime;
 import java.util.Locale;
@@ -23,8 +24,6 @@ import simgsm.station.StationThread;
  * thread; a thread of its own writes.
  */
 final class FaxPort {
-    private static final System.Logger LOG = System.getLogger(FaxPort.class.getName());
-
     private final StationThread thread;
     private final FaxOptions options;
     private final TextBundle words;
@@ -38,7 +37,13 @@ final class FaxPort {
         return daemon;
     });
 
-    FaxPort(StationThread thread, FaxOptions options, Locale language, Consumer<GatewayEvent> listener) {
+    /** @throws IOException if the folder cannot be made or written */
+    FaxPort(StationThread thread, FaxOptions options, Locale language, Consumer<GatewayEvent> listener)
+            throws IOException {
+        Files.createDirectories(options.folder());
+        if (!Files.isWritable(options.folder())) {
+            throw new FileSystemException(options.folder().toString(), null, "the folder is write-protected");
+        }
         this.thread = thread;
         this.options = options;
         this.listener = listener;
@@ -65,8 +70,7 @@ final class FaxPort {
         Fax fax = Fax.of(
                 delivery.id(), delivery.number(), options.number().digits(), delivery.text(), ZonedDateTime.now());
         if (fax.pages().size() > Fax.MOST_PAGES) {
-            LOG.log(Level.WARNING, "fax {0}: over {1} pages", fax.id(), Fax.MOST_PAGES);
-            application.answer(delivery, SmppStatus.PERMANENT_APPLICATION_ERROR);
+            failed(fax, delivery, "over " + Fax.MOST_PAGES + " pages", SmppStatus.PERMANENT_APPLICATION_ERROR);
         } else {
             writer.execute(() -> write(fax, delivery));
         }
@@ -82,8 +86,12 @@ final class FaxPort {
             });
         } catch (IOException | RuntimeException e) {
             String why = e instanceof IOException ofFile ? FileErrors.describe(ofFile) : e.toString();
-            LOG.log(Level.WARNING, "fax {0}: {1}; the SMSC tries again", fax.id(), why);
-            thread.execute(() -> application.answer(delivery, SmppStatus.TEMPORARY_APPLICATION_ERROR));
+            thread.execute(() -> failed(fax, delivery, why, SmppStatus.TEMPORARY_APPLICATION_ERROR));
         }
+    }
+
+    private void failed(Fax fax, TextDelivery delivery, String why, int status) {
+        listener.accept(new GatewayEvent.FaxFailed(fax.id(), fax.to(), why));
+        application.answer(delivery, status);
     }
 }

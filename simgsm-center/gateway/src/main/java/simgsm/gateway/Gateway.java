@@ -25,7 +25,7 @@ final class Gateway implements AutoCloseable {
     private final Optional<FaxPort> fax;
     private final String key;
 
-    /** @throws IOException if the port cannot be opened */
+    /** @throws IOException if a port cannot be opened or the folder of faxes not be made */
     Gateway(GatewaySettings settings, Consumer<GatewayEvent> listener) throws IOException {
         users = new WebUsers(thread, settings, listener);
         key = settings.key();
@@ -40,7 +40,9 @@ final class Gateway implements AutoCloseable {
         mail = settings.mail().isPresent()
                 ? Optional.of(new MailPort(thread, settings, settings.mail().get(), listener))
                 : Optional.empty();
-        fax = settings.fax().map(options -> new FaxPort(thread, options, settings.language(), listener));
+        fax = settings.fax().isPresent()
+                ? Optional.of(new FaxPort(thread, settings.fax().get(), settings.language(), listener))
+                : Optional.empty();
     }
 
     private WebPort webPort(GatewaySettings settings, WebSocketPath phone) throws IOException {

@@ -68,6 +68,10 @@ sealed interface GatewayEvent {
     @EventLine("fax id= to= file=")
     record Faxed(String id, String to, String file) implements GatewayEvent {}
 
+    /** A message has become no file; the SMSC tries again unless over 50 pages. */
+    @EventLine("fax-failed id= to= text=")
+    record FaxFailed(String id, String to, String text) implements GatewayEvent {}
+
     private static Optional<String> nameOf(WebUser user) {
         return Optional.of(user.name()).filter(name -> !name.isEmpty());
     }
