@@ -321,8 +321,37 @@ class SipPhonesTest {
         assertEquals(List.of(), sip.openMedia);
     }
 
+    /** A name of hexadecimal letters was looked up for each packet, on the thread of all calls. */
     @ParameterizedTest
-    @CsvSource({"OPTIONS,200", "SUBSCRIBE,489", "PUBLISH,489", "REFER,405", "UPDATE,405", "BYE,481", "INFO,481"})
+    @CsvSource({
+        "IN IP4 192.0.2.2, 200",
+        "IN IP4 255.255.255.255, 200",
+        "IN IP6 ::1, 200",
+        "IN IP6 ::ffff:192.0.2.2, 200",
+        "IN IP4 256.0.2.2, 488",
+        "IN IP4 192.0.2, 488",
+        "IN IP4 192.0.2.2., 488",
+        "IN IP4 face.cafe, 488",
+    })
+    void speechGoesToAnAddressAndNotToAName(String connection, int status) {
+        phone.registered();
+        phone.beginCall();
+        String answer = phone.ask(
+                "INVITE", phone.uri("5550200"), SDP, "v=0\nc=" + connection + "\nt=0 0\nm=audio 4000 RTP/AVP 8\n");
+        assertTrue(answer.startsWith("SIP/2.0 " + status), answer);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "OPTIONS,200",
+        "SUBSCRIBE,489",
+        "PUBLISH,489",
+        "REFER,405",
+        "UPDATE,405",
+        "IN,405",
+        "BYE,481",
+        "INFO,481"
+    })
     void otherRequestsAreAnswered(String method, int status) {
         phone.say(phone.request(method, phone.uri("5550200"), "", ""));
         String answer = phone.finalResponse();

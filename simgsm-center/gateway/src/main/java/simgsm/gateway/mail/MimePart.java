@@ -21,34 +21,22 @@ import java.util.regex.Pattern;
 record MimePart(Map<String, String> headers, String body) {
     private static final int MOST_DEPTH = 8;
     private static final int MOST_PARTS = 100;
+    private static final Pattern HEADERS_END = Pattern.compile("(?:^|\r?\n)[ \t]*\r?\n");
     private static final Pattern ENCODED_WORD = Pattern.compile("=\\?([^?*]+)(?:\\*[^?]*)?\\?([bBqQ])\\?([^?]*)\\?=");
 
     static MimePart parse(String octets) {
         Map<String, String> headers = new HashMap<>();
-        List<String> unfolded = new ArrayList<>();
-        int from = 0;
-        while (from < octets.length()) {
-            int end = octets.indexOf('\n', from);
-            String line =
-                    octets.substring(from, end < 0 ? octets.length() : end).stripTrailing();
-            from = end < 0 ? octets.length() : end + 1;
-            if (line.isEmpty()) {
-                break;
-            } else if ((line.charAt(0) == ' ' || line.charAt(0) == '\t') && !unfolded.isEmpty()) {
-                int last = unfolded.size() - 1;
-                unfolded.set(last, unfolded.get(last) + " " + line.strip());
-            } else {
-                unfolded.add(line);
-            }
-        }
-        for (String line : unfolded) {
+        Matcher end = HEADERS_END.matcher(octets);
+        boolean hasBody = end.find();
+        String head = hasBody ? octets.substring(0, end.start()) : octets;
+        for (String line : head.replaceAll("\r?\n[ \t]+", " ").split("\n")) {
             int colon = line.indexOf(':');
             if (colon > 0) {
                 String name = line.substring(0, colon).strip().toLowerCase(Locale.ROOT);
                 headers.putIfAbsent(name, line.substring(colon + 1).strip());
             }
         }
-        return new MimePart(headers, octets.substring(from));
+        return new MimePart(headers, hasBody ? octets.substring(end.end()) : "");
     }
 
     /** A header's text, with encoded words decoded (RFC 2047); empty if it is missing. */

@@ -58,8 +58,8 @@ record OutgoingMail(
         header(mail, "Date", DATE.format(date));
         header(mail, "From", "<" + from() + ">");
         String addresses = "<" + String.join(">,\r\n <", to) + ">";
-        header(mail, "To", name.isEmpty() ? addresses : encoded(name) + " " + addresses);
-        header(mail, "Subject", encoded(subject));
+        header(mail, "To", name.isEmpty() ? addresses : encoded(name, "[A-Za-z0-9 ]") + " " + addresses);
+        header(mail, "Subject", encoded(subject, "[ -~&&[^=\"<>]]"));
         header(mail, "Message-ID", "<" + id + "@" + domain + ">");
         answered.ifPresent(before -> {
             header(mail, "In-Reply-To", before);
@@ -84,9 +84,9 @@ record OutgoingMail(
         return new String(text.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
     }
 
-    /** A header's text; encoded words where it is not short and ASCII (RFC 2047). */
-    private static String encoded(String text) {
-        if (text.matches("[ -~&&[^=\"<>]]{0,60}")) {
+    /** A header's text; encoded words where it is not short and of plain characters (RFC 2047). */
+    private static String encoded(String text, String plain) {
+        if (text.matches(plain + "{0,60}")) {
             return text;
         }
         StringBuilder words = new StringBuilder();

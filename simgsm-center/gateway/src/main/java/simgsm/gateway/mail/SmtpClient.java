@@ -135,7 +135,7 @@ final class SmtpClient implements TcpProtocol {
         if (recipient < mail.to().size()) {
             say(Step.RCPT, recipientCommand());
         } else if (refused.size() == recipient) {
-            end(code >= 500 ? code : 550, line);
+            end(code, line);
         } else {
             say(Step.DATA, "DATA");
         }

@@ -30,6 +30,9 @@ record Sdp(
     static final int OFFERED_EVENTS = 101;
 
     private static final String NO_ADDRESS = "0.0.0.0";
+    /** IPv4, or IPv6 by its colon: a name would be looked up for each packet. */
+    private static final String ADDRESS =
+            "((25[0-5]|(2[0-4]|1?[0-9])?[0-9])(\\.(?!$)|$)){4}|[0-9a-fA-F.]*:[0-9a-fA-F.:]*";
 
     /** Lines of one m= section; the first has the lines before any m=. */
     private static List<List<String>> sections(String text) {
@@ -72,7 +75,7 @@ record Sdp(
                 ? Optional.of(SpeechCodec.Kind.A_LAW)
                 : formats.contains("0") ? Optional.of(SpeechCodec.Kind.MU_LAW) : Optional.empty();
         String address = connection(lines).or(() -> connection(session)).orElse("");
-        if (codec.isEmpty() || !address.matches("[0-9a-fA-F.:]+")) {
+        if (codec.isEmpty() || !address.matches(ADDRESS)) {
             return Optional.empty();
         }
         String direction = direction(lines).or(() -> direction(session)).orElse("sendrecv");

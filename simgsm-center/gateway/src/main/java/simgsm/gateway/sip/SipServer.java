@@ -151,7 +151,7 @@ public final class SipServer {
             request.send(request.response(420, "Bad Extension").with("Unsupported", String.join(", ", required)));
         } else if (!message.uri().toLowerCase(Locale.ROOT).startsWith("sip:")) {
             request.respond(416, "Unsupported URI Scheme: expected sip:");
-        } else if (!METHODS.contains(message.method())) {
+        } else if (!List.of(METHODS.split(", ")).contains(message.method())) {
             boolean isOfEvents =
                     message.method().equals("SUBSCRIBE") || message.method().equals("PUBLISH");
             request.send((isOfEvents ? request.response(489, "Bad Event") : request.response(405, "Method Not Allowed"))

@@ -193,6 +193,14 @@ class MailsOutTest {
     }
 
     @Test
+    void aNameWithACommaIsOneReceiver() {
+        stage.deliver(PHONE, 7, "ann@example.org#Smith, Ann##Hi#Text");
+        assertTrue(stage.takeMail().contains("To: =?utf-8?B?U21pdGgsIEFubg==?= <ann@example.org>\r\n"));
+        stage.deliver(PHONE, 8, "ann@example.org#Ann Smith##Hi#Text");
+        assertTrue(stage.takeMail().contains("To: Ann Smith <ann@example.org>\r\nSubject: Hi\r\n"));
+    }
+
+    @Test
     void aSubjectCannotAddHeaders() {
         stage.deliver(PHONE, 7, "ann@example.org(Hi\r\nBcc: eve@x.org)Text");
         assertTrue(!stage.takeMail().contains("\nBcc:"));
