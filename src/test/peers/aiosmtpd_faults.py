@@ -30,8 +30,8 @@ class Faults:
             print("closed", mail["Message-ID"], flush=True)
             server.transport.abort()
             return "250 never read"
-        print("mail", mail["Message-ID"], envelope.rcpt_tos[0], mail["Auto-Submitted"], flush=True)
         print("text", mail.get_content().strip().replace("\n", " / "), flush=True)
+        print("mail", mail["Message-ID"], envelope.rcpt_tos[0], mail["Auto-Submitted"], flush=True)
         return "250 taken"
 
 

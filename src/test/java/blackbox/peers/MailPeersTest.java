@@ -71,6 +71,7 @@ class MailPeersTest {
         assertTrue(sent.contains("<-  250 2.0.0 taken by the network"), sent);
         robot.expect("order", "text", "**#**20**", "verdict", "accepted");
         gateway.expect("mailed", "to", "ann@example.org");
+        printed.await("mail");
         assertTrue(printed.of("mail").get(0).endsWith(" ann@example.org auto-replied"));
         assertTrue(
                 printed.of("text").get(0).startsWith("text 3 Done: #**20."),
