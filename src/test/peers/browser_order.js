@@ -88,6 +88,8 @@ const pause = millis => new Promise(done => setTimeout(done, millis));
     console.log('tones', (await page.$eval('#tones', list => list.innerText)).replace(/\s+/g, ' '));
     await page.waitForFunction(() => /Stopped.* 270/.test(document.querySelector('#state').textContent));
     console.log('state', await page.$eval('#state', text => text.textContent.replace(/ +/g, ' ')));
+    await page.waitForSelector('#tones .said');
+    console.log('said', await text('#tones .said'));
     const heard = await page.evaluate(() => window.played.length + 2 * Sound.context().sampleRate);
     await page.waitForFunction(wanted => window.played.length >= wanted, { polling: 100 }, heard);
     await page.keyboard.press('Escape');

@@ -30,7 +30,7 @@ class BrowserTest {
         Peer.require(Peer.NODE.run("-e", "require('puppeteer-core')").status() == 0, "puppeteer-core (Node)");
         try (Scenario scenario = new Scenario("Chromium drives the robot")) {
             scenario.center();
-            RunningProgram robot = scenario.robot("empty.map", "--http", "0");
+            RunningProgram robot = scenario.robot("empty.map", "--http", "0", "--speak");
             RunningProgram gateway = scenario.gateway(
                     "--robots", "http://127.0.0.1:" + robot.said("ready").field("http"));
             ConsoleEvent ready = gateway.expect("ready");
@@ -53,6 +53,7 @@ class BrowserTest {
                     printed.contains("tones 1 connection accepted 6 executing 3 executed 6 executing 3 executed"),
                     printed);
             assertTrue(printed.contains("state Stopped x 0.20 m y 0.00 m heading 270\u00b0"), printed);
+            assertTrue(printed.contains("said Done stopped at x twenty"), printed);
             assertTrue(printed.contains("redial " + Scenario.ROBOT), printed);
             assertTrue(printed.lines().anyMatch(line -> line.matches("calls .*To " + Scenario.ROBOT + " .*")), printed);
             assertTrue(printed.contains("up Setup, down Call Proceeding"), printed);

@@ -6,6 +6,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.gateway.esme.Application;
+import simgsm.gateway.esme.BindSettings;
 import simgsm.net.Connection;
 import simgsm.net.Connector;
 import simgsm.station.StationThread;
@@ -73,7 +74,10 @@ final class EsmePort implements Application.Listener {
             listener.accept(new GatewayEvent.Joined(kind, application.settings().number(), smscName, Optional.empty()));
         } else {
             smsc.postpone(REFUSED_PAUSE_NANOS);
-            listener.accept(new GatewayEvent.Refused(kind, smscName, status, "bind refused, next attempt in 30 s"));
+            BindSettings bind = application.settings();
+            String text =
+                    "bind of " + bind.systemId() + " for " + bind.addressRange() + " refused, next attempt in 30 s";
+            listener.accept(new GatewayEvent.Refused(kind, smscName, status, text));
         }
     }
 

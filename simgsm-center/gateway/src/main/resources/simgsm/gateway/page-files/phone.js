@@ -172,7 +172,7 @@
       chip.textContent = event.key;
       item.append(chip, ' ' + (words['tone.' + event.key] || ''));
     },
-    words: event => row($('tones'), 'said', event.text),
+    words: event => row($('tones'), event.text, 'said'),
     sms: event => { message(word('sms.from', event.from, event.text)); show(word('sms.new', event.from)); },
     'sms-sent': event => message(word('sms.sent', event.to), 'quiet'),
     'sms-delivered': event => message(word('sms.delivered', event.to), 'quiet'),
