@@ -58,6 +58,7 @@ class AtProfileTest {
         probe("""
                 AT+CCID            -> 8900101000555030007|OK
                 AT+CBC             -> +CBC: 0,100,4200|OK
+                AT+CNMI?           -> +CNMI: 2,1,0,0,0|OK
                 AT+CSPN?           -> +CSPN: "SimGSM",0|OK
                 AT+CREG?           -> +CREG: 0,1|OK
                 AT+CGREG?          -> +CGREG: 0,1|OK

@@ -75,6 +75,11 @@ public enum AtProfile {
         return this == SIM800 ? iccid : "+CCID: " + AtRequest.quoted(iccid);
     }
 
+    /** True if +CNMI is 2,1,0,0,0 without a setting: SIM800 reports stored messages with +CMTI. */
+    public boolean reportsMessages() {
+        return this == SIM800;
+    }
+
     /** True if the profile has codes of a modem that has started. */
     public boolean boots() {
         return !bootCodes.isEmpty();

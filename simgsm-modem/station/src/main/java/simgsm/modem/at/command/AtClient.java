@@ -9,11 +9,12 @@ import simgsm.modem.at.state.ClientSettings;
 public final class AtClient {
     private final AtModem modem;
     private final AtSession<AtClient> session;
-    private ClientSettings settings = new ClientSettings();
+    private ClientSettings settings;
     private boolean isBooting;
 
     AtClient(AtModem modem, Consumer<byte[]> output) {
         this.modem = modem;
+        settings = newSettings();
         session = new AtSession<>(AtCommands.TABLE, this, modem.timers(), output);
     }
 
@@ -50,9 +51,18 @@ public final class AtClient {
         return settings;
     }
 
+    private ClientSettings newSettings() {
+        ClientSettings fresh = new ClientSettings();
+        if (modem.profile().reportsMessages()) {
+            fresh.indicationMode = 2;
+            fresh.deliverMode = 1;
+        }
+        return fresh;
+    }
+
     /** Performs ATZ and AT&F. */
     void reset() {
-        settings = new ClientSettings();
+        settings = newSettings();
         session.resetFormat();
         modem.settingsChanged();
     }
