@@ -104,6 +104,8 @@ class AtSessionTest {
             at              > |OK|
             A               > |ERROR|
             HELLO           > |ERROR|
+            HAT             > |ERROR|
+            +++AT           > |OK|
             ATX             > |ERROR|
             ATE2            > |ERROR|
             AT+NONE         > |ERROR|
