@@ -50,6 +50,9 @@ class SimPinTest {
             scenario.center("--hlr", list);
             RunningProgram phone = scenario.unregisteredPhone(Scenario.PHONE, "--sim", list);
             phone.expect("sim", "state", "pin", "tries", "3");
+            phone.say("dial 5559999");
+            phone.expect(
+                    "error", "text", "dial: the SIM is locked; only emergency numbers, such as 112, can be called");
             phone.say("pin 12");
             phone.expect("error", "text", "pin: expected a PIN of 4 to 8 digits");
             phone.say("pin 0000");
@@ -99,6 +102,7 @@ class SimPinTest {
                     {"AT+CMEE=1", "OK"},
                     {"AT+CPIN?", "+CPIN: SIM PIN|OK"},
                     {"AT+CIMI", "+CME ERROR: 11"},
+                    {"ATD5550200;", "+CME ERROR: 11"},
                     {"AT+CLCK=\"SC\",2", "+CLCK: 1|OK"},
                     {"AT+CPIN=\"0000\"", "+CME ERROR: 16"},
                     {"AT+CPINR", "+CPINR: SIM PIN,2,3|+CPINR: SIM PUK,10,10|OK"},

@@ -77,7 +77,7 @@ final class PhoneCommands implements Console.Commands {
         if (!ServiceCode.isCode(typed)) {
             number(command, ServiceCode.called(typed));
         }
-        perform(command, handset -> handset.dial(typed));
+        perform(command, handset -> handset.codes().perform(typed));
     }
 
     private void press(ConsoleCommand command) throws CommandException {
@@ -123,7 +123,7 @@ final class PhoneCommands implements Console.Commands {
         if (text.isEmpty()) {
             throw new CommandException("ussd: expected ussd CODE, found nothing after it");
         }
-        perform(command, handset -> handset.ussd(text));
+        perform(command, handset -> handset.codes().send(text));
     }
 
     private void pin(ConsoleCommand command) throws CommandException {

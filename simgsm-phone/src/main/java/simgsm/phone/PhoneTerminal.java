@@ -81,7 +81,7 @@ final class PhoneTerminal implements AtTerminal {
 
     @Override
     public boolean sendUssd(String text) {
-        return handset.ussd(text).isEmpty();
+        return handset.codes().send(text).isEmpty();
     }
 
     @Override

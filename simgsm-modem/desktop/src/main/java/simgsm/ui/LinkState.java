@@ -10,6 +10,8 @@ public enum LinkState {
     UP(StatusMark.DISC, Ink.GOOD),
     /** No centre found yet. */
     SEARCHING(StatusMark.HALF_DISC, Ink.WARNING),
+    /** The SIM is locked, or an emergency call is under way without registration. */
+    EMERGENCY_ONLY(StatusMark.HALF_DISC, Ink.WARNING),
     /** Rejected by the network. */
     REFUSED(StatusMark.SLASHED_RING, Ink.DANGER),
     /** Switched off. */

@@ -192,7 +192,8 @@ public final class MobileStation implements StationCommands {
 
     @Override
     public boolean dial(Msisdn number) {
-        return settled(registration.isPowered() && call.dial(number));
+        boolean isPermitted = registration.isPowered() && (lock.status().isReady() || number.isEmergency());
+        return settled(isPermitted && call.dial(number));
     }
 
     @Override
@@ -343,23 +344,18 @@ public final class MobileStation implements StationCommands {
         return registration.isOff() || !linkUp;
     }
 
-    private void leaveIdleChannel() {
-        context.radio().release();
-        services.channelLeft();
-    }
-
     private boolean settled(boolean result) {
         settle();
         return result;
     }
 
-    /** Called after each change: supervises the idle channel, publishes the snapshot, delivers the events. */
+    /** Called after each change: supervises the channel, publishes the snapshot, delivers the events. */
     private void settle() {
         call.checkService();
         if (!context.radio().isOpen()) {
             registration.keepLocation();
         }
-        superviseIdleChannel();
+        services.superviseChannel(call.state() != MobileCallState.NULL || messages.isBusy());
         StationSnapshot now = current();
         if (!now.card().equals(toldCard)) {
             toldCard = now.card();
@@ -370,18 +366,6 @@ public final class MobileStation implements StationCommands {
             context.events().add(new StationEvent.StationChanged());
         }
         context.events().deliver();
-    }
-
-    private void superviseIdleChannel() {
-        boolean idle = context.radio().isOpen()
-                && !registration.needsRadio()
-                && (services.isAborting()
-                        || services.isIdle() && call.state() == MobileCallState.NULL && !messages.isBusy());
-        if (!idle) {
-            context.timers().stop(StationTimer.T3240);
-        } else if (!context.timers().isRunning(StationTimer.T3240)) {
-            context.timers().start(StationTimer.T3240, this::leaveIdleChannel);
-        }
     }
 
     private StationSnapshot current() {

@@ -22,7 +22,9 @@ public interface StationCommands {
     PinLock.Result useCard(Function<PinLock, PinLock.Result> command);
 
     /**
-     * Calls a number; without service the call waits 5 s. @return false if a call is under way or the station is off
+     * Calls a number; without service the call waits 5 s.
+     *
+     * @return false if a call is under way, the station is off, or the card is locked and this is no emergency number
      */
     boolean dial(Msisdn number);
 

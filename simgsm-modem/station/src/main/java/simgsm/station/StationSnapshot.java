@@ -33,6 +33,14 @@ public record StationSnapshot(
         Optional<SpeechCodec.Kind> heardCodec,
         Optional<ServingCell> cell,
         PinLock.Status card) {
+    /** True if only emergency calls are possible, because the SIM is locked, or one is under way without registration. */
+    public boolean isEmergencyOnly() {
+        boolean isLocked = !card.isReady();
+        return linkUp
+                && !registered
+                && (isLocked || peer.filter(Msisdn::isEmergency).isPresent());
+    }
+
     /** The bars of a display; all of them in the station's own small cell. */
     public int signalBars(int most) {
         return registered ? cell.map(serving -> serving.bars(most)).orElse(most) : 0;

@@ -159,15 +159,6 @@ public final class Handset {
         return call.dial(station, number);
     }
 
-    /**
-     * Performs a user's input before the green key (TS 22.030, 6.5): a service code, or a number to call.
-     *
-     * @throws IllegalArgumentException for any other text
-     */
-    public Optional<Refusal> dial(String typed) {
-        return codes.perform(typed);
-    }
-
     public Optional<Refusal> answer() {
         history.taken();
         return station.answer() ? Optional.empty() : Optional.of(Refusal.NOTHING_RINGS);
@@ -187,11 +178,6 @@ public final class Handset {
     /** Rejects the waiting call, or ends the held one. */
     public Optional<Refusal> rejectSecond() {
         return station.rejectWaiting() ? Optional.empty() : Optional.of(Refusal.NO_SECOND_CALL);
-    }
-
-    /** Sends a USSD code, or the reply awaited by the network. */
-    public Optional<Refusal> ussd(String text) {
-        return codes.send(text);
     }
 
     /** Tells the network of its user. */

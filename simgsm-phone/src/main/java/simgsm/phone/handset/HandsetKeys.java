@@ -1,8 +1,6 @@
 package simgsm.phone.handset;
 
-import java.util.EnumSet;
 import java.util.List;
-import java.util.Set;
 import simgsm.dtmf.DtmfKey;
 import simgsm.phone.screen.CallPhase;
 import simgsm.phone.screen.HomeKeys;
@@ -18,8 +16,6 @@ import simgsm.ss.ServiceCode;
  * the handset.
  */
 public final class HandsetKeys {
-    private static final Set<PhoneKey> OPENING = EnumSet.of(PhoneKey.OK, PhoneKey.SOFT_LEFT, PhoneKey.MENU);
-
     private final Handset handset;
     private final PhoneCall call;
     private final HandsetAudio audio;
@@ -49,26 +45,38 @@ public final class HandsetKeys {
             handset.hangUp();
         } else if (key == PhoneKey.CALL && call.phase() == CallPhase.RINGING) {
             handset.answer();
-        } else if (asksForPin(key)) {
-            screens.askForPin(handset.station().snapshot().card());
-        } else if (screens.isHome()) {
-            endTones();
-            perform(home.press(key, handset.situation()));
-            if (home.typed().equals(ServiceCode.IMEI) || PinLock.isCode(home.typed())) {
-                handset.ussd(home.typed());
-            }
         } else {
-            perform(screens.press(key, nowNanos));
+            askForPin();
+            press(key, nowNanos);
         }
         handset.changed();
     }
 
-    /** True if the key opens the SIM's question again, which the red key has left for an emergency call. */
-    private boolean asksForPin(PhoneKey key) {
-        return OPENING.contains(key)
-                && screens.isHome()
-                && home.typed().isEmpty()
-                && !handset.station().snapshot().card().isReady();
+    private void press(PhoneKey key, long nowNanos) {
+        if (screens.isHome()) {
+            endTones();
+            perform(home.press(key, handset.situation()));
+        } else {
+            perform(screens.press(key, nowNanos));
+        }
+        performCode();
+    }
+
+    /** Performs a code of the equipment or of the SIM with its last sign (TS 22.030, 6.6.3 and 6.7.2). */
+    private void performCode() {
+        String typed = screens.isHome() ? home.typed() : screens.typedForCard();
+        if (typed.equals(ServiceCode.IMEI) || PinLock.isCode(typed)) {
+            handset.codes().send(typed);
+        }
+    }
+
+    /** After an emergency call the first key returns to the question of a locked SIM, and belongs to it. */
+    private void askForPin() {
+        PinLock.Status card = handset.station().snapshot().card();
+        if (!card.isReady() && screens.isHome() && call.phase() == CallPhase.NONE) {
+            endTones();
+            screens.askForPin(card);
+        }
     }
 
     /** The red key ends the current call; a held one once the user has read the end of the call before it. */
@@ -97,7 +105,7 @@ public final class HandsetKeys {
         } else if (intent instanceof KeyIntent.SendText text) {
             send(text);
         } else if (intent instanceof KeyIntent.SendUssd code) {
-            handset.ussd(code.text()).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, code.text()));
+            handset.codes().send(code.text()).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, code.text()));
         } else if (intent instanceof KeyIntent.UseCard use) {
             handset.codes().useCard(use.command());
         } else if (intent instanceof KeyIntent.ChangeSettings change) {
@@ -144,7 +152,10 @@ public final class HandsetKeys {
 
     private void dial(String text) {
         try {
-            handset.dial(text).ifPresent(refusal -> screens.note(Note.Kind.REFUSED, text));
+            handset.codes()
+                    .perform(text)
+                    .ifPresent(refusal -> screens.note(
+                            refusal == Refusal.SIM_LOCKED ? Note.Kind.SIM_LOCKED : Note.Kind.REFUSED, text));
         } catch (IllegalArgumentException notANumber) {
             screens.note(Note.Kind.NOT_A_NUMBER, text);
         }
@@ -181,7 +192,9 @@ public final class HandsetKeys {
         if (!handset.isPowered()) {
             return;
         }
+        askForPin();
         if (screens.type(character)) {
+            performCode();
             handset.changed();
         } else if (character == '+' && screens.isHome() && call.phase() == CallPhase.NONE) {
             home.plus();

@@ -26,6 +26,9 @@ final class MessageSubmission {
         if (!station.snapshot().powered()) {
             return Optional.of(Refusal.SWITCHED_OFF);
         }
+        if (!station.snapshot().card().isReady()) {
+            return Optional.of(Refusal.SIM_LOCKED);
+        }
         isSubmitting = true;
         try {
             mailbox.submitted(station.sendMessage(to, text), to.toString(), text);

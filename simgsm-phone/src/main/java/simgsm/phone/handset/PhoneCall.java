@@ -51,6 +51,9 @@ final class PhoneCall {
         if (!station.snapshot().powered()) {
             return Optional.of(Refusal.SWITCHED_OFF);
         }
+        if (!number.isEmergency() && !station.snapshot().card().isReady()) {
+            return Optional.of(Refusal.SIM_LOCKED);
+        }
         return current.phase == CallPhase.NONE && station.dial(number)
                 ? Optional.empty()
                 : Optional.of(Refusal.CALL_UNDER_WAY);

@@ -3,6 +3,7 @@ package simgsm.phone.handset;
 /** The reasons for which the handset refuses a command. */
 public enum Refusal {
     CALL_UNDER_WAY("a call is under way; hang up first"),
+    SIM_LOCKED("the SIM is locked; only emergency numbers, such as 112, can be called"),
     SIM_REFUSES("the SIM does not take this code now, or the two new PINs differ"),
     NO_CALL("there is no call; dial or answer first"),
     NOTHING_RINGS("no call rings"),

@@ -16,7 +16,7 @@ public final class ServiceCodes {
     }
 
     /** Sends a service code, or calls a number. @throws IllegalArgumentException for any other text */
-    Optional<Refusal> perform(String typed) {
+    public Optional<Refusal> perform(String typed) {
         if (ServiceCode.isCode(typed)) {
             return send(typed);
         }
@@ -26,7 +26,7 @@ public final class ServiceCodes {
     }
 
     /** Sends a USSD code, or the reply awaited by the network. */
-    Optional<Refusal> send(String text) {
+    public Optional<Refusal> send(String text) {
         if (!handset.isPowered()) {
             return Optional.of(Refusal.SWITCHED_OFF);
         }
@@ -39,6 +39,9 @@ public final class ServiceCodes {
         }
         if (!UssdText.fits(text)) {
             return Optional.of(text.isEmpty() ? Refusal.EMPTY_TEXT : Refusal.USSD_TOO_LONG);
+        }
+        if (!handset.station().snapshot().card().isReady()) {
+            return Optional.of(Refusal.SIM_LOCKED);
         }
         boolean isSent = handset.station().sendUssd(text);
         if (isSent) {

@@ -14,8 +14,8 @@ final class EntryPage extends TextEntryPage {
         NUMBER("+0123456789"),
         /** A number with the signs of service codes. */
         CODE("+0123456789*#"),
-        /** A secret number, shown as stars. */
-        PIN("0123456789"),
+        /** A secret number, shown as stars, or a service code. */
+        PIN("0123456789*#"),
         /** Any text. */
         NAME("");
 
@@ -35,6 +35,7 @@ final class EntryPage extends TextEntryPage {
     private final String softLeft;
     private final Function<String, KeyIntent> done;
     private Optional<Supplier<KeyIntent>> names = Optional.empty();
+    private boolean stands;
 
     /**
      * An empty line.
@@ -62,6 +63,12 @@ final class EntryPage extends TextEntryPage {
         return this;
     }
 
+    /** Makes the page stay until another replaces it: no key closes it. */
+    EntryPage standing() {
+        stands = true;
+        return this;
+    }
+
     String text() {
         return entry.text();
     }
@@ -69,21 +76,22 @@ final class EntryPage extends TextEntryPage {
     @Override
     Screen screen() {
         Optional<TextEntry.Mode> mode = kind == Kind.NAME ? Optional.of(entry.mode()) : Optional.empty();
-        String shown = kind == Kind.PIN ? "*".repeat(entry.text().length()) : entry.text();
+        String shown = kind == Kind.PIN && !isCode() ? "*".repeat(entry.text().length()) : entry.text();
         return new Screen.Entry(title, shown, entry.caret(), entry.choices(), mode);
     }
 
     @Override
     SoftKeys softKeys() {
         return entry.text().isEmpty()
-                ? new SoftKeys(names.isPresent() ? "soft.names" : "", "soft.back")
+                ? new SoftKeys(names.isPresent() ? "soft.names" : "", stands ? "" : "soft.back")
                 : new SoftKeys(softLeft, "soft.clear");
     }
 
     @Override
     KeyIntent press(PhoneKey key, long nowNanos) {
         return switch (key) {
-            case SOFT_LEFT, OK, CALL, MESSAGE -> finish(key);
+            case CALL -> kind == Kind.PIN && !text().isEmpty() ? new KeyIntent.DialText(text()) : finish(key);
+            case SOFT_LEFT, OK, MESSAGE -> finish(key);
             case SOFT_RIGHT, CLEAR -> eraseOrClose();
             case LEFT -> KeyIntent.after(entry::left);
             case RIGHT -> KeyIntent.after(entry::right);
@@ -122,9 +130,25 @@ final class EntryPage extends TextEntryPage {
     @Override
     boolean type(char character) {
         boolean isPlusWithin = kind == Kind.NUMBER && character == '+' && entry.caret() > 0;
-        if (kind.takes(character) && !isPlusWithin) {
+        boolean isStrayInPin =
+                kind == Kind.PIN && !Character.isDigit(character) && !(text() + character).startsWith("*");
+        if (kind.takes(character) && !isPlusWithin && !isStrayInPin) {
             entry.type(character);
         }
         return true;
+    }
+
+    /** The text of a page of kind PIN, else an empty one. */
+    String secret() {
+        return kind == Kind.PIN ? text() : "";
+    }
+
+    private boolean isCode() {
+        return text().startsWith("*");
+    }
+
+    @Override
+    boolean erase() {
+        return super.erase() || stands;
     }
 }

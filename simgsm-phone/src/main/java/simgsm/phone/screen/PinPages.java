@@ -9,10 +9,11 @@ import simgsm.sim.PinLock;
 
 /** The questions of a SIM to its user: the PIN, or the PUK and twice a new PIN (TS 22.030, 6.6.4). */
 final class PinPages {
-    private static final int MAX_DIGITS = 8;
+    /** Room for a code that changes or unblocks the PIN. */
+    private static final int MAX_SIGNS = 40;
 
     private final PageStack stack;
-    private PinLock.State asked = PinLock.State.READY;
+    private PinLock.Status asked = PinLock.none().status();
 
     PinPages(PageStack stack) {
         this.stack = stack;
@@ -20,17 +21,27 @@ final class PinPages {
 
     /** Asks for what the card demands, in place of all other pages; leaves the question if it demands nothing. */
     KeyIntent ask(PinLock.Status card) {
-        if (asked != PinLock.State.READY || !card.isReady()) {
+        if (!asked.isReady() || !card.isReady()) {
             stack.home();
         }
-        asked = card.state();
+        asked = card;
         return switch (card.state()) {
             case PIN ->
-                open(Words.of("pin.enter", card.tries()), pin -> CardPin.isPin(pin) ? verify(pin) : wrongLength());
+                stack.open(page(
+                                Words.of("pin.enter", card.tries()),
+                                pin -> CardPin.isPin(pin) ? verify(pin) : wrongLength())
+                        .standing());
             case PUK ->
-                open(Words.of("pin.puk", card.tries()), puk -> CardPin.isPuk(puk) ? newPin(puk) : wrongLength());
+                stack.open(
+                        page(Words.of("pin.puk", card.tries()), puk -> CardPin.isPuk(puk) ? newPin(puk) : wrongLength())
+                                .standing());
             case READY, BLOCKED -> Simple.NOTHING;
         };
+    }
+
+    /** Asks again, with an empty line, for what the card still demands. */
+    KeyIntent askAgain() {
+        return ask(asked);
     }
 
     private static KeyIntent verify(String pin) {
@@ -38,22 +49,22 @@ final class PinPages {
     }
 
     private KeyIntent newPin(String puk) {
-        return open(Words.of("pin.new"), pin -> CardPin.isPin(pin) ? again(puk, pin) : wrongLength());
+        return stack.open(page(Words.of("pin.new"), pin -> CardPin.isPin(pin) ? again(puk, pin) : wrongLength()));
     }
 
     private KeyIntent again(String puk, String pin) {
-        return open(
+        return stack.open(page(
                 Words.of("pin.again"),
                 second -> second.equals(pin)
                         ? new KeyIntent.UseCard(lock -> lock.unblock(puk, pin))
-                        : note(Note.Kind.PIN_DIFFERS, ""));
+                        : note(Note.Kind.PIN_DIFFERS, "")));
     }
 
     /** In place of a code, 112 and 911 are called (TS 22.101, 10.1). */
-    private KeyIntent open(Words title, Function<String, KeyIntent> done) {
+    private EntryPage page(Words title, Function<String, KeyIntent> done) {
         Function<String, KeyIntent> callOrCode =
                 text -> new Msisdn(text).isEmergency() ? new KeyIntent.DialText(text) : done.apply(text);
-        return stack.open(new EntryPage(stack, title, EntryPage.Kind.PIN, MAX_DIGITS, "soft.ok", callOrCode));
+        return new EntryPage(stack, title, EntryPage.Kind.PIN, MAX_SIGNS, "soft.ok", callOrCode);
     }
 
     private KeyIntent wrongLength() {
@@ -66,7 +77,7 @@ final class PinPages {
 
     /** The card has answered a code. */
     void answered(PinLock.Result result, PinLock.Status card) {
-        boolean isBlocked = asked == PinLock.State.PIN && card.state() == PinLock.State.PUK;
+        boolean isBlocked = asked.state() == PinLock.State.PIN && card.state() == PinLock.State.PUK;
         ask(card);
         switch (result) {
             case DONE -> note(Note.Kind.SAVED, "");

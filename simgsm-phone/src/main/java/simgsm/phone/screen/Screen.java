@@ -119,6 +119,8 @@ public sealed interface Screen {
         public enum Kind {
             REFUSED,
             NOT_A_NUMBER,
+            /** Without its PIN or PUK the SIM permits emergency calls only. */
+            SIM_LOCKED,
             SAVED,
             /** The SIM refuses a PIN or PUK; the detail is the number of tries left. */
             PIN_WRONG,

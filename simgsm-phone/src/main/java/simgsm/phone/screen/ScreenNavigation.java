@@ -108,11 +108,17 @@ public final class ScreenNavigation {
 
     /** Shows the equipment's identity. */
     public void showImei(String imei) {
+        pins.askAgain();
         stack.open(TextPage.of(stack, Words.plain("IMEI"), () -> List.of(Words.plain(imei))));
     }
 
     public KeyIntent note(Note.Kind kind, String detail) {
         return stack.open(new NotePage(stack, new Note(kind, detail)));
+    }
+
+    /** What is keyed in for the SIM: a number, or a code of TS 22.030; empty on other pages. */
+    public String typedForCard() {
+        return stack.top().orElseThrow() instanceof EntryPage page ? page.secret() : "";
     }
 
     /** True while the network's answer to the user's USSD text is outstanding. */
@@ -163,6 +169,10 @@ public final class ScreenNavigation {
         if (key != PhoneKey.END) {
             return page.press(key, nowNanos);
         }
-        return page == ussd ? ussd.end() : stack.home();
+        if (page == ussd) {
+            return ussd.end();
+        }
+        stack.home();
+        return pins.askAgain();
     }
 }

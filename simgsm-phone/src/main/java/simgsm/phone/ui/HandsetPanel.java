@@ -130,6 +130,9 @@ public final class HandsetPanel extends JPanel {
         if (station.registered()) {
             return LinkState.UP;
         }
+        if (station.isEmergencyOnly()) {
+            return LinkState.EMERGENCY_ONLY;
+        }
         return station.rejectCause().isPresent() ? LinkState.REFUSED : LinkState.SEARCHING;
     }
 

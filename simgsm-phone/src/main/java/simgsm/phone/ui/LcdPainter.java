@@ -98,6 +98,9 @@ final class LcdPainter {
             return operatorOf(station)
                     + station.cell().map(cell -> " " + cell.identity()).orElse("");
         }
+        if (station.isEmergencyOnly()) {
+            return texts.of("lcd.service.emergency");
+        }
         return texts.of(station.rejectCause().isPresent() ? "lcd.service.refused" : "lcd.service.searching");
     }
 

@@ -39,7 +39,8 @@ final class LcdSpoken {
             return texts.of("menu.write") + ": " + writing.text();
         }
         if (screen instanceof Screen.Entry entry) {
-            return words.of(entry.title()) + ": " + entry.text();
+            String emergency = phone.station().card().isReady() ? "" : ", " + texts.of("lcd.hint.emergency");
+            return words.of(entry.title()) + ": " + entry.text() + emergency;
         }
         if (screen instanceof Screen.Sent sent) {
             return CauseText.ofDelivery(texts, sent.message()) + news(phone);

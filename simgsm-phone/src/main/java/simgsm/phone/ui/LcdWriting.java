@@ -111,6 +111,8 @@ final class LcdWriting {
         }
         if (!entry.choices().isEmpty()) {
             choices(pen, entry.choices(), entry.text().charAt(entry.caret() - 1));
+        } else if (!phone.station().card().isReady()) {
+            pen.hint(texts.of("lcd.hint.emergency"), HINT_BASELINE);
         }
     }
 

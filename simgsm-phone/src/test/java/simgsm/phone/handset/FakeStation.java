@@ -192,7 +192,7 @@ public final class FakeStation implements StationCommands {
         return new StationSnapshot(
                 powered,
                 true,
-                powered,
+                powered && card.status().isReady(),
                 Optional.empty(),
                 false,
                 "SIMGSM",

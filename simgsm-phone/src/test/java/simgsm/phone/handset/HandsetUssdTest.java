@@ -148,9 +148,9 @@ class HandsetUssdTest {
 
     @Test
     void aSwitchedOffPhoneAndATooLongTextAreRefused() {
-        assertEquals(Optional.of(Refusal.USSD_TOO_LONG), bench.handset.ussd("1".repeat(183)));
-        assertEquals(Optional.of(Refusal.EMPTY_TEXT), bench.handset.ussd(""));
+        assertEquals(Optional.of(Refusal.USSD_TOO_LONG), bench.handset.codes().send("1".repeat(183)));
+        assertEquals(Optional.of(Refusal.EMPTY_TEXT), bench.handset.codes().send(""));
         bench.handset.powerOff();
-        assertEquals(Optional.of(Refusal.SWITCHED_OFF), bench.handset.ussd("*100#"));
+        assertEquals(Optional.of(Refusal.SWITCHED_OFF), bench.handset.codes().send("*100#"));
     }
 }

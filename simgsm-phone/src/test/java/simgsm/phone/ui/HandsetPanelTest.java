@@ -13,6 +13,7 @@ import java.awt.image.BufferedImage;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import javax.swing.AbstractButton;
 import javax.swing.ButtonModel;
@@ -29,6 +30,8 @@ import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.Bench;
 import simgsm.phone.screen.PhoneKey;
+import simgsm.sim.CardPin;
+import simgsm.sim.PinLock;
 import simgsm.station.context.StationEvent;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
@@ -147,6 +150,19 @@ class HandsetPanelTest {
         Rectangle after = bench.find("key.5").getBounds();
         assertEquals(before.width * 2, after.width, 1);
         assertEquals(before.y * 2, after.y, 1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, emergency only, 112", "es, emergencias, 112"})
+    void aLockedCardShowsWhichCallsArePossible(String language, String lamp, String number) {
+        Bench locked = new Bench();
+        locked.station.card = new PinLock(Optional.of(new CardPin("1234", "12345678", true, 3, 10)), kept -> {});
+        locked.handset.powerOn();
+        PanelBench bench = new PanelBench(locked, Locale.forLanguageTag(language));
+        String link = bench.find("lamp.link").getAccessibleContext().getAccessibleName();
+        String display = bench.find("lcd").getAccessibleContext().getAccessibleName();
+        assertTrue(link.contains(lamp), link);
+        assertTrue(display.contains(number), display);
     }
 
     @Test

@@ -87,7 +87,7 @@ class LcdScreensTest {
                 "broadcast", with(bench -> bench.handset.accept(new StationEvent.BroadcastReceived(50, 1, "storm"))));
         screens.put("order without a call", with(bench -> bench.key("**#**20**")));
         screens.put("service code", with(bench -> bench.key("*#100#")));
-        screens.put("service asked for", with(bench -> bench.handset.ussd("*100#")));
+        screens.put("service asked for", with(bench -> bench.handset.codes().send("*100#")));
         screens.put(
                 "service's text",
                 with(bench -> bench.handset.accept(
@@ -151,7 +151,7 @@ class LcdScreensTest {
         }));
         screens.put("how a forwarding stands", with(bench -> {
             contacts(bench);
-            bench.handset.ussd("*#21#");
+            bench.handset.codes().send("*#21#");
             bench.handset.accept(new StationEvent.ServiceAnswered(
                     SsOperation.INTERROGATE_SS,
                     new ServiceStatus(SsCode.FORWARDING_UNCONDITIONAL, 7, Optional.of("+5550101"))));

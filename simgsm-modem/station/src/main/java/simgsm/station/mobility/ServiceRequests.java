@@ -116,13 +116,22 @@ public final class ServiceRequests {
         return registration.isRefused();
     }
 
-    public boolean isIdle() {
+    private boolean isIdle() {
         return active.isEmpty() && waiting.isEmpty() && pending == null;
     }
 
-    /** True if the network must release the unused channel before anything else. */
-    public boolean isAborting() {
-        return aborting;
+    /**
+     * Leaves an unused channel that the network does not release within T3240 (TS 24.008, 4.5.3.1).
+     *
+     * @param isUsed true if a call or a message needs the channel
+     */
+    public void superviseChannel(boolean isUsed) {
+        boolean isUnused = !registration.needsRadio() && (aborting || isIdle() && !isUsed);
+        if (!context.radio().isOpen() || !isUnused) {
+            context.timers().stop(StationTimer.T3240);
+        } else if (!context.timers().isRunning(StationTimer.T3240)) {
+            context.timers().start(StationTimer.T3240, this::leaveChannel);
+        }
     }
 
     /** Sends the next request if none is pending. */
@@ -204,8 +213,8 @@ public final class ServiceRequests {
         loseActive();
     }
 
-    /** The station has left a channel that the network did not release. */
-    public void channelLeft() {
+    private void leaveChannel() {
+        context.radio().release();
         aborting = false;
         serve();
     }

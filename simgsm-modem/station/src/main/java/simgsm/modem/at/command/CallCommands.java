@@ -144,6 +144,9 @@ final class CallCommands {
         } catch (IllegalArgumentException notANumber) {
             throw new AtException(CmeError.INVALID_DIAL_STRING);
         }
+        if (!to.isEmergency()) {
+            SimCommands.requireReady(client);
+        }
         client.modem().terminal().station().hideNumber(hides(client, text, dialled));
         if (!client.modem().calls().dial(dialled, to)) {
             throw new AtException(CmeError.OPERATION_NOT_ALLOWED);

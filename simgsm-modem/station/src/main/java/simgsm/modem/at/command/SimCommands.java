@@ -74,7 +74,7 @@ final class SimCommands {
         }
     }
 
-    private static void requireReady(AtClient client) throws AtException {
+    static void requireReady(AtClient client) throws AtException {
         requireReadable(client);
         if (!status(client).isReady()) {
             boolean asksForPin = status(client).state() == PinLock.State.PIN;
