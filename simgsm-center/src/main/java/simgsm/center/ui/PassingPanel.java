@@ -23,14 +23,15 @@ import simgsm.ui.Theme;
  */
 final class PassingPanel extends DressedPanel {
     private static final int ONE_ROW_UNITS = 780;
-    private static final int NUMBER_COLUMNS = 8;
-    private static final int AREA_AND_PORT_COLUMNS = 11;
+    private static final int MESSAGE_COLUMNS = 8;
+    /** For numbers with their country code, and for area and port. */
+    private static final int NUMBER_COLUMNS = 11;
 
     private final TextBundle texts;
     private final JTextField incoming = new ReadingField(NUMBER_COLUMNS);
     private final JTextField intermediate = new ReadingField(NUMBER_COLUMNS);
     private final JTextField outgoing = new ReadingField(NUMBER_COLUMNS);
-    private final JTextField message = new ReadingField(NUMBER_COLUMNS);
+    private final JTextField message = new ReadingField(MESSAGE_COLUMNS);
     private final JLabel firstArrow = new JLabel(Symbol.RIGHT.icon());
     private final JLabel secondArrow = new JLabel(Symbol.RIGHT.icon());
     private final JComponent numbers;
@@ -126,7 +127,6 @@ final class PassingPanel extends DressedPanel {
     protected void dress() {
         firstArrow.setForeground(Theme.color(Ink.QUIET));
         secondArrow.setForeground(Theme.color(Ink.QUIET));
-        intermediate.setColumns(AREA_AND_PORT_COLUMNS);
         for (JTextField field : new JTextField[] {incoming, intermediate, outgoing, message}) {
             field.setFont(Theme.mono());
         }

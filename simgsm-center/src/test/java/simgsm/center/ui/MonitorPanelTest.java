@@ -50,6 +50,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.Drawing;
 import simgsm.ui.Lamp;
 import simgsm.ui.Theme;
 
@@ -124,6 +125,20 @@ class MonitorPanelTest {
         assertEquals("5550100", field("tel.incoming"));
         assertEquals("5550200", field("tel.outgoing"));
         assertEquals("** #*#90 **", field("message"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, 1", "es, 1", "es, 1.5"})
+    void theFiguresFieldsHaveRoomForNumbersOfTenDigits(String language, double zoom) {
+        Theme.install(Appearance.LIGHT, zoom);
+        panel = build(language);
+        panel.setSize(Theme.px(980), Theme.px(640));
+        layOut(panel);
+        for (String name : List.of("tel.incoming", "tel.intermediate", "tel.outgoing")) {
+            JTextField field = find(name, JTextField.class);
+            int room = field.getWidth() - field.getInsets().left - field.getInsets().right;
+            assertTrue(room >= Drawing.width(field.getFont(), "9115550100"), name + ": " + room);
+        }
     }
 
     @Test

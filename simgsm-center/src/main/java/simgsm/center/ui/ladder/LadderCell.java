@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.ListCellRenderer;
@@ -17,6 +18,9 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
     private Lifelines lifelines = Lifelines.NONE;
     private double heightUnits = LadderDrawing.RUNG_UNITS;
     private LadderRow row;
+    /** The part of the width that is in view. */
+    private Rectangle seen = new Rectangle();
+
     private boolean isSelected;
     private boolean isFocused;
 
@@ -34,6 +38,8 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
         row = value;
         isSelected = selected;
         isFocused = focused;
+        boolean isOneColumn = list.getLayoutOrientation() == JList.VERTICAL;
+        seen = isOneColumn ? list.getVisibleRect() : new Rectangle(list.getFixedCellWidth(), 0);
         setText(value == null ? "" : value.toString());
         return this;
     }
@@ -50,8 +56,9 @@ final class LadderCell extends JLabel implements ListCellRenderer<LadderRow> {
         }
         Graphics2D g = Drawing.on(graphics);
         try {
-            new LadderDrawing(new GraphicsCanvas(g), lifelines, getWidth() / Theme.zoom())
-                    .rung(row, getHeight() / Theme.zoom(), isSelected ? Ink.ACCENT_WASH : Ink.CARD);
+            double zoom = Theme.zoom();
+            new LadderDrawing(new GraphicsCanvas(g), lifelines, getWidth() / zoom, seen.x / zoom, seen.getMaxX() / zoom)
+                    .rung(row, getHeight() / zoom, isSelected ? Ink.ACCENT_WASH : Ink.CARD);
             if (isFocused) {
                 g.setColor(Theme.color(Ink.ACCENT));
                 g.setStroke(Theme.hairline());

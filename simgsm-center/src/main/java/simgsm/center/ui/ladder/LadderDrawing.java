@@ -10,8 +10,11 @@ import simgsm.draw.StatusMark;
 /**
  * Draws the ladder, row by row: the heads of the lifelines, and rungs of time, arrow, name and protocol. Widths and heights
  * are in units.
+ *
+ * @param seenFrom left edge of the part that is in view, where the times are written
+ * @param seenTo its right edge, where the protocols are written
  */
-record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
+record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits, double seenFrom, double seenTo) {
     static final double HEAD_UNITS = 36;
     /** Height of the heads in a low window. */
     static final double LOW_HEAD_UNITS = 22;
@@ -24,8 +27,13 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
     private static final double WIDEST_BOX_UNITS = 160;
     private static final double MARGIN_UNITS = 10;
     private static final double ARROW_HEAD_UNITS = 6;
-    /** Gap between the time and a long name. */
-    private static final double NAME_GAP_UNITS = 8;
+    /** Gap between a name and the lines around it. */
+    private static final double NAME_GAP_UNITS = 4;
+
+    /** A ladder that is in view as a whole. */
+    LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
+        this(canvas, lifelines, widthUnits, 0, widthUnits);
+    }
 
     private double px(double units) {
         return canvas.px(units);
@@ -40,7 +48,7 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         double boxUnits = Math.min(BOX_UNITS, heightUnits - 3);
         for (String name : lifelines.names()) {
             boolean isCenter = name.equals(LadderEntry.CENTER);
-            double room = Math.min(lifelines.gap(widthUnits), WIDEST_BOX_UNITS) - 8;
+            double room = Math.min(lifelines.outerGap(widthUnits), WIDEST_BOX_UNITS) - 8;
             String fitted = fittedEnd(name, Face.MONO_STRONG, px(room - 12));
             double width = Math.min(px(room), canvas.width(fitted, Face.MONO_STRONG) + px(20));
             double x = px(lifelines.x(name, widthUnits));
@@ -69,17 +77,25 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
             canvas.ink(name.equals(LadderEntry.CENTER) ? Ink.ACCENT : Ink.CONTROL_LINE);
             canvas.bar(px(lifelines.x(name, widthUnits)), 0, px(1), px(heightUnits));
         }
+        arrow(row, heightUnits, behind);
+        columns(row, heightUnits, behind);
+    }
+
+    /** Time and protocol, in front of lines that are scrolled below them. */
+    private void columns(LadderRow row, double heightUnits, Ink behind) {
         Protocol protocol = Protocol.of(row.entry());
         double middle = px(heightUnits / 2);
+        canvas.ink(behind);
+        canvas.bar(px(seenFrom), 0, px(Lifelines.TIME_UNITS), px(heightUnits));
+        canvas.bar(px(seenTo - Lifelines.TAG_UNITS), 0, px(Lifelines.TAG_UNITS), px(heightUnits));
         canvas.ink(Ink.QUIET);
-        beginning(row.clock(), Face.MONO_SMALL, px(MARGIN_UNITS), middle);
+        beginning(row.clock(), Face.MONO_SMALL, px(seenFrom + MARGIN_UNITS), middle);
         canvas.ink(protocol.ink());
-        double tag = canvas.width(protocol.tag(), Face.SMALL);
-        beginning(protocol.tag(), Face.SMALL, px(widthUnits - MARGIN_UNITS) - tag, middle);
+        double tag = px(seenTo - MARGIN_UNITS) - canvas.width(protocol.tag(), Face.SMALL);
+        beginning(protocol.tag(), Face.SMALL, tag, middle);
         if (row.entry().isCiphered()) {
-            StatusMark.LOCK.draw(canvas, px(widthUnits - MARGIN_UNITS) - tag - px(9), middle, px(4.5), Ink.QUIET);
+            StatusMark.LOCK.draw(canvas, tag - px(9), middle, px(4.5), Ink.QUIET);
         }
-        arrow(row, heightUnits, behind);
     }
 
     private void beginning(String text, Face face, double x, double middle) {
@@ -87,8 +103,8 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
     }
 
     /**
-     * Draws arrow and name; a name longer than its arrow extends over the neighbouring columns. Messages of a terminal
-     * without a lifeline are drawn at the centre's line, with the terminal's number before the name.
+     * Draws the arrow, and the name beside the centre. Messages of a terminal without a lifeline have half an arrow, and
+     * the terminal's number before the name.
      */
     private void arrow(LadderRow row, double heightUnits, Ink behind) {
         LadderEntry entry = row.entry();
@@ -96,8 +112,8 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         double to = lifelines.x(entry.to(), widthUnits);
         double center = lifelines.x(LadderEntry.CENTER, widthUnits);
         String name = from >= 0 && to >= 0 ? entry.name() : row.terminal() + " " + entry.name();
-        double start = from >= 0 ? from : center - lifelines.gap(widthUnits) / 2;
-        double end = to >= 0 ? to : center + lifelines.gap(widthUnits) / 2;
+        double start = from >= 0 ? from : center - lifelines.centerGap(widthUnits) / 2;
+        double end = to >= 0 ? to : center + lifelines.centerGap(widthUnits) / 2;
         boolean isLow = heightUnits < RUNG_UNITS;
         double y = heightUnits - (isLow ? 3.5 : 6);
         double sign = Math.signum(end - start);
@@ -108,17 +124,20 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits) {
         double back = tip - sign * ARROW_HEAD_UNITS * 1.4;
         double half = isLow ? 3 : ARROW_HEAD_UNITS * 0.7;
         canvas.fill(Outline.polygon(px(tip), px(y), px(back), px(y - half), px(back), px(y + half)));
-        double clockEnd = px(MARGIN_UNITS + NAME_GAP_UNITS) + canvas.width(row.clock(), Face.MONO_SMALL);
-        double left = Math.max(px(Lifelines.TIME_UNITS), clockEnd);
-        name(name, left, Math.abs(end - start) - 8, (start + end) / 2, heightUnits, behind);
+        name(name, center, Math.min(start, end) < center, heightUnits, behind);
     }
 
-    private void name(String name, double left, double arrowUnits, double middleUnits, double heightUnits, Ink behind) {
-        boolean isLarge = heightUnits >= RUNG_UNITS && canvas.width(name, Face.BASE) <= px(arrowUnits);
+    /** A long name is cut, so that it covers no line; a tool tip has all of it. */
+    private void name(String name, double center, boolean isLeft, double heightUnits, Ink behind) {
+        double gap = lifelines.centerGap(widthUnits);
+        boolean isLarge = heightUnits >= RUNG_UNITS && canvas.width(name, Face.BASE) <= px(gap - 2 * NAME_GAP_UNITS);
         Face face = isLarge ? Face.BASE : Face.SMALL;
-        double right = px(widthUnits - Lifelines.TAG_UNITS);
+        double end = lifelines.nameEnd(isLeft, widthUnits);
+        double left = px(Math.min(center, end) + NAME_GAP_UNITS);
+        double right = px(Math.max(center, end) - NAME_GAP_UNITS);
         String fitted = fitted(name, face, right - left);
         double width = canvas.width(fitted, face);
+        double middleUnits = center + (isLeft ? -gap : gap) / 2;
         double x = Math.max(left, Math.min(right - width, px(middleUnits) - width / 2));
         boolean isLow = heightUnits < RUNG_UNITS;
         double middle = px((heightUnits - (isLow ? 5 : 9)) / 2);

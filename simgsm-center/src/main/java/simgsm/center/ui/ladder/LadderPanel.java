@@ -17,6 +17,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
+import javax.swing.JViewport;
 import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
@@ -148,6 +149,7 @@ public final class LadderPanel extends DressedPanel {
                 ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
                 ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
         made.setColumnHeaderView(header);
+        made.getViewport().setScrollMode(JViewport.SIMPLE_SCROLL_MODE); // times and protocols stay in view
         made.setPreferredSize(new Dimension(Theme.px(LIST_UNITS.width), Theme.px(LIST_UNITS.height)));
         made.setMinimumSize(new Dimension(0, 0));
         for (JScrollBar bar : List.of(made.getVerticalScrollBar(), made.getHorizontalScrollBar())) {

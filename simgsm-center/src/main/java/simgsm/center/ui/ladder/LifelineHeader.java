@@ -2,7 +2,10 @@ package simgsm.center.ui.ladder;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;
+import java.awt.event.MouseEvent;
+import java.util.Comparator;
 import javax.accessibility.AccessibleRole;
+import javax.swing.ToolTipManager;
 import simgsm.draw.Ink;
 import simgsm.ui.GraphicsCanvas;
 import simgsm.ui.PaintedComponent;
@@ -28,6 +31,18 @@ final class LifelineHeader extends PaintedComponent {
     LifelineHeader(LadderList list) {
         super(AccessibleRole.COLUMN_HEADER);
         this.list = list;
+        ToolTipManager.sharedInstance().registerComponent(this);
+    }
+
+    /** The whole name, because the one that is drawn may be cut. */
+    @Override
+    public String getToolTipText(MouseEvent event) {
+        int column = list.columns() > 1 ? Math.max(1, list.columnWidth()) : getWidth();
+        double x = event.getX() % column / Theme.zoom();
+        double width = column / Theme.zoom();
+        return lifelines.names().stream()
+                .min(Comparator.comparingDouble(name -> Math.abs(lifelines.x(name, width) - x)))
+                .orElseThrow();
     }
 
     @Override

@@ -3,14 +3,14 @@ package simgsm.center.ui.ladder;
 import java.util.ArrayList;
 import java.util.List;
 import simgsm.center.msc.LadderEntry;
-import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
 
 /**
- * The order of the lifelines: the centre in the middle, terminals in the order of their numbers on both sides.
+ * The order of the lifelines: the centre in the middle, terminals in the order of their numbers on both sides. Names of
+ * messages are written beside the centre, so many lines are closer to each other than to the centre.
  *
  * <pre>
- *   | time |   5550100      M3      5550200   | tag |
+ *   | time |  5550100  5550101      M3      5550200  5550201  | tag |
  * </pre>
  */
 record Lifelines(List<String> names) {
@@ -24,11 +24,16 @@ record Lifelines(List<String> names) {
     /** Distance of the outer lines from the columns, for the names above them. */
     private static final int HALF_HEAD_UNITS = 44;
 
-    private static final int LEAST_GAP_UNITS = 72;
-    /** Gap in several columns: most message names fit between two lines, none covers a neighbour's. */
-    private static final int COLUMN_GAP_UNITS = 108;
-    /** Space around a name: its box, and the distance to the next. */
-    static final int HEAD_MARGIN_UNITS = 24;
+    /** Gap beside the centre that any message name fits into. */
+    private static final int NAME_UNITS = 240;
+
+    private static final int LEAST_NAME_UNITS = 96;
+    /** Gap beside the centre in several columns: most message names fit. */
+    private static final int COLUMN_NAME_UNITS = 108;
+    /** Gap of other lines: a number of 7 digits fits above them, of longer ones the end. */
+    private static final int OUTER_UNITS = 84;
+
+    private static final int LEAST_OUTER_UNITS = 56;
 
     static final Lifelines NONE = new Lifelines(List.of(LadderEntry.CENTER));
 
@@ -47,32 +52,62 @@ record Lifelines(List<String> names) {
             return -1;
         }
         double first = TIME_UNITS + HALF_HEAD_UNITS;
-        return names.size() == 1 ? first + gap(width) / 2 : first + gap(width) * index;
+        if (names.size() == 1) {
+            return first + centerGap(width) / 2;
+        }
+        int center = names.indexOf(LadderEntry.CENTER);
+        int outer = Math.min(index, Math.max(0, center - 1)) + Math.max(0, index - center - 1);
+        return first + outerGap(width) * outer + centerGap(width) * (index - outer);
     }
 
-    /** Distance of two lines in units. */
-    double gap(double width) {
-        double room = width - (TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS);
-        return room / Math.max(1, names.size() - 1);
+    /** Distance of the centre's line from those beside it, in units. */
+    double centerGap(double width) {
+        double even = room(width) / (centerGaps() + outerGaps());
+        double shared = (room(width) - OUTER_UNITS * outerGaps()) / centerGaps();
+        return outerGaps() == 0 ? even : Math.max(even, Math.min(NAME_UNITS, Math.max(LEAST_NAME_UNITS, shared)));
     }
 
-    /** The minimum width at which the longest name above a line is not truncated, in pixels. */
+    /** Least distance of two lines, in units. */
+    double outerGap(double width) {
+        return outerGaps() == 0 ? centerGap(width) : (room(width) - centerGap(width) * centerGaps()) / outerGaps();
+    }
+
+    private static double room(double width) {
+        return width - (TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS);
+    }
+
+    private int centerGaps() {
+        return Math.max(1, Math.min(2, names.size() - 1));
+    }
+
+    private int outerGaps() {
+        return Math.max(0, names.size() - 3);
+    }
+
+    /**
+     * The outer end of the room for message names on one side of the centre, in units: the line beside the centre, or
+     * the column beyond it if there is no other.
+     */
+    double nameEnd(boolean isLeft, double width) {
+        int beside = names.indexOf(LadderEntry.CENTER) + (isLeft ? -1 : 1);
+        if (beside <= 0 || beside >= names.size() - 1) {
+            return isLeft ? TIME_UNITS : width - TAG_UNITS;
+        }
+        return x(names.get(beside), width);
+    }
+
+    /** The minimum width, in pixels. */
     int leastWidth() {
-        return widthFor(LEAST_GAP_UNITS);
+        return widthFor(LEAST_NAME_UNITS, LEAST_OUTER_UNITS);
     }
 
-    /** The minimum width of a column, in pixels. */
+    /** The minimum width of one of several columns, in pixels. */
     int leastColumnWidth() {
-        return widthFor(COLUMN_GAP_UNITS);
+        return widthFor(COLUMN_NAME_UNITS, OUTER_UNITS);
     }
 
-    private int widthFor(int gapUnits) {
-        double widest = names.stream()
-                .mapToDouble(name -> Drawing.width(Theme.monoStrong(), name))
-                .max()
-                .orElse(0);
-        double gap = Math.max(Theme.exact(gapUnits), widest + Theme.exact(HEAD_MARGIN_UNITS));
-        int gaps = Math.max(1, names.size() - 1);
-        return (int) Math.ceil(Theme.exact(TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS) + gap * gaps);
+    private int widthFor(int nameUnits, int outerUnits) {
+        int fixed = TIME_UNITS + TAG_UNITS + 2 * HALF_HEAD_UNITS;
+        return Theme.px(fixed + nameUnits * centerGaps() + outerUnits * outerGaps());
     }
 }

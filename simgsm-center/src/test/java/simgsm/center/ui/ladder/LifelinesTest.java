@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class LifelinesTest {
     private static final int WIDTH = 600;
@@ -43,6 +45,26 @@ class LifelinesTest {
             before = x;
         }
         assertEquals(-1, lifelines.x("4", WIDTH));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2, 390, 84", "5, 580, 96", "5, 900, 200", "7, 690, 96", "7, 1400, 240", "7, 2400, 250"})
+    void theNamesBesideTheCenterHaveMoreRoomThanTheOuterLines(int terminals, int width, int room) {
+        Lifelines lifelines = Lifelines.of(
+                IntStream.range(0, terminals).mapToObj(i -> "555010" + i).toList());
+        double center = lifelines.x("M3", width);
+        for (boolean isLeft : new boolean[] {true, false}) {
+            double names = Math.abs(lifelines.nameEnd(isLeft, width) - center);
+            assertTrue(names >= room, "room for names: " + names);
+        }
+        double before = 0;
+        for (String name : lifelines.names()) {
+            double x = lifelines.x(name, width);
+            assertTrue(x - before >= 55.9, name + " at " + x + " after " + before);
+            before = x;
+        }
+        assertTrue(before <= width - Lifelines.TAG_UNITS - 30, "last at " + before);
+        assertTrue(lifelines.leastWidth() <= 690, "needs " + lifelines.leastWidth());
     }
 
     @Test
