@@ -28,8 +28,8 @@ class VoiceOrdersTest {
             scenario.call(phone);
             askForStatus(phone);
             phone.say("press *#");
-            robot.expect("said", "text", "Say");
-            phone.expect("words", "text", "Say");
+            robot.expect("said", "text", "Say forward turn stop or status");
+            phone.expect("words", "text", "Say forward turn stop or status");
             phone.say("play " + SpokenWords.file(scenario.folder(), "forward", "two", "zero"));
             for (String word : List.of("forward", "two", "zero")) {
                 assertEquals(word, robot.expect("heard", "verdict", "sure").field("word"));

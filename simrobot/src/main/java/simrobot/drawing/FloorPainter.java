@@ -35,8 +35,6 @@ public final class FloorPainter {
     private static final double NAME_ROW_UNITS = 14;
     /** Maximum width of a name's plate relative to its box. */
     private static final double WIDEST_PLATE = 1.8;
-    /** Minimum height of a box relative to a plate, so that it is seen behind it. */
-    private static final double LEAST_BOX_OF_PLATE = 1.6;
 
     private final Canvas g;
     private final Viewport view;
@@ -89,7 +87,8 @@ public final class FloorPainter {
     // ---- obstacles -------------------------------------------------------------------------------------------------
 
     public void obstacles(World world) {
-        world.items(Box.class).forEach(this::box);
+        double middle = world.bounds().center().yMeters();
+        world.items(Box.class).forEach(box -> box(box, middle));
         walls(world.items(Segment.class));
         points(world);
     }
@@ -129,21 +128,21 @@ public final class FloorPainter {
         g.fill(squares);
     }
 
-    private void box(Box box) {
+    private void box(Box box, double middleYMeters) {
         Outline outline = outline(box.area());
         g.ink(Ink.GRID_MAJOR, 0.75);
         g.fill(outline);
         g.ink(Ink.WALL);
         g.pen(1.4);
         g.draw(outline);
-        boxName(box);
+        boxName(box, middleYMeters);
     }
 
     /**
      * Draws the name; turned by 90 degrees if it does not fit across and the box is higher than wide; in two rows, or
-     * on a plate wider than the box, if it does not fit either way.
+     * on a plate beside the box, towards the world's middle, if it does not fit either way.
      */
-    private void boxName(Box box) {
+    private void boxName(Box box, double middleYMeters) {
         double wide = (box.area().maxXMeters() - box.area().minXMeters()) * view.pixelsPerMeter();
         double high = (box.area().maxYMeters() - box.area().minYMeters()) * view.pixelsPerMeter();
         String shown = names.of(box.name());
@@ -153,7 +152,7 @@ public final class FloorPainter {
         double x = view.screenX(middle.xMeters());
         double y = view.screenY(middle.yMeters());
         if (length > Math.max(wide, high)) {
-            longName(shown, x, y, wide, high);
+            longName(shown, x, y, wide, middle.yMeters() < middleYMeters ? -high : high);
         } else if (across) {
             name(shown, x, y, wide, Ink.QUIET);
         } else {
@@ -161,6 +160,7 @@ public final class FloorPainter {
         }
     }
 
+    /** @param high negative to set the plate above the box */
     private void longName(String name, double x, double y, double wide, double high) {
         int blank = name.indexOf(' ', name.length() / 2 - 1);
         String first = name.substring(0, Math.max(0, blank));
@@ -168,14 +168,13 @@ public final class FloorPainter {
         double step = g.px(NAME_ROW_UNITS);
         double length = g.width(name, Face.SMALL) + g.px(8);
         double longer = Math.max(g.width(first, Face.SMALL), g.width(second, Face.SMALL)) + g.px(4);
-        if (blank > 0 && longer <= wide && 2 * step <= high) {
+        if (blank > 0 && longer <= wide && 2 * step <= Math.abs(high)) {
             name(first, x, y - step / 2, wide, Ink.QUIET);
             name(second, x, y + step / 2, wide, Ink.QUIET);
         } else if (length <= wide * WIDEST_PLATE && isNamed(name)) {
-            if (high > step * LEAST_BOX_OF_PLATE) {
-                WorldPainter.textGround(g, Ink.FLOOR, 0.85, x - length / 2, y - step / 2, length, step);
-            }
-            name(name, x, y, length, Ink.QUIET);
+            double row = y + high / 2 + Math.copySign(step / 2 + g.px(2), high);
+            WorldPainter.textGround(g, Ink.FLOOR, 0.85, x - length / 2, row - step / 2, length, step);
+            name(name, x, row, length, Ink.QUIET);
         }
     }
 

@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -25,6 +27,7 @@ import simgsm.ui.Theme;
 import simrobot.robot.SimulatedRobot;
 import simrobot.simulation.Simulation;
 import simrobot.ui.panel.WindowBench;
+import simrobot.world.Area;
 import simrobot.world.Box;
 import simrobot.world.Home;
 import simrobot.world.Position;
@@ -74,6 +77,28 @@ class WorldPainterTest {
             for (String word : names.of(box.name()).split(" ", 3)) {
                 assertTrue(picture.contains(word), word);
             }
+        }
+    }
+
+    @Test
+    void aNameWiderThanItsBoxIsWrittenBesideItTowardsTheMiddle() {
+        List<Box> boxes = List.of(
+                new Box("Cupboard", new Area(-1, -2.6, -0.4, -2, 0)),
+                new Box("Stairway", new Area(1, 2, 1.6, 2.6, 0)),
+                new Box("Sofa", new Area(-3, -2.6, -2.2, -2, 0)));
+        Viewport view = new Viewport(0, 0, 60, 600, 400);
+        SvgCanvas g = new SvgCanvas(ink -> "#000");
+        WorldPainter.floor(g, World.of("room", boxes), view, Layers.ALL);
+        for (Box box : boxes) {
+            Matcher text = Pattern.compile("<text x=\"[^\"]*\" y=\"([^\"]*)\"[^>]*>" + box.name())
+                    .matcher(g.elements());
+            assertTrue(text.find(), g.elements());
+            double baseline = Double.parseDouble(text.group(1));
+            double top = view.screenY(box.area().maxYMeters());
+            double bottom = view.screenY(box.area().minYMeters());
+            boolean isInside = box.name().equals("Sofa");
+            assertEquals(isInside, baseline > top && baseline < bottom, box.name() + " at " + baseline);
+            assertTrue(isInside || Math.abs(baseline - view.height() / 2) < 120, box.name() + " at " + baseline);
         }
     }
 

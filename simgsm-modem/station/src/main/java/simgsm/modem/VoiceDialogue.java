@@ -177,7 +177,25 @@ final class VoiceDialogue {
     private void askForCommand() {
         phase = Phase.COMMAND;
         command.clear();
-        say(List.of(prompt("say", "diga")));
+        askForWord();
+    }
+
+    /** Says which words may come next: "say right or zero to nine". */
+    private void askForWord() {
+        List<String> prompts = new ArrayList<>(List.of(prompt("say", "diga")));
+        for (VoiceWord word : VoiceWord.after(command)) {
+            boolean isLast = word == VoiceWord.STATUS || word == VoiceWord.ZERO;
+            if (isLast && prompts.size() > 1) {
+                prompts.add(prompt("or", "o"));
+            }
+            if (word == VoiceWord.NINE) {
+                prompts.add(prompt("to", "a"));
+            }
+            if (!word.isDigit() || word == VoiceWord.ZERO || word == VoiceWord.NINE) {
+                prompts.add(word.prompt(language));
+            }
+        }
+        say(prompts);
     }
 
     /** Repeats the question twice, then refers to the keys and ends. */
@@ -188,6 +206,8 @@ final class VoiceDialogue {
             say(List.of(prompt("use the keys", "use las teclas")));
         } else if (phase == Phase.ENROLLING) {
             askToEnrol();
+        } else if (phase == Phase.COMMAND) {
+            askForWord();
         } else {
             say(List.of(prompt("say it again", "repita")));
         }
