@@ -187,7 +187,9 @@ public final class SimRobotMain {
             ports.start();
             console.ifPresent(out -> {
                 out.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
-                window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
+                if (arguments.has("end-with-input")) {
+                    window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
+                }
             });
             built.behaviours().start(simRobot, event -> {
                 record.event(event);

@@ -108,11 +108,10 @@ public final class PhoneMain {
         Event ready = withAtPort(arguments, phone, Event.of("ready"));
         Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
         phone.start(address(center));
-        console.ifPresent(out -> {
-            out.ready(ready);
-            window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
-        });
-        if (console.isEmpty()) {
+        console.ifPresent(out -> out.ready(ready));
+        if (console.isPresent() && arguments.has("end-with-input")) {
+            window.onLesson(name -> console.get().emit(Event.of("lesson").with("name", name)));
+        } else {
             window.onLessonBeside(name -> BegunLesson.start(
                     name,
                     arguments,

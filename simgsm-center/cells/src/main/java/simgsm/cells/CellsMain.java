@@ -61,10 +61,12 @@ public final class CellsMain {
                             .with("cells", settings.town().towers().size()));
                 }
                 if (window.isPresent()) {
-                    if (prints) {
+                    if (prints && arguments.has("end-with-input")) {
                         window.get()
                                 .onLesson(
                                         name -> console.emit(Event.of("lesson").with("name", name)));
+                    }
+                    if (prints) {
                         window.get().withConsole(() -> Program.runConsole(console, arguments, commands));
                     }
                     return CellsWindow.run(loop, settings, window.get());

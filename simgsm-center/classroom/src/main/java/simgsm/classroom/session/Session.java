@@ -144,6 +144,7 @@ public final class Session implements AutoCloseable {
 
     private List<String> windowOptions() {
         List<String> words = new ArrayList<>(WindowMemory.passedOn(arguments));
+        words.add("--end-with-input"); // its windows pass a lesson chosen in their help on to the session
         arguments
                 .text("lessons")
                 .filter(lessons -> !lessons.isEmpty())

@@ -187,7 +187,7 @@ final class HelpDialog {
                 String group = command.group() == before ? "" : command.group().title(texts);
                 before = command.group();
                 rows.addRow(new Object[] {
-                    group, command.keysText(), command.action().name()
+                    group, command.keysText(texts), command.action().name()
                 });
             }
         }

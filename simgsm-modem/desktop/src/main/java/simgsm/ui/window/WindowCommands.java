@@ -9,6 +9,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -17,6 +18,7 @@ import javax.swing.ActionMap;
 import javax.swing.InputMap;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import simgsm.console.TextBundle;
 import simgsm.ui.CommandGroup;
 import simgsm.ui.UserAction;
 
@@ -32,11 +34,24 @@ final class WindowCommands {
             return action.group().orElse(CommandGroup.VIEW);
         }
 
-        String keysText() {
-            return keys.stream().map(Command::text).collect(Collectors.joining(",  "));
+        String keysText(TextBundle texts) {
+            return keys.stream().map(key -> text(key, texts)).collect(Collectors.joining(",  "));
         }
 
-        private static String text(KeyStroke stroke) {
+        private static String text(KeyStroke stroke, TextBundle texts) {
+            return Stream.of(javaText(stroke).split("(?<=[^+])\\+"))
+                    .map(name -> named(name, texts))
+                    .collect(Collectors.joining("+"));
+        }
+
+        /** Java names keys in few languages, and some by a word that no keyboard bears. */
+        private static String named(String javaName, TextBundle texts) {
+            String key = "keyboard." + javaName.toLowerCase(Locale.ROOT).replace(' ', '_');
+            String name = texts.of(key);
+            return name.equals(key) ? javaName : name;
+        }
+
+        private static String javaText(KeyStroke stroke) {
             int code = stroke.getKeyCode();
             String held = InputEvent.getModifiersExText(stroke.getModifiers());
             // Java's names are words such as "Equals"; these codes equal their characters
@@ -96,8 +111,8 @@ final class WindowCommands {
         return Stream.of(all == null ? new KeyStroke[0] : all)
                 .filter(stroke -> id.equals(inputs.get(stroke)) && !isOnKeypad(stroke))
                 .sorted(Comparator.comparing(
-                                (KeyStroke key) -> Command.text(key).length())
-                        .thenComparing(Command::text));
+                                (KeyStroke key) -> Command.javaText(key).length())
+                        .thenComparing(Command::javaText));
     }
 
     /** Keys of the number pad repeat keys of the main block. */

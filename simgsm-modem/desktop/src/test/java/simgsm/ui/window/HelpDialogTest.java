@@ -10,6 +10,7 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -24,6 +25,9 @@ import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.ui.CommandGroup;
@@ -45,9 +49,24 @@ class HelpDialogTest {
     }
 
     private static List<String> commands(Component root) {
+        return commands(root, Locale.ENGLISH);
+    }
+
+    private static List<String> commands(Component root, Locale language) {
+        TextBundle texts = DesktopTexts.in(language);
         return WindowCommands.of(root).stream()
-                .map(command -> command.action().name() + ": " + command.keysText())
+                .map(command -> command.action().name() + ": " + command.keysText(texts))
                 .toList();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, Menu: Menu key, Far: Ctrl+Shift+Page Up", "es, Menu: tecla Menú, Far: Ctrl+Mayús+Re Pág"})
+    void keysAreNamedAsOnTheKeyboardsOfTheLanguage(String language, String menu, String far) {
+        JPanel phone = new JPanel();
+        new UserAction("menu", "Menu", () -> {}).onKey(phone, KeyEvent.VK_CONTEXT_MENU, 0);
+        new UserAction("far", "Far", () -> {})
+                .onKey(phone, KeyEvent.VK_PAGE_UP, InputEvent.CTRL_DOWN_MASK | InputEvent.SHIFT_DOWN_MASK);
+        assertEquals(Set.of(menu, far), Set.copyOf(commands(phone, Locale.forLanguageTag(language))));
     }
 
     @Test
