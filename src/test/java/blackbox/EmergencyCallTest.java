@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,12 +45,15 @@ class EmergencyCallTest {
         String list = Files.writeString(cards.resolve("class.hlr"), CARD).toString();
         try (Scenario scenario = new Scenario("911 without a PIN, over towers: " + overTowers)) {
             RunningProgram center = scenario.center("--hlr", list, "--emergency", Scenario.ROBOT);
-            if (overTowers) {
-                scenario.cells("avenue.town");
-            }
+            Optional<RunningProgram> cells = overTowers ? Optional.of(scenario.cells("avenue.town")) : Optional.empty();
             RunningProgram robot = scenario.robot("empty.map", "--sim", list);
-            RunningProgram phone = scenario.unregisteredPhone(Scenario.PHONE, "--sim", list);
+            RunningProgram phone =
+                    scenario.unregisteredPhone(Scenario.PHONE, "--sim", list, "--imei", "490154203237518");
             phone.expect("sim", "state", "pin");
+            if (cells.isPresent()) {
+                cells.get().say("mobiles");
+                cells.get().expect("mobile", "number", "IMEI-490154203237518");
+            }
             phone.say("dial 911");
             phone.expectBefore(Set.of("registered"), "connected", "number", Scenario.ROBOT);
             String caller = robot.expect("call").field("from");

@@ -6,7 +6,7 @@ import simgsm.octets.OctetString;
 /**
  * One signalling message of the ladder diagram.
  *
- * @param from a number, {@link #CENTER}, a tower, or the address of a terminal that has not registered
+ * @param from a number, {@link #CENTER}, a tower, or what is known of a terminal that has not registered
  * @param to as {@code from}
  * @param name the message's name in the standard
  * @param isCiphered true if it is ciphered on the air

@@ -52,14 +52,21 @@ class SnapshotTest {
     }
 
     @Test
-    void aTerminalBearsItsAddressUntilItHasANumberAndKeepsTheNumberWhenItHasLeft() {
+    void aTerminalBearsTheNumberOfItsFirstMessageAndKeepsItWhenItHasLeft() {
         TestMobile mobile = network.connect("5550100");
         mobile.requestUpdate(Imsi.ofOpenNumber(new Msisdn("5550100")));
-        assertEquals(
-                "peer of 5550100", network.exchange.snapshot().ladder().get(0).from());
+        assertEquals("5550100", network.exchange.snapshot().ladder().get(0).from());
         mobile.register();
         mobile.vanish();
         assertEquals("5550100", network.exchange.snapshot().ladder().get(0).from());
+    }
+
+    @Test
+    void aTerminalOfAnotherNetworkBearsItsImsi() {
+        network.connect("5550100").requestUpdate(new Imsi("262011234567890"));
+        assertEquals(
+                "IMSI 262011234567890",
+                network.exchange.snapshot().ladder().get(0).from());
     }
 
     @Test

@@ -127,7 +127,7 @@ public final class Mobile {
         measurements = new MeasurementCycle(this, network, timers, reception, new CellNotice(this::send));
     }
 
-    /** The number; while it is unknown, the terminal's address. */
+    /** The number; while it is unknown, the equipment's identity or the terminal's address. */
     public String number() {
         return identity.number().orElse(address);
     }

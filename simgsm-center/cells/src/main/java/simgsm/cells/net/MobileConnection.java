@@ -12,7 +12,6 @@ import simgsm.cells.mobile.Mobile;
 import simgsm.cells.mobile.MobilePort;
 import simgsm.net.LineAddress;
 import simgsm.timer.RateLimit;
-import simgsm.timer.Timers;
 
 /** The connection of one terminal, for which the program acts like a centre. */
 final class MobileConnection extends IpaConnection implements MobilePort {
@@ -23,7 +22,9 @@ final class MobileConnection extends IpaConnection implements MobilePort {
     private static final int MOST_VIOLATIONS = 100;
 
     private final CellsLoop cells;
+    /** Null until the terminal has said what it is, or something else. */
     private Mobile mobile;
+
     private KeepAlive keepAlive;
     private int violations;
 
@@ -34,9 +35,7 @@ final class MobileConnection extends IpaConnection implements MobilePort {
 
     @Override
     protected void opened() {
-        Timers timers = cells.now().timers();
-        mobile = cells.now().connected(this, LineAddress.of(address()).toString());
-        keepAlive = new KeepAlive(timers, this::send, this::fail);
+        keepAlive = new KeepAlive(cells.now().timers(), this::send, this::fail);
         keepAlive.start();
         send(new CcmMessage.IdentityRequest());
     }
@@ -51,8 +50,8 @@ final class MobileConnection extends IpaConnection implements MobilePort {
         keepAlive.heard();
         try {
             switch (frame.stream()) {
-                case IpaFrame.RSL -> mobile.arrived(RslMessage.decode(frame.payload()));
-                case IpaFrame.SPEECH -> mobile.speechArrived(frame.payload());
+                case IpaFrame.RSL -> mobile("").arrived(RslMessage.decode(frame.payload()));
+                case IpaFrame.SPEECH -> mobile("").speechArrived(frame.payload());
                 case IpaFrame.CCM -> arrived(CcmCodec.decode(frame.payload()));
                 default -> LOG.log(Level.DEBUG, "{0}: a frame of stream {1} dropped", mobile, frame.stream());
             }
@@ -66,18 +65,32 @@ final class MobileConnection extends IpaConnection implements MobilePort {
     }
 
     private void arrived(CcmMessage message) {
-        if (message instanceof CcmMessage.IdentityResponse) {
+        if (message instanceof CcmMessage.IdentityResponse identity) {
+            mobile(identity.serialNumber());
             send(new CcmMessage.IdentityAcknowledge());
         } else {
             keepAlive.receive(message);
         }
     }
 
+    /** The terminal's mobile. @param imei names it until its number is known; without a valid one, its address does */
+    private Mobile mobile(String imei) {
+        if (mobile == null) {
+            String name = imei.matches("[0-9]{14,16}")
+                    ? "IMEI-" + imei
+                    : LineAddress.of(address()).toString();
+            mobile = cells.now().connected(this, name);
+        }
+        return mobile;
+    }
+
     @Override
     protected void closing(boolean isByPeer) {
         super.closing(isByPeer);
-        if (mobile != null) {
+        if (keepAlive != null) {
             keepAlive.stop();
+        }
+        if (mobile != null) {
             cells.now().disconnected(mobile);
         }
     }

@@ -5,7 +5,7 @@ public interface Lifeline {
     /** Its current name. */
     String lifeline();
 
-    /** True if this name is final: a mobile's number, not the address before its registration. */
+    /** True if this name is final: a mobile's number, not what stands for it before its registration. */
     boolean hasNumber();
 
     /** True while its radio connection is ciphered on the air. */

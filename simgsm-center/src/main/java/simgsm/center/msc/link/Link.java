@@ -31,6 +31,7 @@ public final class Link implements Lifeline {
     private Subscriber subscriber;
     private boolean isClosed;
     private String lifeline;
+    private boolean hasNumber;
     private int violations;
 
     /**
@@ -103,6 +104,14 @@ public final class Link implements Lifeline {
     public void register(Subscriber registered) {
         subscriber = registered;
         lifeline = registered.number().digits();
+        hasNumber = true;
+    }
+
+    /** Sets the name on the ladder of a mobile that has not registered, after the identity in its messages. */
+    public void name(String claimed) {
+        if (!hasNumber) {
+            lifeline = claimed;
+        }
     }
 
     /** Removes the subscriber. */
@@ -110,7 +119,7 @@ public final class Link implements Lifeline {
         subscriber = null;
     }
 
-    /** The last number registered here, else the peer's address. */
+    /** The last number registered here, else the claimed one, or the peer's address. */
     @Override
     public String lifeline() {
         return lifeline;
@@ -119,7 +128,7 @@ public final class Link implements Lifeline {
     /** True if a subscriber has ever registered here. */
     @Override
     public boolean hasNumber() {
-        return !lifeline.equals(address);
+        return hasNumber;
     }
 
     /** Sends a message on the radio connection; without one it is dropped. */

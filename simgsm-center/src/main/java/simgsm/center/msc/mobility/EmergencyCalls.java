@@ -23,7 +23,9 @@ final class EmergencyCalls {
     static void admit(Link link, MobileIdentity identity) {
         if (link.rateLimits().admitCall()) {
             link.send(new MobilityManagement.CmServiceAccept());
-            link.radio().awaitEmergencyCall(callbackNumber(identity));
+            Msisdn callback = callbackNumber(identity);
+            link.name(callback.digits());
+            link.radio().awaitEmergencyCall(callback);
         } else {
             link.send(new MobilityManagement.CmServiceReject(RejectCause.CONGESTION));
         }

@@ -6,6 +6,7 @@ import simgsm.air.Imei;
 import simgsm.air.Imsi;
 import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
+import simgsm.air.Msisdn;
 import simgsm.air.RejectCause;
 import simgsm.air.Tmsi;
 import simgsm.center.msc.link.Link;
@@ -95,6 +96,7 @@ final class LocationUpdate {
     private void identified(Imsi said) {
         HomeRegister home = mobility.register().home();
         imsi = said;
+        link.name(home.numberOf(said).map(Msisdn::digits).orElse("IMSI " + said.digits()));
         if (home.numberOf(said).isEmpty()) {
             reject(RejectCause.IMSI_UNKNOWN_IN_HLR);
         } else if (home.cardOf(said).isPresent()) {

@@ -27,6 +27,9 @@ record Lifelines(List<String> names) {
     /** Gap beside the centre that any message name fits into. */
     private static final int NAME_UNITS = 240;
 
+    /** Up to this gap the numbers above other lines are cut first. */
+    private static final int FIRST_UNITS = 150;
+
     private static final int LEAST_NAME_UNITS = 96;
     /** Gap beside the centre in several columns: most message names fit. */
     private static final int COLUMN_NAME_UNITS = 108;
@@ -63,8 +66,10 @@ record Lifelines(List<String> names) {
     /** Distance of the centre's line from those beside it, in units. */
     double centerGap(double width) {
         double even = room(width) / (centerGaps() + outerGaps());
-        double shared = (room(width) - OUTER_UNITS * outerGaps()) / centerGaps();
-        return outerGaps() == 0 ? even : Math.max(even, Math.min(NAME_UNITS, Math.max(LEAST_NAME_UNITS, shared)));
+        double beside = (room(width) - OUTER_UNITS * outerGaps()) / centerGaps();
+        double most = (room(width) - LEAST_OUTER_UNITS * outerGaps()) / centerGaps();
+        double shared = Math.max(beside, Math.min(FIRST_UNITS, most));
+        return outerGaps() == 0 ? even : Math.max(even, Math.min(NAME_UNITS, shared));
     }
 
     /** Least distance of two lines, in units. */
