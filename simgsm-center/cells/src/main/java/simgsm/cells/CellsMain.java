@@ -61,13 +61,8 @@ public final class CellsMain {
                             .with("cells", settings.town().towers().size()));
                 }
                 if (window.isPresent()) {
-                    if (prints && arguments.has("end-with-input")) {
-                        window.get()
-                                .onLesson(
-                                        name -> console.emit(Event.of("lesson").with("name", name)));
-                    }
                     if (prints) {
-                        window.get().withConsole(() -> Program.runConsole(console, arguments, commands));
+                        openConsole(window.get(), console, arguments, commands);
                     }
                     return CellsWindow.run(loop, settings, window.get());
                 }
@@ -75,6 +70,14 @@ public final class CellsMain {
                 return console.exitStatus();
             }
         }
+    }
+
+    private static void openConsole(
+            ProgramWindow window, Console console, Arguments arguments, CellsCommands commands) {
+        if (arguments.has("end-with-input")) {
+            window.onLesson(name -> console.emit(Event.of("lesson").with("name", name)));
+        }
+        window.withConsole(() -> Program.runConsole(console, arguments, commands));
     }
 
     private static CellNetwork network(

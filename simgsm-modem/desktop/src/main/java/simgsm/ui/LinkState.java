@@ -11,7 +11,7 @@ public enum LinkState {
     /** No centre found yet. */
     SEARCHING(StatusMark.HALF_DISC, Ink.WARNING),
     /** The SIM is locked, or an emergency call is under way without registration. */
-    EMERGENCY_ONLY(StatusMark.HALF_DISC, Ink.WARNING),
+    EMERGENCY_ONLY(StatusMark.DIAMOND, Ink.WARNING),
     /** Rejected by the network. */
     REFUSED(StatusMark.SLASHED_RING, Ink.DANGER),
     /** Switched off. */

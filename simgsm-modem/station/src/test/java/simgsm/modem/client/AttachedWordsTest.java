@@ -137,10 +137,10 @@ class AttachedWordsTest {
         openAndCall();
         assertTrue(bench.modem.listensToVoice());
         bench.modem.listen();
-        silence(1500);
+        silence(3000);
         speak("forward", "two", "zero");
         silence(4000);
-        assertEquals(List.of("Say", "Forward two zero say yes"), said);
+        assertEquals(List.of("Say forward turn stop or status", "Forward two zero say yes"), said);
         assertEquals(3, count("WordHeard"));
         press("#");
         List<String> news = bench.news();
