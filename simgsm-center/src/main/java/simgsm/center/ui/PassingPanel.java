@@ -22,9 +22,9 @@ import simgsm.ui.Theme;
  * intermedio), the called or receiving telephone (TEL saliente), and the message.
  */
 final class PassingPanel extends DressedPanel {
-    private static final int ONE_ROW_UNITS = 780;
+    private static final int ONE_ROW_UNITS = 860;
     private static final int MESSAGE_COLUMNS = 8;
-    /** For numbers with their country code, and for area and port. */
+    /** For numbers of 10 digits, and for area and port. */
     private static final int NUMBER_COLUMNS = 11;
 
     private final TextBundle texts;

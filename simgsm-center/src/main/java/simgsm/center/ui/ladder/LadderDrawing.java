@@ -127,14 +127,14 @@ record LadderDrawing(Canvas canvas, Lifelines lifelines, double widthUnits, doub
         name(name, center, Math.min(start, end) < center, heightUnits, behind);
     }
 
-    /** A long name is cut, so that it covers no line; a tool tip has all of it. */
+    /** A name that is too long for its room is cut; a tool tip has all of it. */
     private void name(String name, double center, boolean isLeft, double heightUnits, Ink behind) {
         double gap = lifelines.centerGap(widthUnits);
         boolean isLarge = heightUnits >= RUNG_UNITS && canvas.width(name, Face.BASE) <= px(gap - 2 * NAME_GAP_UNITS);
         Face face = isLarge ? Face.BASE : Face.SMALL;
-        double end = lifelines.nameEnd(isLeft, widthUnits);
-        double left = px(Math.min(center, end) + NAME_GAP_UNITS);
-        double right = px(Math.max(center, end) - NAME_GAP_UNITS);
+        Lifelines.Range room = lifelines.nameRoom(isLeft, widthUnits);
+        double left = px(room.left() + NAME_GAP_UNITS);
+        double right = px(room.right() - NAME_GAP_UNITS);
         String fitted = fitted(name, face, right - left);
         double width = canvas.width(fitted, face);
         double middleUnits = center + (isLeft ? -gap : gap) / 2;

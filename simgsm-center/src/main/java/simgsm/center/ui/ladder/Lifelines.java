@@ -90,16 +90,21 @@ record Lifelines(List<String> names) {
     }
 
     /**
-     * The outer end of the room for message names on one side of the centre, in units: the line beside the centre, or
-     * the column beyond it if there is no other.
+     * The room for message names on one side of the centre, in units: up to the line beside it, or to the column beyond
+     * if there is no other; between the columns if each side has one line at most.
      */
-    double nameEnd(boolean isLeft, double width) {
+    Range nameRoom(boolean isLeft, double width) {
+        double center = x(LadderEntry.CENTER, width);
         int beside = names.indexOf(LadderEntry.CENTER) + (isLeft ? -1 : 1);
-        if (beside <= 0 || beside >= names.size() - 1) {
-            return isLeft ? TIME_UNITS : width - TAG_UNITS;
-        }
-        return x(names.get(beside), width);
+        boolean hasOther = beside > 0 && beside < names.size() - 1;
+        double left = isLeft && hasOther ? x(names.get(beside), width) : TIME_UNITS;
+        double right = !isLeft && hasOther ? x(names.get(beside), width) : width - TAG_UNITS;
+        boolean isWide = outerGaps() == 0;
+        return new Range(isLeft || isWide ? left : center, isLeft && !isWide ? center : right);
     }
+
+    /** Two positions in units. */
+    record Range(double left, double right) {}
 
     /** The minimum width, in pixels. */
     int leastWidth() {

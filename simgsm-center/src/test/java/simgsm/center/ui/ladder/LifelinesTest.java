@@ -54,8 +54,11 @@ class LifelinesTest {
                 IntStream.range(0, terminals).mapToObj(i -> "555010" + i).toList());
         double center = lifelines.x("M3", width);
         for (boolean isLeft : new boolean[] {true, false}) {
-            double names = Math.abs(lifelines.nameEnd(isLeft, width) - center);
-            assertTrue(names >= room, "room for names: " + names);
+            Lifelines.Range names = lifelines.nameRoom(isLeft, width);
+            assertTrue(names.right() - names.left() >= room, "room for names: " + names);
+            if (terminals > 2) {
+                assertEquals(center, isLeft ? names.right() : names.left());
+            }
         }
         double before = 0;
         for (String name : lifelines.names()) {
