@@ -70,6 +70,17 @@ class SnapshotTest {
     }
 
     @Test
+    void anEmergencyCallerWithoutANumberBearsItsCallbackNumber() {
+        TestMobile mobile = network.connect("5550100");
+        mobile.establish(new MobilityManagement.CmServiceRequest(
+                MobilityManagement.ServiceType.EMERGENCY_CALL, MobilityManagement.NO_KEY, mobile.imei));
+        String digits = mobile.imei.digits();
+        assertEquals(
+                "911" + digits.substring(digits.length() - 7),
+                network.exchange.snapshot().ladder().get(0).from());
+    }
+
+    @Test
     void theLadderForgetsItsOldestMessagesAndCountsThem() {
         TestMobile mobile = network.attach("5550100");
         for (int i = 0; i < Ladder.MAX_ENTRIES; i++) {
