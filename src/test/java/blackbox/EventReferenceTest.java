@@ -53,6 +53,7 @@ class EventReferenceTest {
     private static final Set<String> OF_A_NETWORK = Set.of(
             "camped",
             "cipher",
+            "cipher-mismatch",
             "location-update",
             "report",
             "handover",

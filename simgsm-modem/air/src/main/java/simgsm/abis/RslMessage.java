@@ -4,9 +4,11 @@ import static simgsm.abis.RslElement.BROADCAST_COMMAND_TYPE;
 import static simgsm.abis.RslElement.BROADCAST_MESSAGE;
 import static simgsm.abis.RslElement.BS_POWER;
 import static simgsm.abis.RslElement.CHANNEL_NEEDED;
+import static simgsm.abis.RslElement.ENCRYPTION_INFORMATION;
 import static simgsm.abis.RslElement.FULL_BCCH_INFORMATION;
 import static simgsm.abis.RslElement.L3_INFORMATION;
 import static simgsm.abis.RslElement.LINK_CAUSE;
+import static simgsm.abis.RslElement.LINK_IDENTIFIER;
 import static simgsm.abis.RslElement.MEASUREMENT_RESULT_NUMBER;
 import static simgsm.abis.RslElement.MOBILE_IDENTITY;
 import static simgsm.abis.RslElement.PAGING_GROUP;
@@ -88,6 +90,23 @@ public sealed interface RslMessage {
         @Override
         public RslPdu pdu() {
             return radioLink(RslType.ERROR_INDICATION, sapi).with(LINK_CAUSE, cause);
+        }
+    }
+
+    /**
+     * Up, to a cells program, which ciphers the air for the terminal: the key of its card. Between controller and base
+     * station this message is downlink (TS 48.058, 8.4.6).
+     *
+     * @param information algorithm and key (9.3.7)
+     * @param command the CIPHERING MODE COMMAND that the terminal follows
+     */
+    record EncryptionCommand(OctetString information, OctetString command) implements RslMessage {
+        @Override
+        public RslPdu pdu() {
+            return RslPdu.of(RslType.ENCRYPTION_COMMAND, DEDICATED_CHANNEL)
+                    .with(ENCRYPTION_INFORMATION, information)
+                    .with(LINK_IDENTIFIER, Sapi.SIGNALLING.code())
+                    .with(L3_INFORMATION, command);
         }
     }
 
@@ -190,6 +209,8 @@ public sealed interface RslMessage {
             case DATA_REQUEST -> new DataRequest(sapi(pdu), pdu.value(L3_INFORMATION));
             case RELEASE_INDICATION -> new ReleaseIndication(sapi(pdu));
             case ERROR_INDICATION -> new ErrorIndication(sapi(pdu), pdu.octet(LINK_CAUSE) & 0x7f);
+            case ENCRYPTION_COMMAND ->
+                new EncryptionCommand(pdu.value(ENCRYPTION_INFORMATION), pdu.value(L3_INFORMATION));
             case PAGING_COMMAND -> new PagingCommand(IdentityElements.read(pdu.reader(MOBILE_IDENTITY)));
             case BCCH_INFORMATION ->
                 new BroadcastInformation(
@@ -213,7 +234,7 @@ public sealed interface RslMessage {
 
     /** Bit 7, the slow associated channel, is ignored. */
     private static Sapi sapi(RslPdu pdu) throws ProtocolViolation {
-        int link = pdu.octet(RslElement.LINK_IDENTIFIER);
+        int link = pdu.octet(LINK_IDENTIFIER);
         return Coded.find(Sapi.values(), link & ~0x40)
                 .orElseThrow(() -> ProtocolViolation.invalid("link identifier " + link + " is not SAPI 0 or 3"));
     }

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.abis.RslMessage.BroadcastInformation;
 import simgsm.abis.RslMessage.DataIndication;
 import simgsm.abis.RslMessage.DataRequest;
+import simgsm.abis.RslMessage.EncryptionCommand;
 import simgsm.abis.RslMessage.ErrorIndication;
 import simgsm.abis.RslMessage.EstablishIndication;
 import simgsm.abis.RslMessage.MeasurementResult;
@@ -60,6 +61,9 @@ public class RslMessageTest {
                 new Example(
                         new MeasurementResult(17, OctetString.ofHex(REPORT)),
                         "082801411b111903000000" + "0400" + "0b0012" + REPORT),
+                new Example(
+                        new EncryptionCommand(OctetString.ofHex("02eae4be823af9a08b"), OctetString.ofHex("063501")),
+                        "082601410709" + "02eae4be823af9a08b" + "0200" + "0b0003063501"),
                 new Example(new PagingCommand(Examples.IMSI), "0c1501900e000c0829262400000000712800"),
                 new Example(new PagingCommand(new Tmsi(0x1234abcd)), "0c1501900e000c05f41234abcd2800"),
                 new Example(new SmsBroadcastCommand(OctetString.ofHex(PAGE)), "0c1d019029002a58" + PAGE));

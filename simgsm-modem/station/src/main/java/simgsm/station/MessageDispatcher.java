@@ -156,7 +156,7 @@ final class MessageDispatcher {
             context.radio().send(new RrStatus(Cause.PROTOCOL_ERROR.code()));
             return;
         }
-        context.radio().setCiphered(starts);
+        context.radio().cipher(command, registration.cipherKey());
         context.radio()
                 .send(new CipheringModeComplete(
                         command.response() != 0

@@ -1,12 +1,14 @@
 package simgsm.station;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.abis.RslMessage.EncryptionCommand;
 import simgsm.air.CallControl.Setup;
 import simgsm.air.CipherAlgorithm;
 import simgsm.air.Imei;
@@ -51,6 +53,13 @@ class CipheringTest {
         scene.expect(AuthenticationResponse.class);
     }
 
+    /** The key for the towers comes before the answer that they read with it. @param information TS 48.058, 9.3.7 */
+    private void expectCiphered(String information, Optional<MobileIdentity> equipment) {
+        EncryptionCommand key = assertInstanceOf(EncryptionCommand.class, scene.up.poll());
+        assertEquals(OctetString.ofHex(information), key.information());
+        scene.expect(new CipheringModeComplete(equipment));
+    }
+
     private Imeisv equipment() {
         return Imeisv.of(new Imei(scene.identity.imei().digits()));
     }
@@ -59,24 +68,24 @@ class CipheringTest {
     void aStationWithAKeyCompletesCipheringAndNamesItsEquipmentWhenAsked() {
         authenticate();
         scene.down(new CipheringModeCommand(CipherAlgorithm.A5_1, 1));
-        scene.expect(new CipheringModeComplete(Optional.of(equipment())));
+        expectCiphered("02" + KC, Optional.of(equipment()));
         scene.down(A5_1);
         scene.expect(new RrStatus(111));
         scene.down(new CipheringModeCommand(CipherAlgorithm.A5_0, 0));
-        scene.expect(new CipheringModeComplete(Optional.empty()));
+        expectCiphered("01", Optional.empty());
     }
 
     @Test
     void cipheringEndsWithTheChannelAndTheKeyStays() {
         authenticate();
         scene.down(A5_1);
-        scene.expect(new CipheringModeComplete(Optional.empty()));
+        expectCiphered("02" + KC, Optional.empty());
         scene.grantLocationUpdating();
         scene.releaseChannel();
         scene.page(Scene.TMSI);
         assertEquals(2, scene.expectFirst(PagingResponse.class).keySequence());
         scene.down(A5_1);
-        scene.expect(new CipheringModeComplete(Optional.empty()));
+        expectCiphered("02" + KC, Optional.empty());
     }
 
     @Test
@@ -87,7 +96,7 @@ class CipheringTest {
         scene.station.dial(new Msisdn("5550200"));
         scene.expectFirst(CmServiceRequest.class);
         scene.down(A5_1);
-        scene.expect(new CipheringModeComplete(Optional.empty()));
+        expectCiphered("02" + KC, Optional.empty());
         scene.expect(Setup.class);
     }
 

@@ -74,9 +74,9 @@ final class MeasurementCycle {
         }
         int chosen = selection.serving();
         if (chosen == IdleSelection.NONE) {
-            network.happened(new MobileEvent.CellLost(mobile, mobile.nameOf(before)));
+            network.happened(new MobileEvent.CellLost(mobile, network.nameOf(before)));
         } else {
-            network.happened(new MobileEvent.Camped(mobile, mobile.nameOf(chosen), selection.c2(chosen)));
+            network.happened(new MobileEvent.Camped(mobile, network.nameOf(chosen), selection.c2(chosen)));
             mobile.camped();
         }
     }

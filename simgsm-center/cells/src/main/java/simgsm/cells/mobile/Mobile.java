@@ -10,6 +10,7 @@ import simgsm.air.CipherAlgorithm;
 import simgsm.air.MobileIdentity;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource;
+import simgsm.cells.cipher.CipherKey;
 import simgsm.cells.mobile.MobileRadioTable.MobileRadioAction;
 import simgsm.cells.mobile.MobileRadioTable.MobileRadioEvent;
 import simgsm.cells.mobile.MobileRadioTable.MobileRadioState;
@@ -97,6 +98,11 @@ public final class Mobile {
         }
 
         @Override
+        public CipherKey key() {
+            return link.key();
+        }
+
+        @Override
         public void ciphered(CipherAlgorithm algorithm) {
             network.happened(new MobileEvent.Ciphered(Mobile.this, algorithm));
         }
@@ -147,13 +153,7 @@ public final class Mobile {
 
     /** The name of the serving tower; empty for none. */
     public String cell() {
-        return nameOf(serving());
-    }
-
-    String nameOf(int tower) {
-        return tower == IdleSelection.NONE
-                ? ""
-                : network.towers().get(tower).tower().name();
+        return network.nameOf(serving());
     }
 
     public Optional<TowerChannel> channel() {
@@ -182,8 +182,10 @@ public final class Mobile {
     // From the terminal.
 
     /** A message of the terminal. */
-    public void arrived(RslMessage message) {
-        if (message instanceof RslMessage.EstablishIndication establish) {
+    public void arrived(RslMessage message) throws ProtocolViolation {
+        if (message instanceof RslMessage.EncryptionCommand command) {
+            link.cipher(CipherKey.of(command.pdu(), network.algorithms()));
+        } else if (message instanceof RslMessage.EstablishIndication establish) {
             machine.fire(MobileRadioEvent.LEFT);
             firstMessage = read(establish.layer3());
             machine.fire(MobileRadioEvent.FIRST_MESSAGE);
@@ -347,6 +349,7 @@ public final class Mobile {
             selection.camp(serving(), timers.nowNanos());
         }
         channel = null;
+        link.ended();
         speech.callEnded();
         granted = null;
         firstMessage = null;

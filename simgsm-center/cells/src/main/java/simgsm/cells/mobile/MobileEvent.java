@@ -52,6 +52,10 @@ public sealed interface MobileEvent {
     @EventLine("cipher number=mobile.number algorithm=algorithm.title")
     record Ciphered(Mobile mobile, CipherAlgorithm algorithm) implements MobileEvent {}
 
+    /** The card has another key than the network, so that the tower cannot read the mobile, and its channel ends. */
+    @EventLine("cipher-mismatch number=mobile.number algorithm=algorithm.title")
+    record CipherMismatched(Mobile mobile, CipherAlgorithm algorithm) implements MobileEvent {}
+
     /** The channel is lost. */
     @EventLine("radio-link-failure number=mobile.number")
     record RadioLinkFailed(Mobile mobile) implements MobileEvent {}

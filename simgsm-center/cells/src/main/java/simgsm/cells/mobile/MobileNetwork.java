@@ -12,6 +12,11 @@ import simgsm.cells.town.TownPlace;
 public interface MobileNetwork {
     List<BaseStation> towers();
 
+    /** The name of a tower by its index; empty for {@link IdleSelection#NONE}. */
+    default String nameOf(int tower) {
+        return tower == IdleSelection.NONE ? "" : towers().get(tower).tower().name();
+    }
+
     /** The levels of all towers at a place in dBm. */
     void levelsDbm(TownPlace place, double[] into);
 

@@ -1,8 +1,10 @@
 package simgsm.cells.mobile;
 
+import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Optional;
 import simgsm.air.MeasurementResults;
+import simgsm.cells.cipher.CipherKey;
 import simgsm.cells.radio.FrameLosses;
 import simgsm.cells.radio.RadioScale;
 import simgsm.cells.radio.ReceptionQuality;
@@ -15,6 +17,7 @@ import simgsm.cells.town.Frequencies;
  * end.
  */
 public final class RadioLink {
+    private static final System.Logger LOG = System.getLogger(RadioLink.class.getName());
     /** Share of lost blocks above which the link layer's repetitions fail. */
     private static final double UNUSABLE = 0.9;
 
@@ -28,6 +31,7 @@ public final class RadioLink {
     private final FrameLosses uplinkLosses;
     private RadioLinkCounter downlink = new RadioLinkCounter(STANDARD_TIMEOUT);
     private RadioLinkCounter uplink = new RadioLinkCounter(STANDARD_TIMEOUT);
+    private CipherKey key = CipherKey.NONE;
     private int reports;
     private int quality;
     private double erasure;
@@ -61,6 +65,33 @@ public final class RadioLink {
         return reports;
     }
 
+    /** The key with which the terminal ciphers. */
+    CipherKey key() {
+        return key;
+    }
+
+    /** Ciphers with the terminal's key. A tower with another one cannot read it, so that the link fails. */
+    void cipher(CipherKey newKey) {
+        key = newKey;
+        if (!isReadable()) {
+            LOG.log(
+                    Level.WARNING,
+                    "{0}: {1} cannot read what is ciphered: the key Kc of the card is not that of the network",
+                    mobile,
+                    mobile.current());
+            network.happened(new MobileEvent.CipherMismatched(mobile, key.algorithm()));
+        }
+    }
+
+    private boolean isReadable() {
+        return mobile.channel().map(channel -> channel.reads(key)).orElse(true);
+    }
+
+    /** Forgets the key with the last channel. */
+    void ended() {
+        key = CipherKey.NONE;
+    }
+
     /** Restarts the count of blocks on another channel (TS 45.008, 5.2). */
     void moved(BaseStation tower) {
         int timeout = tower.cell().map(cell -> cell.radioLinkTimeout()).orElse(STANDARD_TIMEOUT);
@@ -88,7 +119,8 @@ public final class RadioLink {
 
     private boolean loses(FrameLosses losses) {
         int arfcn = network.towers().get(mobile.serving()).tower().arfcn();
-        return losses.next(erasure, mobile.walker().metresPerSecond(), Frequencies.downlinkMegahertz(arfcn));
+        return !isReadable()
+                || losses.next(erasure, mobile.walker().metresPerSecond(), Frequencies.downlinkMegahertz(arfcn));
     }
 
     /** Decides randomly if a block from a tower reaches the mobile now. */
@@ -99,7 +131,7 @@ public final class RadioLink {
 
     /** True if messages get through, with repetitions. */
     boolean isUsable() {
-        return ReceptionQuality.blockErasureRate(reception.errorRate(mobile.serving())) < UNUSABLE;
+        return isReadable() && ReceptionQuality.blockErasureRate(reception.errorRate(mobile.serving())) < UNUSABLE;
     }
 
     /**
@@ -110,8 +142,9 @@ public final class RadioLink {
     boolean report(TowerChannel channel) {
         recent.add(reception.levelsDbm());
         int tower = mobile.serving();
-        boolean isUplinkGood = receivesBlock(tower) && channel.isActive();
-        boolean isDownlinkGood = receivesBlock(tower) && channel.isActive();
+        boolean isSent = channel.isActive() && isReadable();
+        boolean isUplinkGood = receivesBlock(tower) && isSent;
+        boolean isDownlinkGood = receivesBlock(tower) && isSent;
         sendReport(channel, tower, isUplinkGood);
         if (uplink.block(isUplinkGood)) {
             channel.forsake(true);
@@ -131,10 +164,10 @@ public final class RadioLink {
             network.happened(new MobileEvent.Reported(
                     mobile,
                     sent,
-                    new MobileEvent.CellLevel(mobile.nameOf(tower), level),
+                    new MobileEvent.CellLevel(network.nameOf(tower), level),
                     neighbours.stream()
                             .map(each -> new MobileEvent.CellLevel(
-                                    mobile.nameOf(each),
+                                    network.nameOf(each),
                                     RadioScale.rxlev(reception.levelsDbm()[each])))
                             .toList()));
         }

@@ -1,6 +1,7 @@
 package simgsm.cells.tower;
 
 import simgsm.air.CipherAlgorithm;
+import simgsm.cells.cipher.CipherKey;
 import simgsm.octets.OctetString;
 
 /** The mobile on a dedicated channel. */
@@ -13,6 +14,9 @@ public interface ChannelUser {
 
     /** PHYSICAL INFORMATION answers the mobile's HANDOVER ACCESS. */
     void physicalInformation(TowerChannel channel, int timingAdvance);
+
+    /** The key with which the mobile ciphers now. */
+    CipherKey key();
 
     /** The mobile has completed a command to cipher. @param algorithm A5/0 if ciphering has ended */
     void ciphered(CipherAlgorithm algorithm);

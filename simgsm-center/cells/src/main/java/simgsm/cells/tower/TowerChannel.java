@@ -55,10 +55,10 @@ public final class TowerChannel {
     private int measurement;
     private final TowerSpeech speech;
     private final ChannelCapture capture;
-    /** The commanded key; the air is ciphered once the mobile has completed it. */
     private CipherKey key = CipherKey.NONE;
+    /** Replaces the key with the mobile's answer, the first message under it. */
+    private CipherKey commandedKey = CipherKey.NONE;
 
-    private boolean isCiphered;
     private final ConnectHold hold;
     private boolean isClosed;
 
@@ -72,7 +72,7 @@ public final class TowerChannel {
         speech = new TowerSpeech(tower, number, timers, this::speechReceived);
         if (activated.has(RslElement.ENCRYPTION_INFORMATION)) {
             key = tower.cipherKey(activated);
-            isCiphered = key.isCiphering();
+            commandedKey = key;
             capture.cipher(true, key);
             capture.cipher(false, key);
         }
@@ -118,7 +118,12 @@ public final class TowerChannel {
 
     /** True while the air is ciphered. */
     public boolean isCiphered() {
-        return isCiphered;
+        return key.isCiphering();
+    }
+
+    /** True if the tower can read what is ciphered with this key. */
+    public boolean reads(CipherKey used) {
+        return used.equals(key) || used.equals(commandedKey);
     }
 
     // From the controller.
@@ -156,7 +161,7 @@ public final class TowerChannel {
     private void commandCiphering(RslPdu message) throws ProtocolViolation {
         CipherKey commanded = tower.cipherKey(message);
         OctetString layer3 = message.value(RslElement.L3_INFORMATION);
-        key = commanded;
+        commandedKey = commanded;
         sendDown(SIGNALLING, layer3);
     }
 
@@ -221,7 +226,10 @@ public final class TowerChannel {
         }
         boolean isComplete = user != null && sapi == SIGNALLING && isCipheringComplete(layer3);
         if (isComplete) {
-            isCiphered = key.isCiphering();
+            if (!user.key().equals(commandedKey)) {
+                return;
+            }
+            key = commandedKey;
             capture.cipher(true, key);
         }
         capture.message(true, sapi, layer3);

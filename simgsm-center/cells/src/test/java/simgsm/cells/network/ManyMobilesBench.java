@@ -121,7 +121,7 @@ public final class ManyMobilesBench {
 
     private ManyMobilesBench() {}
 
-    public static void main(String[] args) {
+    public static void main(String[] args) throws ProtocolViolation {
         Random random = new Random(1);
         List<Tower> towers = new ArrayList<>();
         List<Integer> frequencies = new ArrayList<>();
@@ -140,7 +140,9 @@ public final class ManyMobilesBench {
                 .filter(mobile -> mobile.state() == MobileRadioState.DEDICATED)
                 .count();
         run(network, SECONDS, connected + " of " + MOBILES + " in connections, with reports");
-        mobiles.forEach(mobile -> mobile.arrived(new RslMessage.ReleaseIndication(RslMessage.Sapi.SIGNALLING)));
+        for (Mobile mobile : mobiles) {
+            mobile.arrived(new RslMessage.ReleaseIndication(RslMessage.Sapi.SIGNALLING));
+        }
         run(network, SECONDS, MOBILES + " idle");
     }
 
@@ -148,7 +150,7 @@ public final class ManyMobilesBench {
         return new TownPlace(SIDE_METRES * (random.nextDouble() - 0.5), SIDE_METRES * (random.nextDouble() - 0.5));
     }
 
-    private static Mobile connect(CellNetwork network, long number, Random random) {
+    private static Mobile connect(CellNetwork network, long number, Random random) throws ProtocolViolation {
         Mobile mobile = network.connected(
                 new MobilePort() {
                     @Override

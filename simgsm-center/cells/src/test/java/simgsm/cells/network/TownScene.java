@@ -32,6 +32,7 @@ import simgsm.air.Msisdn;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.RadioResource.AssignmentCommand;
 import simgsm.air.RadioResource.CellDescription;
+import simgsm.air.RadioResource.CipheringModeComplete;
 import simgsm.air.RadioResource.HandoverCommand;
 import simgsm.cells.mobile.Mobile;
 import simgsm.cells.mobile.MobileEvent;
@@ -249,14 +250,28 @@ final class TownScene {
 
         void send(boolean isFirst, Layer3Message message) {
             OctetString octets = OctetString.of(Layer3Codec.encode(message, Direction.UPLINK, 0));
-            mobile.arrived(
+            arrived(
                     isFirst
                             ? new RslMessage.EstablishIndication(RslMessage.Sapi.SIGNALLING, octets)
                             : new RslMessage.DataIndication(RslMessage.Sapi.SIGNALLING, octets));
         }
 
+        /** Ciphers with a key of its own. @param information algorithm and key (TS 48.058, 9.3.7) */
+        void cipher(String information) {
+            arrived(new RslMessage.EncryptionCommand(OctetString.ofHex(information), OctetString.ofHex("063501")));
+            send(false, new CipheringModeComplete(Optional.empty()));
+        }
+
+        private void arrived(RslMessage message) {
+            try {
+                mobile.arrived(message);
+            } catch (ProtocolViolation e) {
+                throw new AssertionError(e);
+            }
+        }
+
         void leave() {
-            mobile.arrived(new RslMessage.ReleaseIndication(RslMessage.Sapi.SIGNALLING));
+            arrived(new RslMessage.ReleaseIndication(RslMessage.Sapi.SIGNALLING));
         }
 
         String expectLayer3() {

@@ -7,13 +7,16 @@ import simgsm.abis.MgcpMessage.MediaAddress;
 import simgsm.abis.RslMessage;
 import simgsm.abis.RslMessage.Sapi;
 import simgsm.air.CallControl;
+import simgsm.air.CipherAlgorithm;
 import simgsm.air.Direction;
 import simgsm.air.Layer3Codec;
 import simgsm.air.Layer3Message;
 import simgsm.air.MobilityManagement;
+import simgsm.air.RadioResource.CipheringModeCommand;
 import simgsm.air.ShortMessageControl;
 import simgsm.air.SupplementaryService;
 import simgsm.octets.OctetString;
+import simgsm.octets.OctetWriter;
 
 /** The one radio connection shared by calls, short messages and registration. The first message sent opens it. */
 public final class MobileRadioConnection {
@@ -48,9 +51,15 @@ public final class MobileRadioConnection {
         return isCiphered;
     }
 
-    /** Ciphers the open connection, or no longer. */
-    public void setCiphered(boolean ciphered) {
-        isCiphered = ciphered;
+    /** Ciphers the open connection with the card's key, or no longer with A5/0; the towers cipher the air with it. */
+    public void cipher(CipheringModeCommand command, Optional<OctetString> kc) {
+        isCiphered = command.algorithm() != CipherAlgorithm.A5_0;
+        OctetWriter information = new OctetWriter().octet(command.algorithm().rsl());
+        if (isCiphered) {
+            information.string(kc.orElseThrow());
+        }
+        send(new RslMessage.EncryptionCommand(
+                information.toOctetString(), OctetString.of(Layer3Codec.encode(command, Direction.DOWNLINK, 0))));
     }
 
     public void send(Layer3Message message) {
