@@ -29,7 +29,7 @@ import simgsm.air.TransactionIdentifier;
 import simgsm.octets.OctetString;
 import simgsm.speech.CallAudioListener;
 import simgsm.speech.SpeechCodec;
-import simgsm.ss.HoldNotification;
+import simgsm.ss.NotifySs;
 
 /** HOLD and RETRIEVE with a network that answers late, or at a bad moment, and that tells of the other party's hold. */
 class HoldAnswersTest {
@@ -187,9 +187,9 @@ class HoldAnswersTest {
 
     @Test
     void theOtherPartysHoldIsReported() {
-        scene.down(new Facility(TO_OWN, HoldNotification.encode(true)));
-        scene.down(new Facility(TO_OWN, HoldNotification.encode(true)));
-        scene.down(new Facility(TO_OWN, HoldNotification.encode(false)));
+        scene.down(new Facility(TO_OWN, NotifySs.CALL_ON_HOLD.facility()));
+        scene.down(new Facility(TO_OWN, NotifySs.CALL_ON_HOLD.facility()));
+        scene.down(new Facility(TO_OWN, NotifySs.CALL_RETRIEVED.facility()));
         scene.expectNothing();
         assertEquals(List.of("on hold", "on hold over"), news());
     }
@@ -197,7 +197,7 @@ class HoldAnswersTest {
     @Test
     void aHeldCallThatIsOnHoldItselfSaysSoWhenItIsBack() {
         twoCalls();
-        scene.down(new Facility(TO_OWN, HoldNotification.encode(true)));
+        scene.down(new Facility(TO_OWN, NotifySs.CALL_ON_HOLD.facility()));
         assertEquals(List.of(), news());
         assertTrue(scene.station.hold());
         scene.down(new HoldAcknowledge(THEIRS));
@@ -210,11 +210,11 @@ class HoldAnswersTest {
         waiting();
         assertTrue(scene.station.rejectWaiting());
         scene.expect(new Disconnect(THEIRS.answered(), Cause.USER_BUSY));
-        scene.down(new Facility(THEIRS, HoldNotification.encode(true)));
+        scene.down(new Facility(THEIRS, NotifySs.CALL_ON_HOLD.facility()));
         scene.down(new ReleaseComplete(THEIRS, Optional.empty()));
         news();
         twoCalls();
-        scene.down(new Facility(THEIRS, HoldNotification.encode(true)));
+        scene.down(new Facility(THEIRS, NotifySs.CALL_ON_HOLD.facility()));
         assertEquals(List.of("on hold"), news());
     }
 

@@ -17,7 +17,7 @@ import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.msc.link.PagedTransaction;
 import simgsm.center.msc.link.RadioAccess.SpeechNeed;
-import simgsm.ss.HoldNotification;
+import simgsm.ss.NotifySs;
 import simgsm.ss.SsCode;
 import simgsm.state.StateMachine;
 import simgsm.timer.Timer;
@@ -219,16 +219,17 @@ public final class CallLeg implements PagedTransaction {
     /** Notifies this mobile of hold and retrieval by the other one. */
     void notifyHold(boolean onHold) {
         if (state().speaks()) {
-            link.send(new CallControl.Facility(transaction, HoldNotification.encode(onHold)));
+            link.send(new CallControl.Facility(
+                    transaction, (onHold ? NotifySs.CALL_ON_HOLD : NotifySs.CALL_RETRIEVED).facility()));
         }
     }
 
     /** Notifies the mobile of a forwarding; a caller, once the network has accepted its call (TS 24.082). */
-    void notify(HoldNotification.Forwarding what, SsCode condition) {
-        if (what == HoldNotification.Forwarding.INCOMING_CALL_FORWARDED
+    void notify(NotifySs what, SsCode condition) {
+        if (what == NotifySs.INCOMING_CALL_FORWARDED
                 || state() == NetworkCallState.CALL_PROCEEDING
                 || state() == NetworkCallState.CALL_DELIVERED) {
-            link.send(new CallControl.Facility(transaction, HoldNotification.encode(what, condition)));
+            link.send(new CallControl.Facility(transaction, what.facility(condition)));
         }
     }
 

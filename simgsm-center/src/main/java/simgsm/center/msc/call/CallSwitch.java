@@ -21,7 +21,7 @@ import simgsm.center.msc.link.LinkUser;
 import simgsm.center.msc.mobility.MobilityProcedures;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.center.subscriber.Subscriber;
-import simgsm.ss.HoldNotification.Forwarding;
+import simgsm.ss.NotifySs;
 import simgsm.ss.SsCode;
 import simgsm.tone.ToneSet;
 
@@ -201,7 +201,7 @@ public final class CallSwitch implements LinkUser {
                 caller.subscriber()
                         .services()
                         .forwarding(unconditional)
-                        .ifPresent(to -> call.originating().notify(Forwarding.ACTIVE, unconditional));
+                        .ifPresent(to -> call.originating().notify(NotifySs.FORWARDING_ACTIVE, unconditional));
             }
             reach(call);
         }
@@ -277,7 +277,7 @@ public final class CallSwitch implements LinkUser {
         }
         if (condition != SsCode.FORWARDING_UNCONDITIONAL) {
             forwarding.ifPresent(
-                    link -> on(link).live().forEach(leg -> leg.notify(Forwarding.INCOMING_CALL_FORWARDED, condition)));
+                    link -> on(link).live().forEach(leg -> leg.notify(NotifySs.INCOMING_CALL_FORWARDED, condition)));
         }
         if (mobility.register().isAssigned(next.get())) {
             reach(call);

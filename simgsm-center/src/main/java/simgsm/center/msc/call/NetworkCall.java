@@ -6,7 +6,7 @@ import simgsm.air.Cause;
 import simgsm.air.Msisdn;
 import simgsm.air.TransactionIdentifier;
 import simgsm.center.msc.link.NetworkTimer;
-import simgsm.ss.HoldNotification;
+import simgsm.ss.NotifySs;
 import simgsm.ss.SsCode;
 import simgsm.timer.Timer;
 
@@ -149,7 +149,7 @@ public final class NetworkCall {
             return false;
         }
         redirecting = subscriber;
-        originating.notify(HoldNotification.Forwarding.OUTGOING_CALL_FORWARDED, condition);
+        originating.notify(NotifySs.OUTGOING_CALL_FORWARDED, condition);
         return true;
     }
 

@@ -10,7 +10,7 @@ import simgsm.air.Layer3Type;
 import simgsm.air.ProtocolViolation;
 import simgsm.air.TransactionIdentifier;
 import simgsm.air.answer.ProtocolErrorAnswers;
-import simgsm.ss.HoldNotification;
+import simgsm.ss.NotifySs;
 import simgsm.station.call.MobileCallTable.MobileCallEvent;
 import simgsm.station.call.MobileCallTable.MobileCallState;
 import simgsm.station.context.StationContext;
@@ -43,10 +43,7 @@ public final class MobileCallMessages {
         if (message instanceof CallControl.Setup setup) {
             offered(setup);
         } else if (message instanceof CallControl.Facility facility && isKnown(message)) {
-            HoldNotification.decode(facility.facility())
-                    .ifPresent(onHold -> call.heldByPeer(facility.transaction(), onHold));
-            HoldNotification.forwarding(facility.facility())
-                    .ifPresent(what -> context.events().add(notified(what)));
+            NotifySs.of(facility.facility()).ifPresent(what -> notified(facility.transaction(), what));
         } else if (isKnown(message) && call.callHold().answered(message)) {
             context.log().trace(Level.DEBUG, "{0} answers a request to hold or retrieve", message);
         } else if (call.has(message.transaction())) {
@@ -58,12 +55,14 @@ public final class MobileCallMessages {
         }
     }
 
-    private static StationEvent notified(HoldNotification.Forwarding what) {
-        return switch (what) {
-            case OUTGOING_CALL_FORWARDED -> new StationEvent.CallForwarded();
-            case INCOMING_CALL_FORWARDED -> new StationEvent.IncomingCallForwarded();
-            case ACTIVE -> new StationEvent.ForwardingActive();
-        };
+    private void notified(TransactionIdentifier transaction, NotifySs what) {
+        switch (what) {
+            case CALL_ON_HOLD -> call.heldByPeer(transaction, true);
+            case CALL_RETRIEVED -> call.heldByPeer(transaction, false);
+            case OUTGOING_CALL_FORWARDED -> context.events().add(new StationEvent.CallForwarded());
+            case INCOMING_CALL_FORWARDED -> context.events().add(new StationEvent.IncomingCallForwarded());
+            case FORWARDING_ACTIVE -> context.events().add(new StationEvent.ForwardingActive());
+        }
     }
 
     private boolean isKnown(CallControl message) {
