@@ -2,9 +2,6 @@ package simgsm.modem.client;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.util.ArrayDeque;
-import java.util.Deque;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
@@ -27,15 +24,10 @@ import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
 /**
- * The call of an attached modem; runs by {@link AttachedCallTable}. During a call the modem is asked for its calls
- * every 0.25 s, which shows that modem and call are alive: after 0.5 s without an answer the call is lost, so that a
- * robot at full speed stops within 2.5 s of the modem's last sign. A key reported while an answer is due waits for
- * it, so that no order is completed by a modem that has just lost a key. While there is {@link AttachedSound}, only
- * the keys heard in it count, at once.
+ * The call of an attached modem; runs by {@link AttachedCallTable}, under {@link CallSupervision}. While there is
+ * {@link AttachedSound}, only the keys heard in it count, at once.
  */
 final class AttachedCall implements AttachedSound.Listener {
-    static final long POLL_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
-    static final int POLL_LIMIT_MILLIS = 500;
     /** Time-out of a list of calls at other times, and of a tone. */
     static final int LIMIT_MILLIS = 2_000;
     /** RING is repeated every 3 to 6 s. */
@@ -47,11 +39,8 @@ final class AttachedCall implements AttachedSound.Listener {
     private static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
     private static final int SAMPLES_PER_TICK = 800;
     private static final long NANOS_PER_SAMPLE = 125_000;
-    /** States of {@code +CLCC} (TS 27.007, 7.18). */
+    /** State of {@code +CLCC} (TS 27.007, 7.18). */
     static final int CALL_INCOMING = 4;
-
-    private static final int CALL_ACTIVE = 0;
-    private static final int CALL_WAITING = 5;
 
     private final CommandDialogue dialogue;
     private final Timers timers;
@@ -61,6 +50,7 @@ final class AttachedCall implements AttachedSound.Listener {
     private final StateMachine<AttachedCallPhase, CallEvent, CallAction> machine;
     private final AttachedSound sound;
     private final AttachedTones tones;
+    private final CallSupervision supervision;
     private ModemSetup setup;
 
     private Optional<Msisdn> caller = Optional.empty();
@@ -70,14 +60,8 @@ final class AttachedCall implements AttachedSound.Listener {
     private Cause cause = Cause.NORMAL_CALL_CLEARING;
     private boolean orderActive;
     private long connectedNanos;
-    /** Events received while a list of calls was due. */
-    private final Deque<ModemEvent> held = new ArrayDeque<>();
-
-    private boolean pollUnderWay;
-    private boolean disturbed;
     private Timer answerTimer;
     private Timer ringGuard;
-    private Timer pollTimer;
     private Timer tickTimer;
     private Timer idleTimer;
 
@@ -96,6 +80,7 @@ final class AttachedCall implements AttachedSound.Listener {
         answerAfterNanos = TimeUnit.MILLISECONDS.toNanos(answerAfterMillis);
         machine = new StateMachine<>(AttachedCallTable.TABLE, "attached modem", this::perform);
         sound.setListener(this);
+        supervision = new CallSupervision(this, dialogue, timers, listener);
         tones = new AttachedTones(dialogue, timers, sound, this::toneEnded);
     }
 
@@ -138,7 +123,16 @@ final class AttachedCall implements AttachedSound.Listener {
         machine.fire(event);
     }
 
-    void key(DtmfKey key, OptionalInt millis) {
+    /** Handles a report of the modem about a key; empty for a damaged one. */
+    void keyReported(Optional<DtmfDialect.Report> report) {
+        if (report.isEmpty()) {
+            unreadable();
+        } else {
+            report.get().key().ifPresent(key -> key(key, report.get().millis()));
+        }
+    }
+
+    private void key(DtmfKey key, OptionalInt millis) {
         if (!isHearing() || sound.isLive()) {
             return;
         }
@@ -150,7 +144,7 @@ final class AttachedCall implements AttachedSound.Listener {
 
     /** A line may have been the report of a key. */
     void unreadable() {
-        disturbed = true;
+        supervision.disturbed();
         if (isHearing() && !sound.isLive()) {
             reported(new ModemEvent.KeyUnreadable());
         }
@@ -162,11 +156,7 @@ final class AttachedCall implements AttachedSound.Listener {
 
     private void reported(ModemEvent event) {
         restartIdle();
-        if (pollUnderWay) {
-            held.add(event);
-        } else {
-            listener.accept(event);
-        }
+        supervision.report(event);
     }
 
     /** The network offers a second call, which is refused as busy. */
@@ -246,7 +236,8 @@ final class AttachedCall implements AttachedSound.Listener {
         });
     }
 
-    private static ModemCommand list() {
+    /** The list of calls. */
+    static ModemCommand list() {
         return ModemCommand.query("AT+CLCC", "+CLCC:").within(LIMIT_MILLIS);
     }
 
@@ -288,9 +279,7 @@ final class AttachedCall implements AttachedSound.Listener {
     private void begin() {
         connectedNanos = timers.nowNanos();
         orderActive = false;
-        held.clear();
-        pollUnderWay = false;
-        pollTimer = timers.start(POLL_NANOS, this::poll);
+        supervision.begin();
         tickTimer = timers.start(TICK_NANOS, this::tick);
         restartIdle();
         sound.begin();
@@ -304,7 +293,8 @@ final class AttachedCall implements AttachedSound.Listener {
     }
 
     private void stopTimers() {
-        for (Timer timer : new Timer[] {answerTimer, ringGuard, pollTimer, tickTimer, idleTimer}) {
+        supervision.end();
+        for (Timer timer : new Timer[] {answerTimer, ringGuard, tickTimer, idleTimer}) {
             timers.cancel(timer);
         }
     }
@@ -312,7 +302,6 @@ final class AttachedCall implements AttachedSound.Listener {
     private void reportReleased() {
         tones.drop();
         sound.end();
-        held.clear();
         if (reported) {
             listener.accept(new StationEvent.Released(cause));
         }
@@ -339,35 +328,6 @@ final class AttachedCall implements AttachedSound.Listener {
             listener.accept(new ModemEvent.CallIdle(Modem.IDLE_SECONDS));
         }
         hangUp();
-    }
-
-    private void poll() {
-        pollTimer = timers.start(POLL_NANOS, this::poll);
-        if (!dialogue.isIdle()) {
-            return;
-        }
-        pollUnderWay = true;
-        disturbed = false;
-        dialogue.sendFirst(list().within(POLL_LIMIT_MILLIS), this::listed);
-    }
-
-    private void listed(ModemAnswer answer) {
-        pollUnderWay = false;
-        if (phase() != AttachedCallPhase.ACTIVE || answer.ending() == ModemAnswer.Ending.TIMED_OUT) {
-            return;
-        }
-        List<AnswerFields> calls = answer.lines().stream().map(AnswerFields::of).toList();
-        boolean stands = calls.stream().anyMatch(call -> call.number(2) == CALL_ACTIVE);
-        if (answer.isOk() && !stands && !disturbed) {
-            cleared();
-            return;
-        }
-        for (ModemEvent event = held.poll(); event != null; event = held.poll()) {
-            listener.accept(event);
-        }
-        if (calls.stream().anyMatch(call -> call.number(2) == CALL_WAITING)) {
-            secondCallWaits();
-        }
     }
 
     private void toneEnded(DtmfKey key, boolean sent) {

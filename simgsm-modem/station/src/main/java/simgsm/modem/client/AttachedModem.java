@@ -33,11 +33,6 @@ import simgsm.timer.Timers;
  * ModemServiceTable}. One owner thread calls everything except {@link #snapshot} and {@link #state}.
  */
 public final class AttachedModem implements AnsweringModem, ModemLine.Party {
-    /** Silence that ends an earlier dialogue. */
-    static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
-
-    private static final long ATTENTION_MILLIS = 500;
-
     /** Interval of checks of stored messages and registration, in case a notice was lost. */
     static final long LOOK_NANOS = TimeUnit.SECONDS.toNanos(30);
 
@@ -58,9 +53,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private final Set<String> expectedCodes = new HashSet<>(START_CODES);
 
     private final AttachedSound sound;
-    private final SoundPort soundPort;
 
-    private Timer attentionTimer;
     private Timer lookTimer;
     private boolean registered;
     /** True if a call rang since the set-up began. */
@@ -92,7 +85,6 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
             Consumer<StationEvent> listener) {
         this.number = number;
         this.listener = listener;
-        this.soundPort = soundPort;
         state = new ReportedState("modem " + number, listener);
         dialogue = new CommandDialogue(timers, output, new Codes());
         setup = new ModemSetup(dialogue, timers, Integer.MAX_VALUE, soundPort != SoundPort.NONE, this::logged);
@@ -142,8 +134,8 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     public void received(byte[] octets, long nowNanos) {
         timePassed(nowNanos);
         dialogue.received(octets);
-        if (attentionTimer != null && attentionTimer.isRunning()) {
-            startAttentionTimer();
+        if (setup.awaitsSilence()) {
+            callForAttention();
         }
         publish();
     }
@@ -190,7 +182,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
 
     @Override
     public boolean listensToVoice() {
-        return soundPort.voices().isPresent();
+        return sound.listensToVoice();
     }
 
     @Override
@@ -218,7 +210,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     private void perform(ServiceAction action) {
         switch (action) {
             case FORGET -> forget();
-            case CALL_FOR_ATTENTION -> startAttentionTimer();
+            case CALL_FOR_ATTENTION -> callForAttention();
             case PREPARE -> {
                 rangMeanwhile = false;
                 setup.start(this::prepared);
@@ -228,7 +220,6 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
     }
 
     private void forget() {
-        timers.cancel(attentionTimer);
         timers.cancel(lookTimer);
         setup.stop();
         messages.modemLost();
@@ -237,21 +228,8 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         setRegistered(false);
     }
 
-    private void startAttentionTimer() {
-        timers.cancel(attentionTimer);
-        attentionTimer = timers.start(QUIET_NANOS, this::callForAttention);
-    }
-
-    /** Leaves a prompt that may be open from before. */
     private void callForAttention() {
-        dialogue.escape();
-        dialogue.send(ModemSetup.ATTENTION.within(ATTENTION_MILLIS), answer -> {
-            if (answer.isOk()) {
-                service.fire(ServiceEvent.ATTENTIVE);
-            } else if (answer.ending() == ModemAnswer.Ending.REFUSED) {
-                startAttentionTimer();
-            }
-        });
+        setup.callForAttention(() -> service.fire(ServiceEvent.ATTENTIVE));
     }
 
     /** Asks again at once for an answer; a set-up notices its absence itself. */
@@ -327,7 +305,7 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         public void unsolicited(String line) {
             Optional<DtmfDialect> dialect = DtmfDialect.ofReport(line);
             if (dialect.isPresent()) {
-                keyReported(dialect.get(), line);
+                call.keyReported(dialect.get().read(line));
             } else {
                 UnsolicitedCode.of(line).ifPresent(code -> coded(code, line));
             }
@@ -350,15 +328,6 @@ public final class AttachedModem implements AnsweringModem, ModemLine.Party {
         @Override
         public void stalled(ModemCommand command) {
             AttachedModem.this.stalled(command);
-        }
-    }
-
-    private void keyReported(DtmfDialect dialect, String line) {
-        Optional<DtmfDialect.Report> report = dialect.read(line);
-        if (report.isEmpty()) {
-            call.unreadable();
-        } else {
-            report.get().key().ifPresent(key -> call.key(key, report.get().millis()));
         }
     }
 

@@ -70,7 +70,7 @@ final class AttachedSound implements ModemLine.Party {
     private Timer guard;
     private boolean isOpen;
     private boolean isInCall;
-    private boolean isLive;
+    private volatile boolean isLive;
     /** Why there is no line; null before the first try. */
     private String obstacle;
 
@@ -142,6 +142,11 @@ final class AttachedSound implements ModemLine.Party {
     /** Replies in words, and orders by voice, while the sound is live. */
     CallWords words() {
         return isLive ? words : CallWords.NONE;
+    }
+
+    /** True if an order by voice could be heard now; callable on any thread. */
+    boolean listensToVoice() {
+        return isLive && words.listensToVoice();
     }
 
     /** True if keys are heard, and tones sent, in the sound of the call. */

@@ -16,6 +16,11 @@ final class ModemSetup {
     /** Pause before an awaited step is repeated. */
     static final long AGAIN_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
+    /** Silence that ends an earlier dialogue. */
+    private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
+
+    private static final long ATTENTION_MILLIS = 500;
+
     /** Tests only if the modem answers. */
     static final ModemCommand ATTENTION = ModemCommand.of("AT").within(1_000);
 
@@ -39,6 +44,7 @@ final class ModemSetup {
     private SetupStep step;
     private int tries;
     private Timer again;
+    private Timer quiet;
     private Consumer<ModemSetup> done;
 
     /**
@@ -51,6 +57,27 @@ final class ModemSetup {
         this.mostTries = mostTries;
         this.asksSound = asksSound;
         this.observer = observer;
+    }
+
+    /** Asks the modem for attention after each silence until it answers. @param attentive called once it has */
+    void callForAttention(Runnable attentive) {
+        timers.cancel(quiet);
+        quiet = timers.start(QUIET_NANOS, () -> {
+            // leaves a prompt that may be open from before
+            dialogue.escape();
+            dialogue.send(ATTENTION.within(ATTENTION_MILLIS), answer -> {
+                if (answer.isOk()) {
+                    attentive.run();
+                } else if (answer.ending() == ModemAnswer.Ending.REFUSED) {
+                    callForAttention(attentive);
+                }
+            });
+        });
+    }
+
+    /** True while {@link #callForAttention} waits for a silence. */
+    boolean awaitsSilence() {
+        return quiet != null && quiet.isRunning();
     }
 
     /** Starts from the first step. @param whenDone called once, unless {@link #stop} is called before */
@@ -66,6 +93,7 @@ final class ModemSetup {
     }
 
     void stop() {
+        timers.cancel(quiet);
         timers.cancel(again);
         steps.clear();
         alternatives.clear();

@@ -153,6 +153,7 @@ class AttachedWordsTest {
         openAndCall();
         sound.lineDown(bench.nowNanos);
         assertFalse(bench.modem.say("Stopped"));
+        assertFalse(bench.modem.listensToVoice(), "*# is not for the words");
         bench.modem.listen();
         bench.millis(3000);
         assertEquals(List.of(), said);
