@@ -115,7 +115,7 @@ class LayeringTest {
             simgsm.cells.cipher      : simgsm.octets simgsm.air simgsm.abis
             simgsm.cells.capture     : simgsm.octets simgsm.air simgsm.cells.cipher
             simgsm.cells.tower       : simgsm.event simgsm.octets simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.cells.town simgsm.cells.cipher simgsm.cells.capture
-            simgsm.cells.mobile      : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower
+            simgsm.cells.mobile      : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.cipher simgsm.cells.tower
             simgsm.cells.network     : simgsm.octets simgsm.timer simgsm.air simgsm.rr simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile
             simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.town simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
             simgsm.cells.app         : simgsm.event simgsm.octets simgsm.air simgsm.rr simgsm.console simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
