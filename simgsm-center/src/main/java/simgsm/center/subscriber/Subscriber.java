@@ -3,6 +3,7 @@ package simgsm.center.subscriber;
 import java.util.Optional;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
+import simgsm.air.MobileIdentity;
 import simgsm.air.Msisdn;
 import simgsm.air.Tmsi;
 
@@ -57,6 +58,11 @@ public final class Subscriber {
         boolean isFirst = !entered;
         entered = true;
         return isFirst;
+    }
+
+    /** True for the IMSI, and for a TMSI as in {@link #answersTo}. */
+    public boolean isNamed(MobileIdentity identity) {
+        return identity instanceof Tmsi named ? answersTo(named) : imsi.equals(identity);
     }
 
     /** True for the TMSI, and for the previous one until the new one is confirmed. */

@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import simgsm.air.Imei;
 import simgsm.air.Imsi;
+import simgsm.air.MobileIdentity;
 import simgsm.air.Msisdn;
 import simgsm.air.Tmsi;
 
@@ -87,6 +88,13 @@ public final class SubscriberRegister {
 
     public Optional<Subscriber> ofTmsi(Tmsi tmsi) {
         return Optional.ofNullable(byTmsi.get(tmsi));
+    }
+
+    /** The entered subscriber of an IMSI or TMSI. */
+    public Optional<Subscriber> ofIdentity(MobileIdentity identity) {
+        return identity instanceof Tmsi tmsi
+                ? ofTmsi(tmsi)
+                : identity instanceof Imsi imsi ? home.numberOf(imsi).flatMap(this::ofNumber) : Optional.empty();
     }
 
     /** The subscriber of an IMSI, entered if new; empty if the network has none, or the register is full. */

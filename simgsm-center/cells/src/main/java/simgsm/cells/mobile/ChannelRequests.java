@@ -72,7 +72,7 @@ final class ChannelRequests implements AccessUser {
     void end() {
         if (tower != null) {
             timers.cancel(next);
-            tower.endAccess(this);
+            tower.accesses().end(this);
             tower = null;
             sent.clear();
         }
@@ -97,7 +97,7 @@ final class ChannelRequests implements AccessUser {
         }
         left--;
         int access = cause | (int) (network.random() * EstablishmentCause.randomValues(cause));
-        RequestReference reference = tower.requestChannel(access, delay, this);
+        RequestReference reference = tower.accesses().request(access, delay, this);
         sent.add(reference);
         if (sent.size() > REMEMBERED) {
             sent.remove();

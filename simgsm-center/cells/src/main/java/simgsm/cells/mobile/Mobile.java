@@ -229,8 +229,7 @@ public final class Mobile {
     public void paged(int tower, int group, int groups, MobileIdentity paged) {
         if (machine.state() == MobileRadioState.IDLE
                 && selection.serving() == tower
-                && identity.isInGroup(group, groups)
-                && identity.isOwn(paged)) {
+                && identity.isPaged(paged, group, groups)) {
             passed(PassingStep.Kind.PAGING, cell(), "", 0);
             send(new RslMessage.PagingCommand(paged));
         }
@@ -276,8 +275,7 @@ public final class Mobile {
     private void requestChannel() {
         int tower = selection.serving();
         if (tower == IdleSelection.NONE || !network.towers().get(tower).isInService()) {
-            boolean isNetworkGone = network.towers().stream().noneMatch(BaseStation::isInService);
-            if (isNetworkGone || !EstablishmentCause.waitsForCell(firstMessage)) {
+            if (!network.isInService() || !EstablishmentCause.waitsForCell(firstMessage)) {
                 machine.fire(MobileRadioEvent.ACCESS_FAILED);
             }
             // out of coverage a mobile that wants to register, or calls for help, waits for a cell, until its terminal

@@ -12,6 +12,11 @@ import simgsm.cells.town.TownPlace;
 public interface MobileNetwork {
     List<BaseStation> towers();
 
+    /** True if any tower is. */
+    default boolean isInService() {
+        return towers().stream().anyMatch(BaseStation::isInService);
+    }
+
     /** The name of a tower by its index; empty for {@link IdleSelection#NONE}. */
     default String nameOf(int tower) {
         return tower == IdleSelection.NONE ? "" : towers().get(tower).tower().name();

@@ -80,15 +80,16 @@ final class SubscriberIdentity {
         return Optional.empty();
     }
 
-    boolean isOwn(MobileIdentity identity) {
+    /** True if paging of this identity in this group reaches the mobile; any group does while its IMSI is unknown. */
+    boolean isPaged(MobileIdentity identity, int group, int groups) {
+        boolean isInGroup = imsi.isEmpty() || pagingGroup(imsi.get(), groups) == group;
+        return isInGroup && isOwn(identity);
+    }
+
+    private boolean isOwn(MobileIdentity identity) {
         return identity instanceof Imsi
                 ? imsi.isPresent() && imsi.get().equals(identity)
                 : tmsi.isPresent() && tmsi.get().equals(identity);
-    }
-
-    /** True if paging in this group reaches the mobile; any group does while its IMSI is unknown. */
-    boolean isInGroup(int group, int groups) {
-        return imsi.isEmpty() || pagingGroup(imsi.get(), groups) == group;
     }
 
     /** TS 45.002, 6.5.2, with one control channel. */

@@ -16,7 +16,6 @@ import simgsm.abis.RslType;
 import simgsm.abis.TowerIdentity;
 import simgsm.air.Cause;
 import simgsm.air.ChannelNumber;
-import simgsm.air.ChannelNumber.Kind;
 import simgsm.air.IdentityElements;
 import simgsm.air.MobileIdentity;
 import simgsm.air.ProtocolViolation;
@@ -40,8 +39,6 @@ import simgsm.timer.Timers;
         + " y=tower.place.yMetres:1 state= free=freeTrafficChannels")
 public final class BaseStation {
     private static final System.Logger LOG = System.getLogger(BaseStation.class.getName());
-    private static final ChannelNumber RACH = ChannelNumber.of(Kind.RACH, 0);
-
     private static final int VIOLATIONS_LOGGED = 3;
     private final Tower tower;
     private final int radioLinkTimeout;
@@ -51,7 +48,7 @@ public final class BaseStation {
     private final AirCapture capture;
     private final KeepAlive keepAlive;
     private final Map<ChannelNumber, TowerChannel> channels = new LinkedHashMap<>();
-    private final AccessGrants accesses = new AccessGrants();
+    private final AccessGrants accesses;
     private Optional<SystemInformation.Type3> cell = Optional.empty();
     private final Map<NeighbourList, List<Integer>> lists = new EnumMap<>(NeighbourList.class);
     private boolean isOn = true;
@@ -75,6 +72,7 @@ public final class BaseStation {
                 new AirCapture(tower.arfcn(), tower.bsic(), () -> FrameClock.frameAt(timers.nowNanos()), air.capture());
         this.radioLinkTimeout = radioLinkTimeout;
         this.timers = timers;
+        accesses = new AccessGrants(this, timers);
         this.listener = listener;
         keepAlive = new KeepAlive(timers, this::sendCcm, reason -> {
             if (port != null) {
@@ -289,7 +287,7 @@ public final class BaseStation {
             }
             case MEASUREMENT_PREPROCESSING_DEFAULTS, SACCH_INFORMATION_MODIFY, RF_RESOURCE_INDICATION -> {}
             case CHANNEL_ACTIVATION -> activate(message);
-            case IMMEDIATE_ASSIGN_COMMAND -> answerAccess(message.value(RslElement.FULL_IMMEDIATE_ASSIGN));
+            case IMMEDIATE_ASSIGN_COMMAND -> accesses.answer(message.value(RslElement.FULL_IMMEDIATE_ASSIGN));
             case PAGING_COMMAND -> page(message);
             case SMS_BROADCAST_COMMAND -> listener.broadcast(this, message.value(RslElement.BROADCAST_MESSAGE));
             default -> toChannel(message);
@@ -340,11 +338,6 @@ public final class BaseStation {
         return OctetString.of(new byte[] {(byte) (frame >> 8), (byte) frame});
     }
 
-    private void answerAccess(OctetString octets) throws ProtocolViolation {
-        capture.grant(octets);
-        accesses.answer(octets);
-    }
-
     private void page(RslPdu message) throws ProtocolViolation {
         int group = message.octet(RslElement.PAGING_GROUP);
         MobileIdentity identity = IdentityElements.read(message.reader(RslElement.MOBILE_IDENTITY));
@@ -382,29 +375,9 @@ public final class BaseStation {
         send(RslPdu.of(RslType.RF_CHANNEL_RELEASE_ACKNOWLEDGE, channel.number()));
     }
 
-    // The common channels.
-
-    /**
-     * Handles a CHANNEL REQUEST received in this frame.
-     *
-     * @param access its octet;
-     * @param delay of the burst, as timing advance
-     * @param user listens to the access grant channel from now on
-     */
-    public RequestReference requestChannel(int access, int delay, AccessUser user) {
-        RequestReference reference = RequestReference.at(access, FrameClock.frameAt(timers.nowNanos()));
-        capture.access(access);
-        if (accesses.add(user)) {
-            send(RslPdu.of(RslType.CHANNEL_REQUIRED, RACH)
-                    .with(RslElement.REQUEST_REFERENCE, reference.octets())
-                    .with(RslElement.ACCESS_DELAY, delay));
-        }
-        return reference;
-    }
-
-    /** Removes a mobile from the access grant channel. */
-    public void endAccess(AccessUser user) {
-        accesses.remove(user);
+    /** The common channels of the mobiles' accesses. */
+    public AccessGrants accesses() {
+        return accesses;
     }
 
     @Override

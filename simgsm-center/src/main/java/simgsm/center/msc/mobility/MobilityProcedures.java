@@ -7,12 +7,10 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.random.RandomGenerator;
 import simgsm.air.Imei;
-import simgsm.air.Imsi;
 import simgsm.air.MobileIdentity;
 import simgsm.air.MobilityManagement;
 import simgsm.air.RadioResource;
 import simgsm.air.RejectCause;
-import simgsm.air.Tmsi;
 import simgsm.center.msc.link.Link;
 import simgsm.center.msc.link.LinkUser;
 import simgsm.center.subscriber.Subscriber;
@@ -74,13 +72,7 @@ public final class MobilityProcedures implements LinkUser {
 
     /** The link of an attached subscriber, by IMSI or TMSI. */
     public Optional<Link> linkOf(MobileIdentity identity) {
-        Optional<Subscriber> subscriber = Optional.empty();
-        if (identity instanceof Tmsi tmsi) {
-            subscriber = register.ofTmsi(tmsi);
-        } else if (identity instanceof Imsi imsi) {
-            subscriber = register.home().numberOf(imsi).flatMap(register::ofNumber);
-        }
-        return subscriber.flatMap(this::locationOf);
+        return register.ofIdentity(identity).flatMap(this::locationOf);
     }
 
     /** The links of all attached subscribers. */
@@ -182,7 +174,7 @@ public final class MobilityProcedures implements LinkUser {
      * own.
      */
     private Optional<Link> namedBy(Link link, MobileIdentity identity) {
-        if (isSubscriberOf(link, identity)) {
+        if (link.hasSubscriber() && link.subscriber().isNamed(identity)) {
             return Optional.of(link);
         }
         boolean isUnproved = link.access().isShared() && !link.hasSubscriber();
@@ -340,13 +332,6 @@ public final class MobilityProcedures implements LinkUser {
             authenticationOf(link).cancel();
         }
         link.radio().takeService();
-    }
-
-    private static boolean isSubscriberOf(Link link, MobileIdentity identity) {
-        return link.hasSubscriber()
-                && (identity instanceof Tmsi tmsi
-                        ? link.subscriber().answersTo(tmsi)
-                        : link.subscriber().imsi().equals(identity));
     }
 
     /**
