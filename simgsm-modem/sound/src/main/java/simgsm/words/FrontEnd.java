@@ -22,6 +22,11 @@ public final class FrontEnd {
         this.frames = frames;
     }
 
+    /** The mel band around a frequency; fractions are between the centres of two. */
+    public static double band(double hertz) {
+        return (MelSpectrum.mel(hertz) - MelSpectrum.mel(MelSpectrum.LOWEST_HERTZ)) / MelSpectrum.STEP - 1;
+    }
+
     public void accept(short[] samples) {
         for (short sample : samples) {
             output = sample - input + OFFSET_POLE * output;

@@ -12,9 +12,12 @@ final class MelSpectrum {
 
     private static final int SIZE = 256;
     private static final double PRE_EMPHASIS = 0.97;
-    private static final double LOWEST_HERTZ = 64;
+    static final double LOWEST_HERTZ = 64;
     private static final double HIGHEST_HERTZ = 4000;
     private static final double[] WINDOW = new double[FRAME];
+    /** Mel from the centre of a band to that of the next. */
+    static final double STEP = (mel(HIGHEST_HERTZ) - mel(LOWEST_HERTZ)) / (BANDS + 1);
+
     /** Bins at the centres of the bands, with the edges of the first and the last. */
     private static final int[] CENTERS = new int[BANDS + 2];
 
@@ -29,10 +32,8 @@ final class MelSpectrum {
             COSINE[i] = Math.cos(2 * Math.PI * i / SIZE);
             SINE[i] = -Math.sin(2 * Math.PI * i / SIZE);
         }
-        double lowest = mel(LOWEST_HERTZ);
-        double step = (mel(HIGHEST_HERTZ) - lowest) / (BANDS + 1);
         for (int i = 0; i < CENTERS.length; i++) {
-            CENTERS[i] = (int) Math.round(hertz(lowest + step * i) / 8000 * SIZE);
+            CENTERS[i] = (int) Math.round(hertz(mel(LOWEST_HERTZ) + STEP * i) / 8000 * SIZE);
         }
     }
 

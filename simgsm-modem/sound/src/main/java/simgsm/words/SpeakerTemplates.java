@@ -11,6 +11,9 @@ import simgsm.words.WordComparison.WordDistance;
 
 /** A speaker's own words, each enrolled several times, and the comparison of a heard one with them. Owned by one thread. */
 public final class SpeakerTemplates {
+    /** Templates of a word; a further one takes the place of the oldest. */
+    public static final int MOST = 4;
+
     private static final int NEAREST = 2;
 
     private final Map<String, List<SpokenWord>> templates = new LinkedHashMap<>();
@@ -19,7 +22,11 @@ public final class SpeakerTemplates {
     public SpeakerTemplates() {}
 
     public void add(String word, SpokenWord template) {
-        templates.computeIfAbsent(word, key -> new ArrayList<>()).add(template);
+        List<SpokenWord> own = templates.computeIfAbsent(word, key -> new ArrayList<>());
+        if (own.size() == MOST) {
+            own.remove(0);
+        }
+        own.add(template);
     }
 
     /** The number of a word's templates. */
@@ -43,7 +50,8 @@ public final class SpeakerTemplates {
         WordDistance best = found.get(0);
         WordDistance second = found.size() > 1 ? found.get(1) : new WordDistance("", Double.POSITIVE_INFINITY);
         boolean fits = templates.get(best.word()).stream().anyMatch(each -> TimeWarping.fits(heard, each));
-        return Optional.of(new HeardWord(best.word(), second.word(), fits ? best.distance() / second.distance() : 1));
+        double ratio = fits ? best.distance() / second.distance() : 1;
+        return Optional.of(new HeardWord(best.word(), second.word(), ratio, fits));
     }
 
     /** As {@link #hear}, with what leads to the result. @param frames of the word, as {@link WordCutter} cuts it */

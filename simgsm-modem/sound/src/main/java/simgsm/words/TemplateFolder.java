@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -48,12 +49,27 @@ public final class TemplateFolder {
         }
     }
 
-    /** Adds a template; a missing folder is created. @param word letters, digits and hyphens */
-    public void add(String word, int number, SpokenWord template) throws IOException {
+    /**
+     * Adds a template; a missing folder is created.
+     *
+     * @param word letters, digits and hyphens
+     * @param number from 1; over {@link SpeakerTemplates#MOST} the word's first template is deleted
+     * @return the number in the folder
+     */
+    public int add(String word, int number, SpokenWord template) throws IOException {
         Files.createDirectories(folder);
-        Path file = folder.resolve(word + "." + number + ENDING);
-        try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(Files.newOutputStream(file)))) {
+        for (int i = 1; number > SpeakerTemplates.MOST && i < SpeakerTemplates.MOST; i++) {
+            Files.move(file(word, i + 1), file(word, i), StandardCopyOption.REPLACE_EXISTING);
+        }
+        int kept = Math.min(number, SpeakerTemplates.MOST);
+        try (DataOutputStream out =
+                new DataOutputStream(new BufferedOutputStream(Files.newOutputStream(file(word, kept))))) {
             template.write(out);
         }
+        return kept;
+    }
+
+    private Path file(String word, int number) {
+        return folder.resolve(word + "." + number + ENDING);
     }
 }

@@ -187,6 +187,23 @@ class SpokenWordTest {
         return SpokenWord.of(made.subList(0, frames));
     }
 
+    @ParameterizedTest
+    @ValueSource(ints = {300, 1000, 3000})
+    void aToneIsLoudestInTheBandOfItsFrequency(int hertz) {
+        List<SpeechFrame> made = new ArrayList<>();
+        short[] tone = new short[400];
+        for (int i = 0; i < tone.length; i++) {
+            tone[i] = (short) (8000 * Math.sin(2 * Math.PI * hertz * i / 8000));
+        }
+        new FrontEnd(made::add).accept(tone);
+        float[] bands = made.get(1).bands();
+        int loudest = 0;
+        for (int band = 1; band < bands.length; band++) {
+            loudest = bands[band] > bands[loudest] ? band : loudest;
+        }
+        assertEquals(FrontEnd.band(hertz), loudest, 0.7);
+    }
+
     /** Once, a long noise was taken for the only word that was as long. */
     @Test
     void aWordThatOnlyOneTemplateIsLongEnoughForIsNotSure() {
@@ -201,7 +218,8 @@ class SpokenWordTest {
     void aWordOfAnotherLengthThanTheNearestIsRefusedWithTheRatioOne() {
         SpeakerTemplates templates = new SpeakerTemplates();
         templates.add("short", noise(30, 2));
-        assertEquals(
-                1, templates.hear(noise(90, 3), templates.words()).orElseThrow().ratio());
+        HeardWord heard = templates.hear(noise(90, 3), templates.words()).orElseThrow();
+        assertEquals(new HeardWord("short", "", 1, false), heard);
+        assertFalse(heard.isSure());
     }
 }

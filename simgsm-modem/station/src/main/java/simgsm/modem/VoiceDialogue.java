@@ -22,9 +22,6 @@ import simgsm.words.WordCutter;
  * first. Any other key closes it. It hears nothing while the modem speaks. A core; its time is the caller's speech.
  */
 final class VoiceDialogue {
-    /** Templates of each word. */
-    static final int ENROLMENTS = 4;
-
     /** Silence after which a command with a number is complete, 1.5 s. */
     private static final int COMPLETE_SAMPLES = 12_000;
     /** Silence after which a question is repeated, 5 s. */
@@ -220,7 +217,7 @@ final class VoiceDialogue {
 
     /** Two rounds of two templates a word. */
     private Optional<VoiceWord> nextToEnrol() {
-        for (int wanted : new int[] {ENROLMENTS / 2, ENROLMENTS}) {
+        for (int wanted : new int[] {SpeakerTemplates.MOST / 2, SpeakerTemplates.MOST}) {
             Optional<VoiceWord> next = Arrays.stream(VoiceWord.values())
                     .filter(word -> templates.count(word.template()) < wanted)
                     .findFirst();

@@ -99,7 +99,7 @@ class VoiceDialogueTest {
     @Test
     void aNewCallerSaysEachWordFourTimesInTwoRounds() {
         enrol();
-        assertEquals(17 * VoiceDialogue.ENROLMENTS, store.added.size());
+        assertEquals(17 * SpeakerTemplates.MOST, store.added.size());
         assertEquals("5550100 forward 1", store.added.get(0));
         assertEquals("5550100 forward 3", store.added.get(34));
         assertEquals("5550100 nine 4", store.added.get(67));

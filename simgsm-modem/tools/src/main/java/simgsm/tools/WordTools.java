@@ -45,9 +45,9 @@ final class WordTools {
         TemplateFolder folder = folder(arguments);
         SpeakerTemplates known = folder.read();
         return run(rest.subList(1, rest.size()), out, err, heard -> {
+            int number = folder.add(word, known.count(word) + 1, heard);
             known.add(word, heard);
-            folder.add(word, known.count(word), heard);
-            return word + "\t" + known.count(word);
+            return word + "\t" + number;
         });
     }
 

@@ -1,5 +1,6 @@
 package simgsm.tools;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -15,6 +16,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -62,6 +64,27 @@ class WordToolsTest {
         assertEquals(meters + "\t-\t0.955\n", run("hear", "--templates", templates, meters));
         assertEquals(meters + "\tyes\t0.955\n", run("hear", "--limit", "1", "--templates", templates, meters));
         assertEquals(0, status);
+    }
+
+    @Test
+    void theFifthTemplateOfAWordTakesThePlaceOfItsOldest() throws IOException {
+        Path templates = folder.resolve("anna");
+        List<String> line = new ArrayList<>(List.of("enrol", "--templates", templates.toString(), "yes"));
+        for (String spoken : List.of("yes", "seven", "no", "forward", "three")) {
+            line.add(word(spoken).toString());
+        }
+        String[] numbers = run(line.subList(0, 8).toArray(String[]::new)).split("\n");
+        assertTrue(numbers[3].endsWith("\tyes\t4"), numbers[3]);
+        byte[] second = Files.readAllBytes(templates.resolve("yes.2.word"));
+        byte[] fourth = Files.readAllBytes(templates.resolve("yes.4.word"));
+        String three = run("enrol", "--templates", templates.toString(), "yes", line.get(8));
+        assertEquals(line.get(8) + "\tyes\t4\n", three);
+        assertArrayEquals(second, Files.readAllBytes(templates.resolve("yes.1.word")));
+        assertArrayEquals(fourth, Files.readAllBytes(templates.resolve("yes.3.word")));
+        try (Stream<Path> kept = Files.list(templates)) {
+            assertEquals(4, kept.count());
+        }
+        assertTrue(run("hear", "--templates", templates.toString(), line.get(8)).endsWith("\tyes\t0.000\n"));
     }
 
     @Test

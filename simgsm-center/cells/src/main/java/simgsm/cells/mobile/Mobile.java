@@ -347,7 +347,7 @@ public final class Mobile {
             selection.camp(serving(), timers.nowNanos());
         }
         channel = null;
-        link.ended();
+        link.cipher(CipherKey.NONE);
         speech.callEnded();
         granted = null;
         firstMessage = null;

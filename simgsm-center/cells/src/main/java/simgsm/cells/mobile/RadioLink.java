@@ -87,11 +87,6 @@ public final class RadioLink {
         return mobile.channel().map(channel -> channel.reads(key)).orElse(true);
     }
 
-    /** Forgets the key with the last channel. */
-    void ended() {
-        key = CipherKey.NONE;
-    }
-
     /** Restarts the count of blocks on another channel (TS 45.008, 5.2). */
     void moved(BaseStation tower) {
         int timeout = tower.cell().map(cell -> cell.radioLinkTimeout()).orElse(STANDARD_TIMEOUT);

@@ -12,6 +12,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.Drawing;
 import simgsm.ui.Theme;
+import simgsm.words.FrontEnd;
 import simgsm.words.HeardWord;
 import simgsm.words.SpeechFrame;
 import simgsm.words.WordComparison;
@@ -27,6 +28,13 @@ final class WordPainter {
     private static final double ROW_UNITS = 15;
     private static final double NAME_UNITS = 66;
     private static final double LABEL_POINTS = 9.5;
+    /** Room for the frequencies at the left, and for the time below. */
+    private static final double FREQUENCY_UNITS = 42;
+
+    private static final double TIME_UNITS = 14;
+    private static final double TICK_UNITS = 3;
+    private static final int[] HERTZ = {250, 500, 1000, 2000, 3000};
+    private static final double MILLIS_PER_FRAME = FrontEnd.SHIFT / 8.0;
     /** Part of the width with the bands. */
     private static final double BANDS = 0.55;
     /** Quieter bands are blank, in nepers below the loudest. */
@@ -43,15 +51,47 @@ final class WordPainter {
         if (word.isEmpty()) {
             return;
         }
-        Rectangle2D area = new Rectangle2D.Double(0, 0, Math.rint(width * BANDS), Math.rint(height));
+        double gutter = Theme.px(FREQUENCY_UNITS);
+        Rectangle2D area = new Rectangle2D.Double(
+                gutter, 0, Math.rint(width * BANDS) - gutter, Math.rint(height - Theme.exact(TIME_UNITS)));
         BufferedImage bands = bands(word.get().frames(), Theme.color(Ink.CARD), Theme.color(Ink.ACCENT));
-        g.drawImage(bands, 0, 0, (int) area.getWidth(), (int) area.getHeight(), null);
+        g.drawImage(bands, (int) gutter, 0, (int) area.getWidth(), (int) area.getHeight(), null);
         g.setColor(Theme.color(Ink.CONTROL_LINE));
         g.setStroke(Theme.hairline());
         g.draw(area);
+        paintFrequencies(g, bands.getHeight(), area);
+        paintTime(g, bands.getWidth() * MILLIS_PER_FRAME, area);
         paintPath(g, word.get().path(), area);
-        double left = area.getWidth() + Theme.exact(Theme.GRID);
+        double left = area.getMaxX() + Theme.exact(Theme.GRID);
         paintDistances(g, word.get(), left, width - left, height);
+    }
+
+    private static void paintFrequencies(Graphics2D g, int bands, Rectangle2D area) {
+        var font = Theme.mono(LABEL_POINTS, false);
+        g.setFont(font);
+        g.setColor(Theme.color(Ink.QUIET));
+        double tick = area.getX() - Theme.exact(TICK_UNITS);
+        for (int hertz : HERTZ) {
+            double y = area.getMaxY() - area.getHeight() * (FrontEnd.band(hertz) + 0.5) / bands;
+            Drawing.horizontal(g, tick, area.getX(), y);
+            String text = hertz < 1000 ? hertz + " Hz" : hertz / 1000 + " kHz";
+            Drawing.rightAligned(g, text, tick - Theme.exact(2), y + Drawing.capHeight(g, font) / 2);
+        }
+    }
+
+    /** Time from the beginning of the word, every 100, 200 ... ms as labels have room. */
+    private static void paintTime(Graphics2D g, double millis, Rectangle2D area) {
+        var font = Theme.mono(LABEL_POINTS, false);
+        double room = Drawing.width(font, "1000 ms ");
+        int step = 100;
+        while (step * area.getWidth() / millis < room) {
+            step *= 2;
+        }
+        for (int at = 0; at <= millis; at += step) {
+            double x = area.getX() + area.getWidth() * at / millis;
+            Drawing.vertical(g, x, area.getMaxY(), area.getMaxY() + Theme.exact(TICK_UNITS));
+            Drawing.centred(g, at + " ms", font, x, area.getMaxY() + Theme.exact(TIME_UNITS - LABEL_POINTS / 2));
+        }
     }
 
     private static BufferedImage bands(List<SpeechFrame> frames, Color quiet, Color loud) {
@@ -76,7 +116,7 @@ final class WordPainter {
     private static void paintPath(Graphics2D g, List<Double> path, Rectangle2D area) {
         Path2D line = new Path2D.Double();
         for (int i = 0; i < path.size(); i++) {
-            double x = area.getWidth() * (i + 0.5) / path.size();
+            double x = area.getX() + area.getWidth() * (i + 0.5) / path.size();
             double y = area.getHeight() * (1 - path.get(i));
             if (i == 0) {
                 line.moveTo(x, y);
@@ -96,7 +136,7 @@ final class WordPainter {
         double row = Theme.exact(ROW_UNITS);
         int most = Math.max(2, Math.min(MOST_WORDS, (int) (height / row)));
         List<WordDistance> shown = word.distances().stream().limit(most).toList();
-        double name = Math.min(Theme.exact(NAME_UNITS), width * 0.45);
+        double name = Math.min(Theme.exact(NAME_UNITS), width * 0.5);
         double longest = shown.get(shown.size() - 1).distance();
         double scale = (width - name) / longest;
         for (int i = 0; i < shown.size(); i++) {
@@ -130,13 +170,19 @@ final class WordPainter {
         }
         HeardWord heard = word.get().result();
         List<WordDistance> distances = word.get().distances();
-        if (distances.size() == 1) {
+        if (distances.size() == 1 && heard.hasItsLength()) {
             return texts.of(
                     "scope.word.alone",
                     name(heard.word()),
                     number("%.1f", distances.get(0).distance()));
         }
-        String reason = heard.isSure() ? "sure" : heard.ratio() == 1 ? "length" : "refused";
+        if (!heard.hasItsLength()) {
+            return texts.of(
+                    "scope.word.length",
+                    name(heard.word()),
+                    number("%.1f", distances.get(0).distance()));
+        }
+        String reason = heard.isSure() ? "sure" : "refused";
         return texts.of(
                 "scope.word." + reason,
                 name(heard.word()),

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
@@ -44,7 +45,7 @@ class WordScopeTest {
                 .toList();
         return new WordComparison(
                 frames,
-                new HeardWord("two", "zero", distance < 20 ? 1 : distance / 50),
+                new HeardWord("two", "zero", distance < 20 ? 1 : distance / 50, distance >= 20),
                 List.of(new WordDistance("two", distance), new WordDistance("zero", 50), new WordDistance("yes", 80)),
                 IntStream.range(0, 40).mapToObj(i -> i / 39.0).toList());
     }
@@ -75,7 +76,7 @@ class WordScopeTest {
             value = {
                 "en | 40 | Tone scope: two 40.0, zero 50.0; ratio 0.80 < 0.92: taken",
                 "en | 48 | Tone scope: two 48.0, zero 50.0; ratio 0.96 > 0.92: refused",
-                "en | 10 | Tone scope: two 10.0, zero 50.0; over 2.2 times as long or short: refused",
+                "en | 10 | Tone scope: two 10.0; over 2.2 times as long or short: refused",
                 "es | 48 | Osciloscopio de tonos: dos 48.0, cero 50.0; cociente 0.96 > 0.92: rechazada"
             })
     void theReasonIsSaidInWordsWithDistancesAndLimit(String language, double distance, String spoken) {
@@ -83,11 +84,36 @@ class WordScopeTest {
         assertEquals(spoken, picture(panel).getAccessibleContext().getAccessibleName());
     }
 
+    /** Once said to be taken. */
+    @Test
+    void theOnlyWordAllowedIsRefusedIfItHasAnotherLength() {
+        WordComparison compared = two(10);
+        WordComparison alone = new WordComparison(
+                compared.frames(),
+                new HeardWord("two", "", 1, false),
+                compared.distances().subList(0, 1),
+                compared.path());
+        assertEquals(
+                "Tone scope: two 10.0; over 2.2 times as long or short: refused",
+                picture(showing("en", alone)).getAccessibleContext().getAccessibleName());
+    }
+
     @Test
     void aRefusedWordHasItsBarAndThePathInTheColourOfWarningsAndATakenOneThePathOnly() {
         int taken = Painted.count(Painted.at(picture(showing("en", two(40))), 1), Ink.WARNING);
         int refused = Painted.count(Painted.at(picture(showing("en", two(48))), 1), Ink.WARNING);
         assertTrue(taken > 20 && refused > taken + 200, taken + " and " + refused);
+    }
+
+    @Test
+    void frequenciesAreNamedAtTheLeftAndTimeBelow() {
+        BufferedImage image = Painted.at(picture(showing("en", two(40))), 1);
+        BufferedImage left = image.getSubimage(0, 0, 36, image.getHeight() - 36);
+        BufferedImage below = image.getSubimage(46, image.getHeight() - 30, 90, 8);
+        for (BufferedImage labels : List.of(left, below)) {
+            int blank = Painted.count(labels, Ink.CARD);
+            assertTrue(labels.getWidth() * labels.getHeight() - blank > 100, "blank: " + blank);
+        }
     }
 
     @Test
