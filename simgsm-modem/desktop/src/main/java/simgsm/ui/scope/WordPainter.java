@@ -170,25 +170,15 @@ final class WordPainter {
         }
         HeardWord heard = word.get().result();
         List<WordDistance> distances = word.get().distances();
-        if (distances.size() == 1 && heard.hasItsLength()) {
-            return texts.of(
-                    "scope.word.alone",
-                    name(heard.word()),
-                    number("%.1f", distances.get(0).distance()));
-        }
-        if (!heard.hasItsLength()) {
-            return texts.of(
-                    "scope.word.length",
-                    name(heard.word()),
-                    number("%.1f", distances.get(0).distance()));
-        }
-        String reason = heard.isSure() ? "sure" : "refused";
+        boolean isAlone = distances.size() == 1;
+        WordDistance second = distances.get(isAlone ? 0 : 1);
+        String decision = isAlone ? "alone" : heard.isSure() ? "sure" : "refused";
         return texts.of(
-                "scope.word." + reason,
+                "scope.word." + (heard.hasItsLength() ? decision : "length"),
                 name(heard.word()),
                 number("%.1f", distances.get(0).distance()),
-                name(heard.second()),
-                number("%.1f", distances.get(1).distance()),
+                name(second.word()),
+                number("%.1f", second.distance()),
                 number("%.2f", heard.ratio()),
                 number("%.2f", HeardWord.MOST_RATIO));
     }
