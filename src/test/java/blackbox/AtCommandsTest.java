@@ -616,6 +616,32 @@ class AtCommandsTest {
         assertEquals("", modem.heard());
     }
 
+    /** TS 27.007, 7.17: +CSSI about a client's own call, +CSSU about what others have done. */
+    @Test
+    void forwardingAndHoldAreReportedToAClientThatAsksForIt() {
+        VirtualModem other = suite.modem(OTHER).connect();
+        VirtualPhone phone = suite.phone("5550100");
+        other.say("AT+CSSN=0,1");
+        modem.say("AT+CSSN=1,0");
+        modem.say("AT+CCFC=0,3,\"" + OTHER + "\",129");
+        assertEquals("OK|+CSSI: 0", modem.say("ATD5550100;"));
+        modem.say("ATH");
+        suite.seconds(1);
+
+        phone.dial("5550300");
+        suite.seconds(0.2);
+        assertEquals("RING|+CSSU: 0", VirtualModem.lines(other.heard()));
+        other.say("ATA");
+        suite.seconds(0.2);
+        phone.station().hold();
+        suite.seconds(0.2);
+        assertEquals("+CSSU: 2", VirtualModem.lines(other.heard()));
+        phone.station().hold();
+        suite.seconds(0.2);
+        assertEquals("+CSSU: 3", VirtualModem.lines(other.heard()));
+        assertEquals("", modem.heard());
+    }
+
     @Test
     void theCodesThatShowAndHideTheOwnNumberPrecedeACall() {
         VirtualModem other = suite.modem(OTHER).connect();

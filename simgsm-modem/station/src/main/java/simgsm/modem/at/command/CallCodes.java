@@ -2,6 +2,7 @@ package simgsm.modem.at.command;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
@@ -16,7 +17,7 @@ import simgsm.station.context.StationEvent;
 import simgsm.timer.Timer;
 
 /**
- * The terminal's call as seen by clients, and its unsolicited codes: RING, +CLIP, +CCWA, NO CARRIER and the like.
+ * The terminal's call as seen by clients, and its unsolicited codes: RING, +CLIP, +CCWA, +CSSI, NO CARRIER and the like.
  */
 final class CallCodes {
     /** Interval of RING. */
@@ -27,6 +28,15 @@ final class CallCodes {
 
     /** Voice, in +CLCC and +CCWA. */
     private static final int VOICE = 1;
+
+    /** Notifications of supplementary services, by +CSSN (TS 27.007, 7.17). */
+    private static final Map<Class<? extends StationEvent.OfCall>, String> SERVICE_CODES = Map.of(
+            StationEvent.ForwardingActive.class, "+CSSI: 0",
+            StationEvent.CallForwarded.class, "+CSSI: 2",
+            StationEvent.ForwardedBy.class, "+CSSU: 0",
+            StationEvent.HeldByPeer.class, "+CSSU: 2",
+            StationEvent.RetrievedByPeer.class, "+CSSU: 3",
+            StationEvent.IncomingCallForwarded.class, "+CSSU: 10");
 
     private record HeldParty(String number, boolean isIncoming) {}
 
@@ -172,6 +182,7 @@ final class CallCodes {
     // ---- events -------------------------------------------------------------------------------------------------
 
     void accept(StationEvent.OfCall event) {
+        Optional.ofNullable(SERVICE_CODES.get(event.getClass())).ifPresent(this::reportService);
         if (event instanceof StationEvent.Calling calling) {
             begin(false, calling.number().toString());
             modem.books().dialled(number);
@@ -354,6 +365,11 @@ final class CallCodes {
         reportTo(
                 client -> client.settings().showsWaiting,
                 "+CCWA: \"" + caller + "\"," + AddressType.of(caller) + "," + VOICE);
+    }
+
+    private void reportService(String code) {
+        String wished = code.startsWith("+CSSI") ? "1,." : ".,1";
+        reportTo(client -> KeptSettings.kept(client, "+CSSN").matches(wished), code);
     }
 
     private void reportProgress(String line) {
