@@ -52,7 +52,7 @@ public sealed interface MobileEvent {
     @EventLine("cipher number=mobile.number algorithm=algorithm.title")
     record Ciphered(Mobile mobile, CipherAlgorithm algorithm) implements MobileEvent {}
 
-    /** The card has another key than the network, so that the tower cannot read the mobile, and its channel ends. */
+    /** The tower cannot read the mobile, whose card has another key; the channel will fail. */
     @EventLine("cipher-mismatch number=mobile.number algorithm=algorithm.title")
     record CipherMismatched(Mobile mobile, CipherAlgorithm algorithm) implements MobileEvent {}
 
