@@ -73,6 +73,20 @@ final class OsmocomSession extends Scenario {
         assertTrue(last.matches("readable ([1-9][0-9]+) of \\1 without-key 0"), last);
         assertTrue(deciphered.contains(" " + a5 + " "), deciphered);
         tell("libosmogsm and libosmocoding: of the ciphered blocks of SDCCH and SACCH are " + last);
+        cannotCipherWithAnotherKey();
+    }
+
+    /** COMP128 version 3 in place of 2: SRES is the same, Kc is not. */
+    private void cannotCipherWithAnotherKey() throws IOException, InterruptedException {
+        String cards = Files.readString(capture.resolveSibling("sims.txt")).replace("comp128v2", "comp128v3");
+        openCells("cells again", world("village.town"));
+        RunningProgram phone = locked("5550101", Files.writeString(capture.resolveSibling("other-key.sim"), cards));
+        cells.expect("cipher-mismatch", "number", "5550101", "algorithm", algorithm);
+        cells.expect("radio-link-failure", "number", "5550101");
+        assertTrue(!phone.expect("unregistered").fields().containsKey("cause"), "no reject reaches the phone");
+        phone.quit();
+        cells.quit();
+        tell("a card with another Kc is not registered");
     }
 
     /** Wireshark names all that is in the clear, and finds nothing that is sent after ciphering. */

@@ -58,6 +58,7 @@ class OsmocomTest {
         Peer.PYTHON.require();
         Files.writeString(folder.resolve("sims.txt"), """
                 sim number=5550100 imsi=001010005550100 k=465b5ce8b199b49faa5f0a2ee238a6bc opc=cd63cb71954a9f4e48a5994e37a02baf
+                sim number=5550101 imsi=001010005550101 k=465b5ce8b199b49faa5f0a2ee238a6bc algorithm=comp128v2
                 sim number=5550200 imsi=001010005550200 k=fec86ba6eb707ed08905757b1bb44b8f opc=1006020f0a478bf6b699f15c062e42b3
                 """);
         Path town = Dist.root().resolve("worlds").resolve("village.town");
@@ -66,10 +67,11 @@ class OsmocomTest {
                 folder,
                 a5,
                 town,
-                "5550100,5550200",
+                "5550100,5550101,5550200",
                 Map.of("OSMOCOM_SIMS", sims, "OSMOCOM_A5", a5.equals("a5/3") ? "0 1 3" : "0 1"));
         assertTrue(told.contains("handed over in the middle of an order"), told);
         assertTrue(told.contains("without-key 0"), told);
+        assertTrue(told.contains("a card with another Kc is not registered"), told);
     }
 
     @Test
