@@ -8,6 +8,9 @@ import java.util.Locale;
  * the line have been performed then.
  */
 final class AtLineParser {
+    /** Signs before AT are passed over (V.250, 5.2.1), as the +++ of a client that does not know the modem's mode. */
+    static final String BEFORE_PREFIX = "^[^A-Za-z0-9]+(?=[Aa][Tt])";
+
     private static final String EXTENDED = "+*^$#%";
     private static final String NAME_SIGNS = "!%-./:_";
 

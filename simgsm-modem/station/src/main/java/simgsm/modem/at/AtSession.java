@@ -19,9 +19,6 @@ public final class AtSession<C> {
     /** A longer line is answered with ERROR. */
     static final int MAX_LINE = 2_048;
     /** Replaces a too long line; its repetition is an error, too. */
-    /** Signs before AT are passed over (V.250, 5.2.1), as the +++ of a client that does not know the modem's mode. */
-    private static final String BEFORE_PREFIX = "^[^A-Za-z0-9]+(?=[Aa][Tt])";
-
     private static final String TOO_LONG = "too long";
     /** Longer than any message; a longer text is cut here, and then refused by the command. */
     static final int MAX_TEXT = 4_096;
@@ -186,7 +183,7 @@ public final class AtSession<C> {
     }
 
     private void perform(String complete) {
-        String commands = complete.strip().replaceFirst(BEFORE_PREFIX, "");
+        String commands = complete.strip().replaceFirst(AtLineParser.BEFORE_PREFIX, "");
         boolean wasTooLong = isTooLong;
         isTooLong = false;
         if (commands.isEmpty()) {
