@@ -107,7 +107,7 @@ class MailTest {
                 "--mail-number 6245|mail needs --smpp, --mail-number and --mail-domain; --smpp is missing",
                 "--smpp h:1 --mail-number 6245 --mail-domain d|mail needs --mail-to, --mail-in or both",
                 "--smpp h:1 --mail-number x --mail-domain d --mail-in 0|\"x\" is not a telephone number",
-                "--smpp h:1 --mail-number 12345678 --mail-domain d --mail-in 0|expected at most 7 digits",
+                "--smpp h:1 --mail-number 123456789012 --mail-domain d --mail-in 0|expected at most 11 digits",
                 "--smpp h:1 --mail-number 1 --mail-domain -d --mail-in 0|expected a domain such as sms.example",
                 "--smpp h:1 --smpp-user x --mail-number 1 --mail-domain d --mail-in 0|expected ID:PASSWORD",
             })

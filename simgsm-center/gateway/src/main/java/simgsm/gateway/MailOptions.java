@@ -48,7 +48,7 @@ record MailOptions(SmppOptions smpp, MailSettings settings, Optional<InetSocketA
         Msisdn number = new Msisdn(text);
         if (text.length() > MailSettings.MOST_DIGITS) {
             throw new IllegalArgumentException("expected at most " + MailSettings.MOST_DIGITS
-                    + " digits, as each mail has a number of 8 more, found " + text);
+                    + " digits, as each mail has a number of 4 to 8 more, found " + text);
         }
         return number;
     }

@@ -12,5 +12,5 @@ import simgsm.gateway.esme.BindSettings;
  */
 public record MailSettings(BindSettings bind, String domain, boolean mails) {
     /** Digits of the application's number; the numbers of mails begin with it. */
-    public static final int MOST_DIGITS = Msisdn.MAX_DIGITS - Correspondences.MAIL_DIGITS;
+    public static final int MOST_DIGITS = Msisdn.MAX_DIGITS - Correspondences.LEAST_DIGITS;
 }
