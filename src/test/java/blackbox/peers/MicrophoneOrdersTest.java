@@ -109,7 +109,7 @@ class MicrophoneOrdersTest {
             phone.say("press ** #*0 **");
             phone.expect("words");
             phone.say("press *#");
-            phone.expect("words", "text", "Say");
+            phone.expect("words", "text", "Say forward turn stop or status");
             speak("forward", "two", "zero");
             for (String word : List.of("forward", "two", "zero")) {
                 assertEquals(word, robot.expect("heard", "verdict", "sure").field("word"));
