@@ -114,6 +114,8 @@ class GatewayTest {
         Map<String, Object> welcome = phone.expect("welcome");
         phone.expect("registered");
         String number = welcome.get("number").toString();
+        assertEquals(String.valueOf(Long.parseLong(number) - 5550110), welcome.get("place"));
+        assertEquals("50", welcome.get("places"));
         RunningProgram other = scenario.phone("5550101");
         other.say("sms " + number + " before").expect("sms-sent");
         phone.expect("sms");

@@ -39,6 +39,10 @@ final class WebUser {
     private record Received(String from, String text, long millis) {}
 
     private final String token;
+    /** Of the number in the range of numbers. */
+    private final int place;
+
+    private final int places;
     private final PageWords texts;
     private final SpeechBuffer speech = new SpeechBuffer();
     private final SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
@@ -59,8 +63,14 @@ final class WebUser {
     private int unacknowledged;
     private boolean isLeaving;
 
-    WebUser(StationIdentity identity, String token, PageWords texts) {
+    /**
+     * @param place of the number in the range of numbers, 0 for the first
+     * @param places numbers in the range; with as many robots, each number has its own
+     */
+    WebUser(StationIdentity identity, String token, int place, int places, PageWords texts) {
         this.token = token;
+        this.place = place;
+        this.places = places;
         this.texts = texts;
         station = new MobileStation(identity, Sim.WITHOUT_KEY, StationOptions.STANDARD, speech, this::accept);
     }
@@ -137,7 +147,11 @@ final class WebUser {
             older.get().close(CloseCode.OPENED_ELSEWHERE, "opened elsewhere");
         }
         from = socket.peer().getHostAddress();
-        tell(Event.of("welcome").with("number", number()).with("token", token));
+        tell(Event.of("welcome")
+                .with("number", number())
+                .with("token", token)
+                .with("place", place)
+                .with("places", places));
         tellMessages();
         if (station.snapshot().registered()) {
             tell(Event.of("registered").with("number", number()));

@@ -88,14 +88,15 @@ final class WebUsers {
     private Optional<WebUser> newUser() {
         // numbers returned first are assigned last, because messages to the last user may still arrive
         for (int i = 0; i < most(); i++) {
-            long number = settings.firstNumber() + (given + i) % most();
+            int place = (given + i) % most();
+            long number = settings.firstNumber() + place;
             if (!byNumber.containsKey(number)) {
-                given = (int) (number - settings.firstNumber()) + 1;
+                given = place + 1;
                 byte[] token = new byte[TOKEN_OCTETS];
                 random.nextBytes(token);
                 StationIdentity identity =
                         StationIdentity.ofOpenNumber(new Msisdn(Long.toString(number)), Imei.random(random), UNIT_NAME);
-                WebUser user = new WebUser(identity, HexFormat.of().formatHex(token), texts);
+                WebUser user = new WebUser(identity, HexFormat.of().formatHex(token), place, most(), texts);
                 byNumber.put(number, user);
                 thread.add(user.station(), settings.center());
                 return Optional.of(user);

@@ -210,7 +210,10 @@ public final class SipServer {
         SipDigest.DigestResult result = digest.check(message, password, now);
         if (result == SipDigest.DigestResult.WRONG) {
             guesses.count(host, now);
-            listener.refused(request.peer().toString(), 401, "wrong password of " + number);
+            String what = passwords.containsKey(number)
+                    ? "wrong password of " + number
+                    : number + " was no user at the start";
+            listener.refused(request.peer().toString(), 401, what);
         }
         if (result != SipDigest.DigestResult.RIGHT) {
             SipMessage answer = request.response(401, "Unauthorized");

@@ -20,6 +20,9 @@
   let retry = 0;
   let robots = [];
   let chosen = '';
+  // The place of the own number among all; with as many robots, each number has its own.
+  let place = 0;
+  let places = 0;
   let showsCamera = false;
   let isFinished = false;
   let calls = JSON.parse(sessionStorage.getItem('calls') || '[]');
@@ -131,6 +134,10 @@
     welcome: event => {
       sessionStorage.setItem('token', event.token);
       $('own').textContent = event.number;
+      place = Number(event.place);
+      places = Number(event.places);
+      chosen = '';
+      $('robots').replaceChildren();
       retry = 0;
       $('box').replaceChildren();
       showLadder();
@@ -283,7 +290,7 @@
     // Some keyboards have * and # only with Option or AltGr, and AltGr may look like Ctrl and Alt.
     const isSign = event.key === '*' || event.key === '#';
     const isShortcut = event.metaKey || event.altKey && !isSign || event.ctrlKey && !(isSign && event.getModifierState('AltGraph'));
-    if (isTyping || isShortcut || $('phone').hidden) {
+    if (isTyping || isShortcut || $('phone').hidden || isFinished) {
       return;
     }
     if (event.key.length === 1 && '0123456789*#'.includes(event.key)) {
@@ -373,8 +380,10 @@
     const names = robots.map(each => each.name);
     const shown = [...$('robots').options].map(each => each.value);
     if (names.join('\n') !== shown.join('\n')) {
-      $('robots').replaceChildren(...robots.map(each => new Option(`${each.name} (${each.number})`, each.name)));
-      chosen = names.includes(chosen) ? chosen : names[0] || chosen;
+      const own = names.length === places ? place : -1;
+      $('robots').replaceChildren(...robots.map((each, i) => new Option(
+        i === own ? word('robot.own', each.name, each.number) : `${each.name} (${each.number})`, each.name)));
+      chosen = names.includes(chosen) ? chosen : names[Math.max(0, own)] || chosen;
       $('robots').value = chosen;
     }
     $('robot').hidden = names.length === 0;
