@@ -40,9 +40,9 @@ class ModemToolsTest {
     }
 
     @Test
-    void noiseTwentyDecibelsBelowTheTonesIsHarmlessAndTenAboveThemHidesThem() throws Exception {
+    void noiseTwentyDecibelsBelowTheTonesIsHarmlessAndTwentyAboveThemHidesThem() throws Exception {
         assertEquals("159", decodedWithNoise("20"));
-        assertEquals("", decodedWithNoise("-10"));
+        assertEquals("", decodedWithNoise("-20"));
     }
 
     private String decodedWithNoise(String decibels) throws Exception {

@@ -6,10 +6,10 @@ import simgsm.tone.ToneLevel;
 /** Tracks prominent keys from hop to hop, and detects the certain ones and the end of their tones. */
 final class DigitTracker {
     /**
-     * Least length of a tone up to the middle of the newest hop, 25.5 ms: its last 2.5 ms are still to come, so a key
-     * is decided at 28 to 31 ms. Tones of 23 ms must be refused, those of 35 ms and more accepted.
+     * Least length of a tone up to the middle of the newest three blocks, 24 ms: 3.75 ms follow it, so a key is decided
+     * at 28 to 31 ms. Tones of 23 ms must be refused, those of 35 ms and more accepted.
      */
-    private static final double LEAST_HOPS = 10.2;
+    private static final double LEAST_HOPS = 9.6;
     /** Prominent hops of a key before it is examined closely. */
     private static final int LEAST_RUN = 2;
     /** A key prominent for longer but not accepted is examined every fourth hop only. */
@@ -17,10 +17,10 @@ final class DigitTracker {
     /** Hops without prominence survived by a run: one look of the gate, blinded by an interruption of 10 ms. */
     private static final int MOST_MISSED = 4;
     /**
-     * Evidence of silence that ends a digit, half a hop per hop: 22.5 ms. Holes of 20 ms are bridged, pauses of 25 ms
+     * Evidence of silence that ends a digit, half a hop per hop: 21 ms. Holes of 20 ms are bridged, pauses of 25 ms
      * are not.
      */
-    private static final double END = 4.5;
+    private static final double END = 4.2;
 
     /** A longer gap, in hops, separates two keys: 23.5 ms. ES 201 235-3 bridges 20 ms, 25 ms are a pause. */
     private static final double MOST_GAP = 9.4;
@@ -40,7 +40,7 @@ final class DigitTracker {
     /** Largest difference of an echo's frequencies, as a fraction. */
     private static final double ECHO_ERROR = 0.005;
 
-    private final ToneBank bank;
+    private final GoertzelBank bank;
     private final ToneGate gate;
     private final short[] recent;
     private final DtmfListener listener;
@@ -76,6 +76,7 @@ final class DigitTracker {
     private final DtmfDigit[] newest = new DtmfDigit[4];
 
     private int decided;
+    private final TonePair sounding = new TonePair();
     /** Reciprocal of the tone's own likeness. */
     private double perLevel;
 
@@ -93,7 +94,7 @@ final class DigitTracker {
     }
 
     DigitTracker(
-            ToneBank bank,
+            GoertzelBank bank,
             ToneGate gate,
             short[] recent,
             DtmfListener listener,
@@ -114,40 +115,28 @@ final class DigitTracker {
     }
 
     /**
-     * The newest hops of the bank.
+     * The newest hop of the bank.
      *
-     * @param firstHop the first of them, counted from the stream's start
-     * @param start index of its first sample
+     * @param hop counted from the stream's start
+     * @param end index after its last sample
      */
-    void accept(long firstHop, int hops, int start) {
-        int b = advance(firstHop, 0, hops);
-        while (b < hops) {
-            consider(firstHop + b, ToneBank.HISTORY + b, start + ToneBank.HOP * (b + 1));
-            b = advance(firstHop, b + 1, hops);
+    void accept(long hop, int end) {
+        if (hop % ToneGate.EVERY == 0) {
+            gateKey = gate.look(bank, hop);
         }
-    }
-
-    /** Skips to the next hop worth a closer look, in a method of its own, so that most hops run in a small loop. */
-    private int advance(long firstHop, int from, int hops) {
-        for (int b = from; b < hops; b++) {
-            if ((firstHop + b) % ToneGate.EVERY == 0) {
-                gateKey = gate.look(bank, ToneBank.HISTORY + b);
-            }
-            if (current != null) {
-                follow(firstHop + b, ToneBank.HISTORY + b);
-            } else if (gateKey < 0 && run == 0) {
-                continue;
-            }
-            if (gateKey < 0) {
-                miss();
-            } else {
-                standsOut(gateKey);
-            }
-            if (run >= LEAST_RUN && isDue(firstHop + b)) {
-                return b;
-            }
+        if (current != null) {
+            follow(hop);
+        } else if (gateKey < 0 && run == 0) {
+            return;
         }
-        return hops;
+        if (gateKey < 0) {
+            miss();
+        } else {
+            standsOut(gateKey);
+        }
+        if (run >= LEAST_RUN && isDue(hop)) {
+            consider(hop, end);
+        }
     }
 
     private void miss() {
@@ -177,10 +166,9 @@ final class DigitTracker {
                 && (current == null || current.key().ordinal() != runKey);
     }
 
-    private void consider(long hop, int at, int end) {
+    private void consider(long hop, int end) {
         int reach = (int) Math.min(ToneFit.SPAN, hop - barrier);
-        DtmfKey rival = current == null ? null : current.key();
-        int wait = fit.measure(bank, at, hop, reach, runKey, rival, LEAST_HOPS);
+        int wait = fit.measure(bank, hop, reach, runKey, current == null ? null : sounding, LEAST_HOPS);
         nextLook = hop + wait;
         KeyCandidate.Finding finding = finding(hop, wait);
         if (finding == null) {
@@ -219,16 +207,16 @@ final class DigitTracker {
         boolean isEvidence = finding == KeyCandidate.Finding.EVIDENCE;
         KeyMeasures.Kind against = isEvidence ? KeyLikelihood.fitted().mostAgainst(measures) : null;
         double value = switch (finding) {
-            case TOO_SHORT, UNSTEADY -> fit.sinceOnset * ToneBank.HOP / DtmfGenerator.SAMPLES_PER_MILLI;
-            case OFF_FREQUENCY -> 100 * Math.max(Math.abs(fit.error[0]), Math.abs(fit.error[1]));
+            case TOO_SHORT, UNSTEADY -> fit.sinceOnset * GoertzelBank.HOP / DtmfGenerator.SAMPLES_PER_MILLI;
+            case OFF_FREQUENCY -> fit.errorPercent();
             case TWIST -> fit.twist();
             case EVIDENCE -> measures.values[against.ordinal()];
             default -> Double.NaN;
         };
         candidate = new KeyCandidate(
                 DtmfKey.values()[runKey],
-                Math.round(ToneBank.HOP * (hop - Math.max(fit.sinceOnset, run))),
-                ToneBank.HOP * (hop + 1),
+                Math.round(GoertzelBank.HOP * (hop + 1 - ToneFit.LAG - Math.max(fit.sinceOnset, run))),
+                GoertzelBank.HOP * (hop + 1),
                 finding,
                 isEvidence || finding == KeyCandidate.Finding.ACCEPTED ? sum : Double.NaN,
                 limit,
@@ -298,10 +286,10 @@ final class DigitTracker {
         double onset = hop - fit.sinceOnset;
         for (int i = 0; i < Math.min(newest.length, decided); i++) {
             DtmfDigit each = newest[i];
-            double later = onset - each.startedAtSample() / (double) ToneBank.HOP;
+            double later = onset - each.startedAtSample() / (double) GoertzelBank.HOP;
             if (each.key().ordinal() == runKey
                     && later < LATEST_ECHO
-                    && (later > EARLIEST_ECHO || onset - barrier < ToneBank.HOPS_PER_SECOND / 100)
+                    && (later > EARLIEST_ECHO || onset - barrier < GoertzelBank.HOPS_PER_SECOND / 100)
                     && isCopy(each)) {
                 return true;
             }
@@ -328,10 +316,10 @@ final class DigitTracker {
             lastSounding = Math.min(hop, Math.round(hop - fit.sinceOnset));
             end();
         }
-        long now = ToneBank.HOP * (hop + 1);
-        long start = Math.round(ToneBank.HOP * (hop - fit.sinceOnset));
+        long now = GoertzelBank.HOP * (hop + 1);
+        long start = Math.round(GoertzelBank.HOP * (hop + 1 - ToneFit.LAG - fit.sinceOnset));
         current = new DtmfDigit(
-                DtmfKey.at(fit.row, fit.column),
+                DtmfKey.at(fit.pair.row, fit.pair.column),
                 now,
                 start,
                 now - start,
@@ -339,9 +327,10 @@ final class DigitTracker {
                 ToneLevel.dbm0(fit.amplitude[1]),
                 fit.error[0],
                 fit.error[1]);
-        double both = fit.amplitude[0] * fit.amplitude[1];
-        double leak = ToneBank.leakBetween(fit.row, 4 + fit.column);
-        perLevel = 1 / (both * both * Math.pow(1 - leak * leak, 4));
+        sounding.tuneTo(current.key().ordinal());
+        double both =
+                fit.amplitude[0] * fit.amplitude[1] * GoertzelBank.gain(fit.hertz[0]) * GoertzelBank.gain(fit.hertz[1]);
+        perLevel = 1 / (both * both);
         silence = 0;
         lastSounding = hop;
         newest[decided++ % newest.length] = current;
@@ -349,16 +338,8 @@ final class DigitTracker {
     }
 
     /** Checks if the decided key still sounds. */
-    private void follow(long hop, int at) {
-        int row = current.key().row();
-        int column = 4 + current.key().column();
-        double leak = ToneBank.leakBetween(row, column);
-        double rowRe = bank.real[row][at] - leak * bank.real[column][at];
-        double rowIm = bank.imaginary[row][at] - leak * bank.imaginary[column][at];
-        double columnRe = bank.real[column][at] - leak * bank.real[row][at];
-        double columnIm = bank.imaginary[column][at] - leak * bank.imaginary[row][at];
-        double power = (rowRe * rowRe + rowIm * rowIm) * (columnRe * columnRe + columnIm * columnIm);
-        double likeness = power * perLevel;
+    private void follow(long hop) {
+        double likeness = sounding.measure(bank, hop) * perLevel;
         silence = Math.max(0, silence + 0.5 - ToneFit.sounding(likeness));
         if (likeness > ToneFit.HALF) {
             lastSounding = hop;
@@ -373,7 +354,8 @@ final class DigitTracker {
         current = null;
         ended = digit;
         barrier = lastSounding;
-        long duration = Math.max(0, ToneBank.HOP * lastSounding - digit.startedAtSample());
+        long duration =
+                Math.max(0, Math.round(GoertzelBank.HOP * (lastSounding + 1 - ToneFit.LAG)) - digit.startedAtSample());
         listener.keyEnded(digit.withDuration(duration));
     }
 
@@ -385,6 +367,7 @@ final class DigitTracker {
     }
 
     void reset() {
+        fit.reset();
         current = null;
         ended = null;
         decided = 0;

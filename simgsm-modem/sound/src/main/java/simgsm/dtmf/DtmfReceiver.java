@@ -7,7 +7,7 @@ import java.util.function.Consumer;
  * Detects keys in 8 kHz, 16-bit mono speech (ITU-T Q.24), streaming: only digits are allocated, and the result is
  * independent of the chunk size. Owned by one thread.
  *
- * <p>A sample passes {@link ToneBank} (eight tones, every 2.5 ms), {@link ToneGate} (prominence of two of them),
+ * <p>A sample passes {@link GoertzelBank} (eight tones, every 2.5 ms), {@link ToneGate} (prominence of two of them),
  * {@link DigitTracker} (start, decision and end of a key).
  */
 public final class DtmfReceiver implements KeyReceiver {
@@ -17,12 +17,16 @@ public final class DtmfReceiver implements KeyReceiver {
     /** Samples kept before the waiting ones, for the closest look: 90 ms of tone and 28 ms before it. */
     private static final int KEPT = 1024;
 
-    private final short[] recent = new short[KEPT + ToneBank.HOP * ToneBank.MOST_HOPS];
-    private final ToneBank bank = new ToneBank();
+    private static final int ROOM = 4 * KEPT;
+
+    private final short[] recent = new short[ROOM];
+    private final GoertzelBank bank = new GoertzelBank();
     private final ToneGate gate = new ToneGate();
     private final DigitTracker tracker;
-    private int waiting;
-    private long hopsDone;
+    /** Samples up to here were heard; those up to {@code filled} wait for a whole hop. */
+    private int heard = KEPT;
+
+    private int filled = KEPT;
 
     public DtmfReceiver(DtmfListener listener) {
         this(listener, null);
@@ -55,31 +59,26 @@ public final class DtmfReceiver implements KeyReceiver {
 
     @Override
     public void accept(short[] samples, int from, int to) {
-        int at = from;
-        while (at < to) {
-            int n = Math.min(to - at, recent.length - KEPT - waiting);
-            System.arraycopy(samples, at, recent, KEPT + waiting, n);
+        for (int at = from; at < to; ) {
+            if (filled == ROOM) {
+                System.arraycopy(recent, heard - KEPT, recent, 0, filled - heard + KEPT);
+                filled += KEPT - heard;
+                heard = KEPT;
+            }
+            int n = Math.min(to - at, ROOM - filled);
+            System.arraycopy(samples, at, recent, filled, n);
             at += n;
-            waiting += n;
-            if (waiting >= ToneBank.HOP) {
-                hear(waiting / ToneBank.HOP);
+            filled += n;
+            for (; heard + GoertzelBank.HOP <= filled; heard += GoertzelBank.HOP) {
+                bank.accept(recent, heard);
+                tracker.accept(bank.hops() - 1, heard + GoertzelBank.HOP);
             }
         }
     }
 
-    private void hear(int hops) {
-        bank.accept(recent, KEPT, hops);
-        tracker.accept(hopsDone, hops, KEPT);
-        bank.shift(hops);
-        hopsDone += hops;
-        int used = hops * ToneBank.HOP;
-        System.arraycopy(recent, used, recent, 0, KEPT + waiting - used);
-        waiting -= used;
-    }
-
     @Override
     public ToneLevels levels() {
-        return gate.levels(bank, ToneBank.HISTORY - 1);
+        return gate.levels(bank);
     }
 
     @Override
@@ -89,10 +88,10 @@ public final class DtmfReceiver implements KeyReceiver {
 
     @Override
     public void reset() {
-        bank.clear();
+        bank.reset();
         Arrays.fill(recent, (short) 0);
         tracker.reset();
-        waiting = 0;
-        hopsDone = 0;
+        heard = KEPT;
+        filled = KEPT;
     }
 }

@@ -32,8 +32,8 @@ final class KeyMeasures {
         BACKGROUND,
         /** log10 of the strongest line's share of the other sound. */
         LINE_SHARE,
-        /** log10 of the share of all power in the line that is not the tones'. */
-        REST
+        /** The strongest line between 90 and 250 Hz, the pitch of voices, against the weaker tone, dB. */
+        PITCH
     }
 
     /** The number of kinds, from the first, that need no spectrum. */
@@ -59,8 +59,8 @@ final class KeyMeasures {
         put(Kind.WAVER, log(1 - Math.min(fit.coherence[0], fit.coherence[1])));
         put(Kind.LEAST_WAVER, log(1 - Math.max(fit.coherence[0], fit.coherence[1])));
         put(Kind.LEVEL, ToneLevel.dbm0(Math.min(fit.amplitude[0], fit.amplitude[1])));
-        put(Kind.ERROR, 100 * Math.max(Math.abs(fit.error[0]), Math.abs(fit.error[1])));
-        put(Kind.AGE, fit.sinceOnset * ToneBank.HOP / DtmfGenerator.SAMPLES_PER_MILLI);
+        put(Kind.ERROR, fit.errorPercent());
+        put(Kind.AGE, fit.sinceOnset * GoertzelBank.HOP / DtmfGenerator.SAMPLES_PER_MILLI);
     }
 
     /**
@@ -73,7 +73,7 @@ final class KeyMeasures {
         double row = square(fit.amplitude[0]);
         double column = square(fit.amplitude[1]);
         double weaker = Math.min(row, column);
-        int began = (int) (end - ToneBank.HOP * (fit.sinceOnset + 1));
+        int began = (int) (end - GoertzelBank.HOP * (fit.sinceOnset + ToneFit.LAG));
         spectrum.measure(samples, end, began - ONSET_MARGIN_SAMPLES, fit.hertz[0], fit.hertz[1]);
         double before = Math.max(spectrum.rowBefore / row, spectrum.columnBefore / column);
         double background =
@@ -83,21 +83,11 @@ final class KeyMeasures {
         put(Kind.EVENNESS, spectrum.evenness());
         put(Kind.BACKGROUND, fit.open ? Double.NaN : Math.log10(background));
         put(Kind.LINE_SHARE, log(spectrum.line / spectrum.rest));
-        put(Kind.REST, log(1 - Math.min(1, (row + column) / (2 * power(samples, began, end)))));
+        put(Kind.PITCH, decibels(spectrum.pitch / weaker));
     }
 
     private void put(Kind kind, double value) {
         values[kind.ordinal()] = value;
-    }
-
-    /** Mean square of {@code samples[from..to)}. */
-    private static double power(short[] samples, int from, int to) {
-        long sum = 0;
-        int first = Math.max(0, from);
-        for (int i = first; i < to; i++) {
-            sum += samples[i] * samples[i];
-        }
-        return sum / (double) Math.max(1, to - first);
     }
 
     private static double square(double x) {

@@ -3,7 +3,7 @@ package simgsm.dtmf;
 import java.util.Arrays;
 
 /**
- * The sound between 560 and 3500 Hz besides two tones: the spectrum of the last 28 ms, and for comparison of the 28
+ * The sound besides two tones between 560 and 3500 Hz and at the pitch of voices: the spectrum of the last 28 ms, and for comparison of the 28
  * ms before the tones began. One Fourier transform gives both, the later as its real, the earlier as its imaginary
  * part. Powers are on the scale of squared amplitudes.
  */
@@ -15,6 +15,10 @@ final class ResidualSpectrum {
     private static final double BIN_HERTZ = 8000.0 / SIZE;
     private static final int LOWEST = (int) Math.ceil(560 / BIN_HERTZ);
     private static final int HIGHEST = (int) (3500 / BIN_HERTZ);
+    /** 94 to 250 Hz: below it are mains, above it dial tones. */
+    private static final int LOWEST_PITCH = 3;
+
+    private static final int HIGHEST_PITCH = 8;
     /** Half the width of a line under this window. */
     private static final double HALF_LINE_HERTZ = 75;
     /** Ratio of a line's sum over all its bins to the highest of them. */
@@ -36,6 +40,8 @@ final class ResidualSpectrum {
     double line;
 
     double lineHertz;
+    /** The strongest line at the pitch of voices, now. */
+    double pitch;
 
     private final double[] window = new double[LENGTH];
     private final double[] re = new double[SIZE];
@@ -74,7 +80,7 @@ final class ResidualSpectrum {
         FourierTransform.transform(re, im);
         row = rowHertz;
         column = columnHertz;
-        for (int k = LOWEST - 1; k <= HIGHEST + 1; k++) {
+        for (int k = LOWEST_PITCH; k <= HIGHEST + 1; k++) {
             double a = (re[k] + re[SIZE - k]) / 2;
             double b = (im[k] - im[SIZE - k]) / 2;
             double c = (im[k] + im[SIZE - k]) / 2;
@@ -92,6 +98,10 @@ final class ResidualSpectrum {
         columnBefore = 0;
         line = 0;
         lineHertz = 0;
+        pitch = 0;
+        for (int k = LOWEST_PITCH; k <= HIGHEST_PITCH; k++) {
+            pitch = Math.max(pitch, LINE_OVER_PEAK * during[k]);
+        }
         int bins = 0;
         for (int k = LOWEST; k <= HIGHEST; k++) {
             double hertz = k * BIN_HERTZ;

@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import java.util.Arrays;
+
 /**
  * Examines one row's and one column's tone closely, hop by hop back in time: onset, level, frequency error,
  * steadiness. Index 0 of the arrays is the row's tone, 1 the column's.
@@ -7,53 +9,49 @@ package simgsm.dtmf;
 final class ToneFit {
     /** Longest look back: 90 ms. */
     static final int SPAN = 36;
+    /** Frequency and steadiness are measured over the newest 40 ms: some codecs need time to settle on a tone. */
+    static final int LISTENED = 16;
+
+    static final double HALF = 1 / 16.0;
+    /** From the middle of the newest three blocks to their end, in hops. */
+    static final double LAG = 1.5;
+
+    /** Hops until tones off their frequency are examined again: 5 ms. */
+    private static final int OFF_FREQUENCY_WAIT = 2;
 
     private static final int ROW = 0;
     private static final int COLUMN = 1;
-    /** Frequency and steadiness are measured over the newest 40 ms: some codecs need time to settle on a tone. */
-    static final int LISTENED = 16;
     /** Hops of the initial median of the tone's power. */
     private static final int REFERENCE = 8;
     /** A pause that ends a digit, in half hops: an earlier tone is another one. */
     private static final double PAUSE = 4.5;
-    /** The likeness of a quarter, half and three quarters of the amplitude. */
-    private static final double QUARTER = 1 / 256.0;
-
-    static final double HALF = 1 / 16.0;
-    private static final double THREE_QUARTERS = 81 / 256.0;
     /**
      * 9 dB louder in each tone: such hops before the newest mean that the tone is over, and the sound now is another.
      */
     private static final double FAR_LOUDER = 64;
 
     private static final int MOST_LOUDER = 2;
-    /** Hops until tones off their frequency are examined again: 5 ms. */
-    private static final int OFF_FREQUENCY_WAIT = 2;
     /** Largest frequency error; between Q.24's limits of acceptance (1.8 %) and rejection (3 %). */
     private static final double MOST_ERROR = 0.021;
+    /** The same in the newest hops, where noise disturbs it. */
+    private static final double[] FAR_OFF_TANGENT = Arrays.stream(GoertzelBank.HERTZ)
+            .mapToDouble(hertz -> Math.tan(0.04 * radiansPerHop(hertz)))
+            .toArray();
+
     /** Q.24 requires 8 dB plus a margin of 2 dB; no exchange accepts 15 dB. */
     static final double MOST_TWIST_DB = 12.5;
     /** Uncertainty of the onset, in hops, in noise that leaves no coherence. */
     private static final double NOISE_HOPS = 6;
-    /**
-     * Tangents of the phase turn by 4 % over a lag of one hop for the highest column, of two hops for the highest
-     * row.
-     */
-    private static final double[] FAR_OFF_TANGENTS = {
-        0,
-        Math.tan(2 * Math.PI * 0.04 * 1633 / ToneBank.HOPS_PER_SECOND),
-        Math.tan(4 * Math.PI * 0.04 * 941 / ToneBank.HOPS_PER_SECOND)
-    };
 
     /** One turn in steps of a tone's phase from hop to hop; all tones are whole numbers of hertz. */
-    private static final double[] TURN_COSINE = new double[ToneBank.HOPS_PER_SECOND];
+    private static final double[] TURN_COSINE = new double[GoertzelBank.HOPS_PER_SECOND];
 
-    private static final double[] TURN_SINE = new double[ToneBank.HOPS_PER_SECOND];
+    private static final double[] TURN_SINE = new double[GoertzelBank.HOPS_PER_SECOND];
 
     static {
-        for (int i = 0; i < ToneBank.HOPS_PER_SECOND; i++) {
-            TURN_COSINE[i] = Math.cos(2 * Math.PI * i / ToneBank.HOPS_PER_SECOND);
-            TURN_SINE[i] = Math.sin(2 * Math.PI * i / ToneBank.HOPS_PER_SECOND);
+        for (int i = 0; i < GoertzelBank.HOPS_PER_SECOND; i++) {
+            TURN_COSINE[i] = Math.cos(radiansPerHop(i));
+            TURN_SINE[i] = Math.sin(radiansPerHop(i));
         }
     }
 
@@ -66,15 +64,20 @@ final class ToneFit {
     /** Share of the energy near the tone with one phase; 1 for a steady tone alone. */
     final double[] coherence = new double[2];
 
-    int row;
-    int column;
-    /** Onset of the tones, in hops before the newest, with a fraction. */
+    final TonePair pair = new TonePair();
+    /** Onset of the tones, in hops before the middle of the newest three blocks, with a fraction. */
     double sinceOnset;
     /** True if the tones lasted the whole time examined. */
     boolean open;
     /** After a look without a key: true if the tones were off their frequency rather than too short. */
     boolean offFrequency;
 
+    private int tunedTo = -1;
+    /** Hops from {@code first} up to {@code after} are measured. */
+    private long first;
+
+    private long after;
+    private long newest;
     private int hops;
     private int seen;
     private int louder;
@@ -83,70 +86,109 @@ final class ToneFit {
 
     private double most;
     private double perReference;
-    private final double[][] re = new double[2][SPAN];
-    private final double[][] im = new double[2][SPAN];
-    private final double[][] power = new double[2][SPAN];
+    private final double[][] re = new double[2][GoertzelBank.HISTORY];
+    private final double[][] im = new double[2][GoertzelBank.HISTORY];
+    private final double[] product = new double[GoertzelBank.HISTORY];
     /** Product of both tones' powers over that of the tone's own: the fourth power of their mean amplitude's ratio. */
     private final double[] likeness = new double[SPAN];
 
-    private final double[] smoothRe = new double[SPAN];
-    private final double[] smoothIm = new double[SPAN];
+    private double along;
+    private double across;
     private final double[] sorted = new double[REFERENCE];
-
-    private double leak;
-    private double scale;
 
     /**
      * Examines the tones of one key.
      *
-     * @param newest index of the newest hop in the bank
-     * @param hopNumber the newest hop counted from the stream's start
+     * @param hop the newest
      * @param reach most hops to look back
      * @param rival a key directly before, possibly without a pause, or null
      * @param leastHops least length of the tones
      * @return 0 if they are long enough, still sound and are on frequency; only then the fields are valid; else hops
      *     until the next look
      */
-    int measure(ToneBank bank, int newest, long hopNumber, int reach, int key, DtmfKey rival, double leastHops) {
-        row = key / 4;
-        column = key % 4;
-        leak = ToneBank.leakBetween(row, 4 + column);
-        scale = 1 / (1 - leak * leak);
+    int measure(GoertzelBank bank, long hop, int reach, int key, TonePair rival, double leastHops) {
+        follow(bank, hop, key);
         int span = Math.min(SPAN, reach);
         offFrequency = false;
         sinceOnset = 0;
         if (span < REFERENCE) {
             return 1;
         }
-        for (int i = 0; i < REFERENCE; i++) {
-            separate(bank, newest - i, i);
-        }
-        if (isFarOff(ROW, 2, (int) ToneBank.HERTZ[row]) || isFarOff(COLUMN, 1, (int) ToneBank.HERTZ[4 + column])) {
+        reach(bank, REFERENCE - 1);
+        if (isFarOff(COLUMN) || isFarOff(ROW)) {
             offFrequency = true;
-            return 1;
+            return OFF_FREQUENCY_WAIT;
         }
-        beginWith(reference());
-        goBack(bank, newest, Math.min(span, LISTENED), rival);
+        perReference = 1 / median();
+        evidence = 0;
+        most = 0;
+        hops = 0;
+        seen = 0;
+        louder = 0;
+        goBack(bank, hop, Math.min(span, LISTENED), rival);
         if (sinceOnset < leastHops) {
             return (int) Math.max(1, leastHops - sinceOnset);
         }
         if (likeness[0] <= HALF || louder > MOST_LOUDER) {
             return 1;
         }
-        boolean tuned = tune(ROW, (int) ToneBank.HERTZ[row], hopNumber)
-                && tune(COLUMN, (int) ToneBank.HERTZ[4 + column], hopNumber);
-        offFrequency = !tuned;
-        if (tuned) {
-            goBack(bank, newest, span, rival);
-            open = hops >= span - 1;
+        offFrequency = !tune(ROW) || !tune(COLUMN);
+        if (offFrequency) {
+            return OFF_FREQUENCY_WAIT;
         }
-        return tuned ? 0 : OFF_FREQUENCY_WAIT;
+        goBack(bank, hop, span, rival);
+        open = hops >= span - 1;
+        return 0;
     }
 
-    /** Median of the product of both tones' powers, by insertion. */
-    private double reference() {
+    /** Measures the pair's products up to a block. */
+    private void follow(GoertzelBank bank, long hop, int key) {
+        if (key != tunedTo || hop > after + REFERENCE) {
+            pair.tuneTo(key);
+            tunedTo = key;
+            first = hop;
+            after = hop;
+        }
+        newest = hop;
+        for (; after <= hop; after++) {
+            separate(bank, after);
+        }
+    }
+
+    /** Measures the hops back to one that earlier looks did not. */
+    private void reach(GoertzelBank bank, int i) {
+        while (first > newest - i) {
+            separate(bank, --first);
+        }
+    }
+
+    private void separate(GoertzelBank bank, long hop) {
+        int slot = (int) (hop & GoertzelBank.HISTORY - 1);
+        product[slot] = pair.measure(bank, hop);
+        int second = (int) Math.floorMod(hop, (long) GoertzelBank.HOPS_PER_SECOND);
+        put(ROW, slot, pair.rowReal, pair.rowImaginary, second * nominal(ROW) % GoertzelBank.HOPS_PER_SECOND);
+        put(
+                COLUMN,
+                slot,
+                pair.columnReal,
+                pair.columnImaginary,
+                second * nominal(COLUMN) % GoertzelBank.HOPS_PER_SECOND);
+    }
+
+    private int slot(int i) {
+        return (int) (newest - i & GoertzelBank.HISTORY - 1);
+    }
+
+    /** Keeps a value less the nominal tone's rotation. */
+    private void put(int tone, int slot, double x, double y, int turn) {
+        re[tone][slot] = x * TURN_COSINE[turn] + y * TURN_SINE[turn];
+        im[tone][slot] = y * TURN_COSINE[turn] - x * TURN_SINE[turn];
+    }
+
+    /** Median of the newest products, by insertion. */
+    private double median() {
         for (int i = 0; i < REFERENCE; i++) {
-            double value = power[ROW][i] * power[COLUMN][i];
+            double value = product[slot(i)];
             int at = i;
             for (; at > 0 && sorted[at - 1] > value; at--) {
                 sorted[at] = sorted[at - 1];
@@ -156,59 +198,40 @@ final class ToneFit {
         return (sorted[REFERENCE / 2 - 1] + sorted[REFERENCE / 2]) / 2;
     }
 
-    /** True if the newest hops' phase over a lag is 4 % or more off the frequency. Saves closer looks at voices. */
-    private boolean isFarOff(int tone, int lag, int nominalHertz) {
-        double[] x = re[tone];
-        double[] y = im[tone];
-        double along = 0;
-        double across = 0;
-        for (int i = 0; i + lag < REFERENCE; i++) {
-            along += x[i] * x[i + lag] + y[i] * y[i + lag];
-            across += y[i] * x[i + lag] - x[i] * y[i + lag];
+    private int nominal(int tone) {
+        return GoertzelBank.HERTZ[tone == ROW ? pair.row : 4 + pair.column];
+    }
+
+    /** True if the newest hops' phase is far off the frequency. Saves closer looks at voices. */
+    private boolean isFarOff(int tone) {
+        correlate(tone, REFERENCE, 1, -1);
+        return Math.abs(across) > along * FAR_OFF_TANGENT[tone == ROW ? pair.row : 4 + pair.column];
+    }
+
+    /** The larger error in percent; of the newest hops only if they are off frequency. */
+    double errorPercent() {
+        if (offFrequency) {
+            for (int tone = 0; tone < 2; tone++) {
+                error[tone] = turn(tone, REFERENCE, 1, 0, -1) / radiansPerHop(nominal(tone));
+            }
         }
-        int turn = lag * nominalHertz % ToneBank.HOPS_PER_SECOND;
-        double near = along * TURN_COSINE[turn] + across * TURN_SINE[turn];
-        double off = across * TURN_COSINE[turn] - along * TURN_SINE[turn];
-        error[tone] = Math.atan2(off, near) * ToneBank.HOPS_PER_SECOND / (2 * Math.PI * lag * nominalHertz);
-        return Math.abs(off) > near * FAR_OFF_TANGENTS[lag];
+        return 100 * Math.max(Math.abs(error[ROW]), Math.abs(error[COLUMN]));
     }
 
-    /** Subtracts the leakage of the other tone from each. */
-    private void separate(ToneBank bank, int at, int i) {
-        double rowRe = bank.real[row][at];
-        double rowIm = bank.imaginary[row][at];
-        double columnRe = bank.real[4 + column][at];
-        double columnIm = bank.imaginary[4 + column][at];
-        put(ROW, i, scale * (rowRe - leak * columnRe), scale * (rowIm - leak * columnIm));
-        put(COLUMN, i, scale * (columnRe - leak * rowRe), scale * (columnIm - leak * rowIm));
-    }
-
-    private void put(int tone, int i, double x, double y) {
-        re[tone][i] = x;
-        im[tone][i] = y;
-        power[tone][i] = x * x + y * y;
-    }
-
-    private void beginWith(double reference) {
-        perReference = 1 / reference;
-        evidence = 0;
-        most = 0;
-        hops = 0;
-        seen = 0;
-        louder = 0;
+    private static double radiansPerHop(double hertz) {
+        return 2 * Math.PI * hertz / GoertzelBank.HOPS_PER_SECOND;
     }
 
     /**
      * Looks back up to a hop. The tones belong to the run of newest hops with the largest sum of evidence, which
      * bridges short interruptions if more of the tone is before them.
      */
-    private void goBack(ToneBank bank, int newest, int until, DtmfKey rival) {
+    private void goBack(GoertzelBank bank, long hop, int until, TonePair rival) {
         for (; seen < until && evidence > most - PAUSE; seen++) {
             int i = seen;
-            if (i >= REFERENCE) {
-                separate(bank, newest - i, i);
-            }
-            likeness[i] = isRivals(bank, newest - i, rival) ? 0 : power[ROW][i] * power[COLUMN][i] * perReference;
+            reach(bank, i);
+            double both = product[slot(i)];
+            likeness[i] = rival != null && rival.measure(bank, hop - i) > both ? 0 : both * perReference;
             louder += likeness[i] > FAR_LOUDER ? 1 : 0;
             evidence += sounding(likeness[i]) - 0.5;
             if (evidence > most) {
@@ -230,104 +253,72 @@ final class ToneFit {
 
     /** Evidence of the tones, 0 to 1: twice the amplitude's ratio less a half. */
     static double sounding(double likeness) {
-        if (likeness >= THREE_QUARTERS) {
-            return 1;
-        }
-        return likeness <= QUARTER ? 0 : 2 * amplitudeRatio(likeness) - 0.5;
-    }
-
-    /** A sounding key leaks into the tones next to its own, which must not be taken for this key's. */
-    private boolean isRivals(ToneBank bank, int at, DtmfKey rival) {
-        return rival != null
-                && bank.power(rival.row(), at) * bank.power(4 + rival.column(), at)
-                        > bank.power(row, at) * bank.power(4 + column, at);
+        return Math.max(0, Math.min(1, 2 * amplitudeRatio(likeness) - 0.5));
     }
 
     /** Frequency and steadiness of one tone. @return true if it is on frequency */
-    private boolean tune(int tone, int nominalHertz, long hopNumber) {
+    private boolean tune(int tone) {
         int n = Math.min(hops, LISTENED);
-        amplitude[tone] = Math.sqrt(intoStep(tone, nominalHertz, hopNumber, n));
-        smooth(tone, n);
-        double turn = turn(n, 2, 0);
-        turn = turn(n, Math.max(3, n / 2), turn);
-        double deviation = turn * ToneBank.HOPS_PER_SECOND / (2 * Math.PI);
-        hertz[tone] = nominalHertz + deviation;
-        error[tone] = deviation / nominalHertz;
+        double turn = turn(tone, n, 2, 0, HALF);
+        turn = turn(tone, n, Math.max(3, n / 2), turn, HALF);
+        double deviation = turn * GoertzelBank.HOPS_PER_SECOND / (2 * Math.PI);
+        hertz[tone] = nominal(tone) + deviation;
+        error[tone] = deviation / nominal(tone);
         if (Math.abs(error[tone]) > MOST_ERROR) {
             return false;
         }
-        amplitude[tone] /= ToneBank.leak(deviation);
-        coherence[tone] = coherence(re[tone], im[tone], turn, n);
+        cohere(tone, turn, n);
+        amplitude[tone] /= TonePair.leak(deviation) * GoertzelBank.gain(hertz[tone]);
         return true;
     }
 
-    /** Removes the nominal tone's rotation. @return mean square amplitude */
-    private double intoStep(int tone, int nominalHertz, long hopNumber, int n) {
-        double energy = 0;
-        int used = 0;
-        int turn = (int) (hopNumber * nominalHertz % ToneBank.HOPS_PER_SECOND);
-        int step = nominalHertz % ToneBank.HOPS_PER_SECOND;
-        for (int i = 0; i < n; i++) {
-            double c = TURN_COSINE[turn];
-            double s = TURN_SINE[turn];
-            double x = re[tone][i] * c + im[tone][i] * s;
-            im[tone][i] = im[tone][i] * c - re[tone][i] * s;
-            re[tone][i] = x;
-            if (likeness[i] > HALF) {
-                energy += power[tone][i];
-                used++;
-            }
-            turn -= step;
-            turn += turn < 0 ? ToneBank.HOPS_PER_SECOND : 0;
-        }
-        return energy / used;
-    }
-
-    private void smooth(int tone, int n) {
-        double[] x = re[tone];
-        double[] y = im[tone];
-        for (int i = 1; i < n - 1; i++) {
-            smoothRe[i] = 0.25 * (x[i - 1] + 2 * x[i] + x[i + 1]);
-            smoothIm[i] = 0.25 * (y[i - 1] + 2 * y[i] + y[i + 1]);
-        }
-    }
-
-    /** Radians per hop, from the smooth hops' phase over a lag, near an earlier estimate. */
-    private double turn(int n, int lag, double near) {
-        double x = 0;
-        double y = 0;
-        for (int i = 1; i + lag < n - 1; i++) {
-            if (likeness[i] > HALF && likeness[i + lag] > HALF) {
-                x += smoothRe[i] * smoothRe[i + lag] + smoothIm[i] * smoothIm[i + lag];
-                y += smoothIm[i] * smoothRe[i + lag] - smoothRe[i] * smoothIm[i + lag];
-            }
-        }
+    /** Radians per hop, from the phase over a lag of the hops with more than a likeness, near an earlier estimate. */
+    private double turn(int tone, int n, int lag, double near, double least) {
+        correlate(tone, n, lag, least);
         double c = Math.cos(near * lag);
         double s = Math.sin(near * lag);
-        return near + Math.atan2(y * c - x * s, x * c + y * s) / lag;
+        return near + Math.atan2(across * c - along * s, along * c + across * s) / lag;
     }
 
-    private double coherence(double[] xs, double[] ys, double turn, int n) {
-        double stepCosine = Math.cos(turn);
-        double stepSine = Math.sin(turn);
-        double c = 1;
-        double s = 0;
+    private void correlate(int tone, int n, int lag, double least) {
+        double[] xs = re[tone];
+        double[] ys = im[tone];
+        along = 0;
+        across = 0;
+        for (int i = 0; i + lag < n; i++) {
+            if (least < 0 || likeness[i] > least && likeness[i + lag] > least) {
+                int to = slot(i);
+                int from = slot(i + lag);
+                along += xs[to] * xs[from] + ys[to] * ys[from];
+                across += ys[to] * xs[from] - xs[to] * ys[from];
+            }
+        }
+    }
+
+    /** Level and coherence at a frequency, from the hops that belong to the tone. */
+    private void cohere(int tone, double turn, int n) {
         double x = 0;
         double y = 0;
         double energy = 0;
         int used = 0;
         for (int i = 0; i < n; i++) {
             if (likeness[i] > HALF) {
-                x += xs[i] * c - ys[i] * s;
-                y += ys[i] * c + xs[i] * s;
-                energy += xs[i] * xs[i] + ys[i] * ys[i];
+                double c = Math.cos(turn * i);
+                double s = Math.sin(turn * i);
+                double a = re[tone][slot(i)];
+                double b = im[tone][slot(i)];
+                x += a * c - b * s;
+                y += b * c + a * s;
+                energy += a * a + b * b;
                 used++;
             }
-            double next = c * stepCosine - s * stepSine;
-            s = s * stepCosine + c * stepSine;
-            c = next;
         }
-        return energy == 0 ? 0 : (x * x + y * y) / (used * energy);
+        amplitude[tone] = Math.hypot(x, y) / Math.max(1, used);
+        coherence[tone] = energy == 0 ? 0 : (x * x + y * y) / (used * energy);
+    }
+
+    void reset() {
+        tunedTo = -1;
     }
 
     /** In decibels, high group over low. */

@@ -1,11 +1,11 @@
 package simgsm.dtmf;
 
+import java.util.stream.IntStream;
 import simgsm.tone.ToneLevel;
 
 /**
- * The first, cheap test, every fourth hop: prominence of one row's and one column's tone in the last 20 ms. Its
- * window is smooth: seven hops of the {@link ToneBank}, phase-aligned, under a Hann window. Sound 100 Hz or more off
- * a tone is attenuated by some 40 dB, which suppresses mains, dial tone and direct current.
+ * The first, cheap test, every fourth hop: prominence of one row's and one column's tone in the last 20 ms, eight
+ * blocks of the {@link GoertzelBank} under a Hann window.
  */
 final class ToneGate {
     /** Tones below this level are ignored (Q.24: tones at -55 dBm0 must not be decoded). */
@@ -15,49 +15,45 @@ final class ToneGate {
     /** Hops from one look to the next. */
     static final int EVERY = 4;
 
-    private static final float FLOOR = (float) Math.pow(ToneLevel.amplitude(LEAST_DBM0), 2);
-    private static final float MOST_TWIST = (float) Math.pow(10, MOST_TWIST_DB / 10);
+    private static final double FLOOR = Math.pow(ToneLevel.amplitude(LEAST_DBM0), 2);
+    private static final double MOST_TWIST = Math.pow(10, MOST_TWIST_DB / 10);
     /** Ratio of all four tones of a group to the strongest; a tone 1.8 % off gives 1.35. */
-    private static final float MOST_SPREAD = 1.6f;
-    /** Hops on either side of the window's middle. */
-    private static final int ARM = 3;
+    private static final double MOST_SPREAD = 1.6;
 
     private static final int GROUP = 4;
 
-    private final float[] cosines = new float[ToneBank.TONES * ARM];
-    private final float[] sines = new float[ToneBank.TONES * ARM];
-    private final float[] power = new float[ToneBank.TONES];
+    private static final GoertzelBank.Window HANN = new GoertzelBank.Window(IntStream.range(0, 8)
+            .mapToDouble(j -> (1 - Math.cos(Math.PI * (j + 0.5) / 4)) / 8)
+            .toArray());
+
+    private final double[] perGain = new double[GoertzelBank.TONES];
+    private final double[] power = new double[GoertzelBank.TONES];
 
     ToneGate() {
-        for (int k = 0; k < ToneBank.TONES; k++) {
-            double turn = 2 * Math.PI * ToneBank.HERTZ[k] / ToneBank.HOPS_PER_SECOND;
-            for (int j = 1; j <= ARM; j++) {
-                double weight = Math.pow(Math.cos(Math.PI * j / (2 * ARM + 2)), 2) / (ARM + 1);
-                cosines[k * ARM + j - 1] = (float) (weight * Math.cos(turn * j));
-                sines[k * ARM + j - 1] = (float) (weight * Math.sin(turn * j));
-            }
+        for (int k = 0; k < GoertzelBank.TONES; k++) {
+            perGain[k] = Math.pow(GoertzelBank.gain(GoertzelBank.HERTZ[k]), -2);
         }
     }
 
-    /** Tests a hop of the bank and the six before it. @return ordinal of the prominent key, or -1 */
-    int look(ToneBank bank, int newest) {
-        int row = strongest(bank, newest, 0);
-        if (!standsOut(row)) {
+    /** Tests the blocks up to one. @return ordinal of the prominent key, or -1 */
+    int look(GoertzelBank bank, long hop) {
+        int row = strongest(bank, hop, 0);
+        if (power[row] < FLOOR || !standsOut(row)) {
             return -1;
         }
-        int column = strongest(bank, newest, GROUP);
-        float weaker = Math.min(power[row], power[column]);
+        int column = strongest(bank, hop, GROUP);
+        double weaker = Math.min(power[row], power[column]);
         boolean found =
                 standsOut(column) && weaker > FLOOR && Math.max(power[row], power[column]) < MOST_TWIST * weaker;
         return found ? GROUP * row + column - GROUP : -1;
     }
 
-    /** The tones of a hop and the six before it, and their required levels. */
-    ToneLevels levels(ToneBank bank, int newest) {
-        double row = Math.sqrt(power[strongest(bank, newest, 0)]);
-        double column = Math.sqrt(power[strongest(bank, newest, GROUP)]);
-        double[] amplitudes = new double[ToneBank.TONES];
-        for (int k = 0; k < ToneBank.TONES; k++) {
+    /** The newest tones, and their required levels. */
+    ToneLevels levels(GoertzelBank bank) {
+        double row = Math.sqrt(power[strongest(bank, bank.hops() - 1, 0)]);
+        double column = Math.sqrt(power[strongest(bank, bank.hops() - 1, GROUP)]);
+        double[] amplitudes = new double[GoertzelBank.TONES];
+        for (int k = 0; k < GoertzelBank.TONES; k++) {
             amplitudes[k] = Math.sqrt(power[k]);
         }
         return new ToneLevels(amplitudes, least(column), least(row), this::standsOut);
@@ -74,24 +70,12 @@ final class ToneGate {
     }
 
     /** Measures a group. @return its strongest tone */
-    private int strongest(ToneBank bank, int newest, int group) {
+    private int strongest(GoertzelBank bank, long hop, int group) {
         int best = group;
         for (int k = group; k < group + GROUP; k++) {
-            power[k] = power(bank.real[k], bank.imaginary[k], newest - ARM, k * ARM);
+            power[k] = perGain[k] * bank.measure(k, hop, HANN);
             best = power[k] > power[best] ? k : best;
         }
         return best;
-    }
-
-    private float power(float[] re, float[] im, int middle, int weights) {
-        float x = re[middle] / (ARM + 1);
-        float y = im[middle] / (ARM + 1);
-        for (int j = 1; j <= ARM; j++) {
-            float c = cosines[weights + j - 1];
-            float s = sines[weights + j - 1];
-            x += c * (re[middle + j] + re[middle - j]) + s * (im[middle + j] - im[middle - j]);
-            y += c * (im[middle + j] + im[middle - j]) - s * (re[middle + j] - re[middle - j]);
-        }
-        return x * x + y * y;
     }
 }

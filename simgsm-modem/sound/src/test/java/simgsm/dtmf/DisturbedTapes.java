@@ -220,7 +220,7 @@ final class DisturbedTapes {
         return ToneLevel.amplitude(Math.min(tape.rowDbm0, tape.columnDbm0));
     }
 
-    private static double rootMeanSquare(short[] speech) {
+    static double rootMeanSquare(short[] speech) {
         double sum = 0;
         long count = 0;
         for (short sample : speech) {
@@ -232,7 +232,7 @@ final class DisturbedTapes {
         return Math.sqrt(sum / Math.max(1, count));
     }
 
-    private static void mix(Tape tape, short[] speech, double gain, int until) {
+    static void mix(Tape tape, short[] speech, double gain, int until) {
         int from = tape.random.nextInt(Math.max(1, speech.length - until));
         for (int k = 0; k < until && from + k < speech.length; k++) {
             tape.sound[k] += gain * speech[from + k];

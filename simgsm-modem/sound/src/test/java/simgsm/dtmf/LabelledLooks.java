@@ -50,7 +50,7 @@ final class LabelledLooks {
     void collect(Tape tape) {
         int[] looks = new int[tape.starts.size()];
         new DtmfReceiver(digit -> {}, null, DtmfReceiver.LIMIT, (hop, key, fit, measures, line, end) -> {
-                    long now = ToneBank.HOP * (hop + 1);
+                    long now = GoertzelBank.HOP * (hop + 1);
                     int known = known(tape, key, now);
                     if (known < 0) {
                         if (!tape.slipped) {

@@ -41,6 +41,14 @@ class ResidualSpectrumTest {
     }
 
     @Test
+    void thePitchOfAVoiceIsFoundBelowDialTones() {
+        double pitch = of(key().hum(150, -20)).pitch;
+        assertEquals(0, 10 * Math.log10(pitch / Math.pow(ToneLevel.amplitude(-20), 2)), 2);
+        double dialTone = of(key().hum(440, -20)).pitch;
+        assertTrue(dialTone < 0.05 * pitch, dialTone / pitch + " of the pitch");
+    }
+
+    @Test
     void noiseIsEvenAndTheSameBefore() {
         double evenness = 0;
         double ratio = 0;

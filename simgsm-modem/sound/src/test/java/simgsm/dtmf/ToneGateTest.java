@@ -15,11 +15,13 @@ class ToneGateTest {
             samples[i] = (short) Math.rint(ToneLevel.amplitude(rowDbm0) * Math.sin(2 * Math.PI * rowHertz * i / 8000)
                     + ToneLevel.amplitude(columnDbm0) * Math.sin(2 * Math.PI * columnHertz * i / 8000));
         }
-        ToneBank bank = new ToneBank();
+        GoertzelBank bank = new GoertzelBank();
         ToneGate gate = new ToneGate();
-        bank.accept(samples, 20, HOPS);
-        int key = gate.look(bank, ToneBank.HISTORY + HOPS - 1);
-        ToneLevels levels = gate.levels(bank, ToneBank.HISTORY + HOPS - 1);
+        for (int hop = 0; hop < HOPS; hop++) {
+            bank.accept(samples, 20 + 20 * hop);
+        }
+        int key = gate.look(bank, HOPS - 1);
+        ToneLevels levels = gate.levels(bank);
         for (DtmfKey each : DtmfKey.values()) {
             boolean counts = levels.counts(each.row()) && levels.counts(4 + each.column());
             assertEquals(counts, each.ordinal() == key, "the levels tell of " + each);
