@@ -167,7 +167,8 @@ final class DigitTracker {
     }
 
     private void consider(long hop, int end) {
-        int reach = (int) Math.min(ToneFit.SPAN, hop - barrier);
+        // in the three blocks after its last hop the key before still sounds, as loud as an echo
+        int reach = (int) Math.min(ToneFit.SPAN, hop - barrier - 1);
         int wait = fit.measure(bank, hop, reach, runKey, current == null ? null : sounding, LEAST_HOPS);
         nextLook = hop + wait;
         KeyCandidate.Finding finding = finding(hop, wait);
@@ -354,8 +355,9 @@ final class DigitTracker {
         current = null;
         ended = digit;
         barrier = lastSounding;
-        long duration =
-                Math.max(0, Math.round(GoertzelBank.HOP * (lastSounding + 1 - ToneFit.LAG)) - digit.startedAtSample());
+        // a tone that sounds in the newest block lasts to its end
+        double lag = lastSounding + 1 == bank.hops() ? 0 : ToneFit.LAG;
+        long duration = Math.max(0, Math.round(GoertzelBank.HOP * (lastSounding + 1 - lag)) - digit.startedAtSample());
         listener.keyEnded(digit.withDuration(duration));
     }
 

@@ -58,7 +58,15 @@ class BrokenKeysTest {
                     125, 20, 18
                     """)
     void anEchoUpTo25MillisecondsAfterItsKeyIsNoSecondKey(int delayMillis, int drop, int asterisk) {
-        hears(BrokenTapes.echo(SEED, delayMillis, drop));
+        hears(BrokenTapes.echo(SEED, 150, delayMillis, drop));
+    }
+
+    @ParameterizedTest(name = "echo {0} ms later, beginning within the next key, {1} dB weaker")
+    @CsvSource({"220, 18", "250, 16", "250, 20", "250, 30", "350, 20"})
+    void anEchoThatOutlivesTheNextKeyIsNoKey(int delayMillis, int drop) {
+        for (long seed = SEED; seed < SEED + 8; seed++) {
+            hears(BrokenTapes.echo(seed, 100, delayMillis, drop));
+        }
     }
 
     @ParameterizedTest(name = "first {0} ms limited, then {1} dB less (Asterisk: {2})")

@@ -24,11 +24,11 @@ final class BrokenTapes {
         return tape.silence(200);
     }
 
-    /** Keys of 100 ms, 150 ms apart. */
-    static Tape echo(long seed, int delayMillis, int drop) {
+    /** Keys of 100 ms. */
+    static Tape echo(long seed, int pauseMillis, int delayMillis, int drop) {
         Tape tape = new Tape(seed);
         tape.silence(tape.uniform(200, 203));
-        Catalogue.timing(tape, 100, 150);
+        Catalogue.timing(tape, 100, pauseMillis);
         tape.digits(Catalogue.someKeys(tape, KEYS));
         return tape.silence(200).echo(delayMillis, drop);
     }

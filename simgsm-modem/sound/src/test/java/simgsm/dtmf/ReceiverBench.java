@@ -61,7 +61,12 @@ final class ReceiverBench {
         }
         for (int delay : new int[] {20, 60, 90, 100, 105, 110, 115, 120}) {
             for (int drop : new int[] {12, 16, 20}) {
-                tape("5 short echoes", delay + " ms " + drop + " dB", BrokenTapes.echo(seed, delay, drop));
+                tape("5 short echoes", delay + " ms " + drop + " dB", BrokenTapes.echo(seed, 150, delay, drop));
+            }
+        }
+        for (int delay : new int[] {220, 250, 300, 350}) {
+            for (int drop : new int[] {16, 20, 25}) {
+                tape("5 late echoes", delay + " ms " + drop + " dB", BrokenTapes.echo(seed, 100, delay, drop));
             }
         }
         for (int millis : new int[] {30, 60, 100}) {
