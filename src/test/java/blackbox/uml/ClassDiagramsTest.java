@@ -25,7 +25,7 @@ class ClassDiagramsTest {
             "key",
             List.of(
                     "Who decides that a key was heard?",
-                    "KeyReceiver DtmfReceiver ClassicReceiver GoertzelBank DigitTracker ToneFit KeyLikelihood DtmfGenerator"
+                    "KeyReceiver DtmfReceiver ClassicReceiver GoertzelBank DigitTracker ToneFit KeyMeasures DtmfGenerator"
                             + " DtmfListener DtmfDigit DtmfKey ReceiverTrace"),
             "order",
             List.of(

@@ -35,7 +35,7 @@ final class DigitTracker {
     private static final int LATEST_ECHO = 160;
 
     private static final int EARLIEST_ECHO = 88;
-    /** Least attenuation of a late echo, in both tones. */
+    /** Least attenuation of an echo. */
     private static final double ECHO_DB = 15;
     /** Largest difference of an echo's frequencies, as a fraction. */
     private static final double ECHO_ERROR = 0.005;
@@ -83,12 +83,14 @@ final class DigitTracker {
     private double silence;
     private long lastSounding;
     private DtmfDigit ended;
-    /** Sound up to this hop belongs to the key that ended last. */
-    private long barrier;
-    /** Hop of the newest look that found the rest of the key that ended last. */
-    private long rest;
+    /** Sound up to this hop belongs to the key that ended last; before the stream is silence. */
+    private long barrier = -ToneFit.SPAN;
+    /** Hop of the newest look that found the rest of a key or an echo, and its key. */
+    private long repeat;
 
-    /** Log odds of one look; the receiver's are from {@link KeyLikelihood}. */
+    private int repeated = -1;
+
+    /** Log odds of one look; the receiver's are from {@link KeyMeasures#logOdds}. */
     interface Judge {
         double logOdds(long hop, int key, ToneFit fit, KeyMeasures measures, short[] samples, int end);
     }
@@ -192,7 +194,7 @@ final class DigitTracker {
             }
             return fit.sinceOnset < LEAST_HOPS ? KeyCandidate.Finding.TOO_SHORT : KeyCandidate.Finding.UNSTEADY;
         }
-        if (isRest(hop) || isEcho(hop)) {
+        if (isRepeat(hop)) {
             return KeyCandidate.Finding.ECHO;
         }
         if (Math.abs(fit.twist()) >= ToneFit.MOST_TWIST_DB) {
@@ -206,7 +208,7 @@ final class DigitTracker {
             return; // the tones fade: what a closer look said stays
         }
         boolean isEvidence = finding == KeyCandidate.Finding.EVIDENCE;
-        KeyMeasures.Kind against = isEvidence ? KeyLikelihood.fitted().mostAgainst(measures) : null;
+        KeyMeasures.Kind against = isEvidence ? measures.mostAgainst() : null;
         double value = switch (finding) {
             case TOO_SHORT, UNSTEADY -> fit.sinceOnset * GoertzelBank.HOP / DtmfGenerator.SAMPLES_PER_MILLI;
             case OFF_FREQUENCY -> fit.errorPercent();
@@ -251,7 +253,7 @@ final class DigitTracker {
      */
     private void add(long hop, double odds) {
         if (hop - windowStart >= ToneFit.LISTENED) {
-            sumBefore = Math.max(0, sum - KeyLikelihood.LEAST);
+            sumBefore = Math.max(0, sum - KeyMeasures.LEAST_EVIDENCE);
             windowStart = hop;
             sum = sumBefore + odds;
         } else {
@@ -259,32 +261,34 @@ final class DigitTracker {
         }
     }
 
-    /**
-     * True if the key that ended last continues at another level, or as an echo: after a short gap, or in tones that
-     * the last look found to be its rest.
-     */
-    private boolean isRest(long hop) {
+    /** True for the rest of the key that ended last, for a late echo, and for tones that the looks before found to be either. */
+    private boolean isRepeat(long hop) {
+        double onset = hop - fit.sinceOnset;
+        boolean goesOn = repeated == runKey && onset + LEAST_HOPS < repeat;
+        if (!goesOn && !isRest(hop, onset) && !isEcho(onset)) {
+            return false;
+        }
+        repeated = runKey;
+        repeat = hop;
+        return true;
+    }
+
+    /** True if the key that ended last continues at another level, or as an echo, after a short gap. */
+    private boolean isRest(long hop, double onset) {
         if (ended == null || ended.key().ordinal() != runKey) {
             return false;
         }
-        if (!isWeaker(ended)) {
-            return fit.open && hop - barrier <= ToneFit.SPAN;
-        }
-        double onset = hop - fit.sinceOnset;
-        double mostGap = isCopy(ended) ? MOST_ECHO_GAP : MOST_GAP;
-        if (onset - barrier > mostGap && onset + LEAST_HOPS >= rest) {
-            return false;
-        }
-        rest = hop;
-        return true;
+        // noise shifts onsets by some hops, so tones as loud as the key before need no gap to be another key
+        return drop(ended) > WEAKER_DB
+                ? onset - barrier <= (isCopy(ended) ? MOST_ECHO_GAP : MOST_GAP)
+                : fit.open && hop - barrier <= ToneFit.SPAN;
     }
 
     /**
      * True for a late echo: a key of the last 400 ms again and much weaker, after another without a pause, or later
      * than a dialler's next key.
      */
-    private boolean isEcho(long hop) {
-        double onset = hop - fit.sinceOnset;
+    private boolean isEcho(double onset) {
         for (int i = 0; i < Math.min(newest.length, decided); i++) {
             DtmfDigit each = newest[i];
             double later = onset - each.startedAtSample() / (double) GoertzelBank.HOP;
@@ -298,18 +302,19 @@ final class DigitTracker {
         return false;
     }
 
-    /** Noise shifts onsets by some hops, so tones as loud as the previous key need no gap to be another key. */
-    private boolean isWeaker(DtmfDigit digit) {
-        return digit.rowDbm0() - ToneLevel.dbm0(fit.amplitude[0]) > WEAKER_DB
-                && digit.columnDbm0() - ToneLevel.dbm0(fit.amplitude[1]) > WEAKER_DB;
-    }
-
     private boolean isCopy(DtmfDigit digit) {
-        return isCopy(0, digit.rowDbm0(), digit.rowError()) && isCopy(1, digit.columnDbm0(), digit.columnError());
+        return drop(digit) > ECHO_DB
+                && Math.abs(digit.rowError() - fit.error[0]) < ECHO_ERROR
+                && Math.abs(digit.columnError() - fit.error[1]) < ECHO_ERROR;
     }
 
-    private boolean isCopy(int tone, double dbm0, double error) {
-        return dbm0 - ToneLevel.dbm0(fit.amplitude[tone]) > ECHO_DB && Math.abs(error - fit.error[tone]) < ECHO_ERROR;
+    /** How much weaker than a key the tones are, in decibels, mean of both. */
+    private double drop(DtmfDigit digit) {
+        return (digit.rowDbm0()
+                        + digit.columnDbm0()
+                        - ToneLevel.dbm0(fit.amplitude[0])
+                        - ToneLevel.dbm0(fit.amplitude[1]))
+                / 2;
     }
 
     private void decide(long hop) {
@@ -377,8 +382,8 @@ final class DigitTracker {
         run = 0;
         candidate = null;
         missed = 0;
-        barrier = 0;
-        rest = 0;
+        barrier = -ToneFit.SPAN;
+        repeated = -1;
         nextLook = 0;
     }
 }

@@ -43,8 +43,7 @@ public final class DtmfReceiver implements KeyReceiver {
                 listener,
                 candidates,
                 limit,
-                (hop, key, fit, measures, samples, end) ->
-                        KeyLikelihood.fitted().logOdds(measures, fit, samples, end));
+                (hop, key, fit, measures, samples, end) -> measures.logOdds(fit, samples, end));
     }
 
     /** A receiver with another judge, for the fit of the likelihood. */

@@ -11,7 +11,18 @@ final class LabelledLooks {
 
     private float[] values = new float[KeyMeasures.COUNT * 1024];
     private boolean[] isKey = new boolean[1024];
+    /** Looks at one key, or at the same tones of other sound without a longer break, are one event. */
+    private int[] event = new int[1024];
+
+    private double[] weight = new double[1024];
     private int count;
+    private int events;
+    /** Key, number on the tape and hop of the look before. */
+    private int lastKey;
+
+    private int lastKnown;
+    private long lastHop;
+    private double tapeWeight;
 
     int count() {
         return count;
@@ -25,29 +36,55 @@ final class LabelledLooks {
         return isKey[look];
     }
 
-    private void add(KeyMeasures measures, boolean key) {
+    int event(int look) {
+        return event[look];
+    }
+
+    double weight(int look) {
+        return weight[look];
+    }
+
+    private void begin(double weightOfEvents) {
+        lastKey = -1;
+        tapeWeight = weightOfEvents;
+    }
+
+    /** @param known number of the key on the tape, or -1 */
+    private void add(KeyMeasures measures, int key, int known, long hop) {
+        if (key != lastKey || known != lastKnown || hop - lastHop > ToneFit.LISTENED) {
+            events++;
+        }
+        lastKey = key;
+        lastKnown = known;
+        lastHop = hop;
         if (count == isKey.length) {
             isKey = Arrays.copyOf(isKey, 2 * count);
+            event = Arrays.copyOf(event, 2 * count);
+            weight = Arrays.copyOf(weight, 2 * count);
             values = Arrays.copyOf(values, 2 * values.length);
         }
         for (int kind = 0; kind < KeyMeasures.COUNT; kind++) {
             values[count * KeyMeasures.COUNT + kind] = (float) measures.values[kind];
         }
-        isKey[count++] = key;
+        event[count] = events;
+        weight[count] = tapeWeight;
+        isKey[count++] = known >= 0;
     }
 
     /** Collects from a recording that holds no keys. */
-    void collect(short[] samples) {
+    void collect(short[] samples, double weightOfEvents) {
+        begin(weightOfEvents);
         new DtmfReceiver(digit -> {}, null, DtmfReceiver.LIMIT, (hop, key, fit, measures, line, end) -> {
                     measure(fit, measures, line, end);
-                    add(measures, false);
+                    add(measures, key, -1, hop);
                     return Double.NEGATIVE_INFINITY;
                 })
                 .accept(samples);
     }
 
     /** Collects from a recording whose keys are known. */
-    void collect(Tape tape) {
+    void collect(Tape tape, double weightOfEvents) {
+        begin(weightOfEvents);
         int[] looks = new int[tape.starts.size()];
         new DtmfReceiver(digit -> {}, null, DtmfReceiver.LIMIT, (hop, key, fit, measures, line, end) -> {
                     long now = GoertzelBank.HOP * (hop + 1);
@@ -55,7 +92,7 @@ final class LabelledLooks {
                     if (known < 0) {
                         if (!tape.slipped) {
                             measure(fit, measures, line, end);
-                            add(measures, false);
+                            add(measures, key, -1, hop);
                         }
                         return Double.NEGATIVE_INFINITY;
                     }
@@ -63,7 +100,7 @@ final class LabelledLooks {
                         return Double.NEGATIVE_INFINITY;
                     }
                     measure(fit, measures, line, end);
-                    add(measures, true);
+                    add(measures, key, known, hop);
                     return ++looks[known] == LOOKS_PER_KEY || now > tape.ends.get(known) - 60
                             ? Double.POSITIVE_INFINITY
                             : Double.NEGATIVE_INFINITY;
