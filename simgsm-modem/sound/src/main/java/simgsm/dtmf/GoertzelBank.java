@@ -70,7 +70,7 @@ final class GoertzelBank {
         hops++;
     }
 
-    /** Goertzel's recursion for one group, its four chains side by side. */
+    /** Goertzel's recursion for one group, its four chains side by side, two samples a step. */
     private void filterFour(int k, int slot) {
         double ca = COEFFICIENT[k];
         double cb = COEFFICIENT[k + 1];
@@ -84,19 +84,17 @@ final class GoertzelBank {
         double c2 = 0;
         double d1 = 0;
         double d2 = 0;
-        for (double x : input) {
-            double a = x - a2 + ca * a1;
-            double b = x - b2 + cb * b1;
-            double c = x - c2 + cc * c1;
-            double d = x - d2 + cd * d1;
-            a2 = a1;
-            b2 = b1;
-            c2 = c1;
-            d2 = d1;
-            a1 = a;
-            b1 = b;
-            c1 = c;
-            d1 = d;
+        for (int i = 0; i < HOP; i += 2) {
+            double x = input[i];
+            double y = input[i + 1];
+            a2 = x - a2 + ca * a1;
+            b2 = x - b2 + cb * b1;
+            c2 = x - c2 + cc * c1;
+            d2 = x - d2 + cd * d1;
+            a1 = y - a1 + ca * a2;
+            b1 = y - b1 + cb * b2;
+            c1 = y - c1 + cc * c2;
+            d1 = y - d1 + cd * d2;
         }
         put(k, slot, a1, a2);
         put(k + 1, slot, b1, b2);
