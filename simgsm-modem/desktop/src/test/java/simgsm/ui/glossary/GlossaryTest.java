@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class GlossaryTest {
     private final Glossary english = Glossary.in(Locale.ENGLISH);
@@ -43,5 +45,11 @@ class GlossaryTest {
                         new Glossary.Part("RP-ACK", "RP-DATA"),
                         Glossary.Part.plain(" is no paging-thing, nor RP-ACK again")),
                 english.parts("The RP-ACK is no paging-thing, nor RP-ACK again"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void aChannelAndTheCodeOfACellHaveTheirOwnEntries(String language) {
+        assertTrue(Glossary.in(Locale.forLanguageTag(language)).terms().containsAll(List.of("ARFCN", "BSIC")));
     }
 }
