@@ -35,7 +35,7 @@ public final class GlossaryList extends JPanel {
         JPanel all = Arrange.column(Theme.GRID, find, Arrange.growing(scroll));
         all.setBorder(Theme.padding(12));
         add(all, BorderLayout.CENTER);
-        setBackground(Theme.color(Ink.SURFACE));
+        Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
         show("");
     }
 

@@ -115,6 +115,7 @@ public final class GlossaryText extends JEditorPane {
     /** Shows its text as a heading. */
     public GlossaryText bold() {
         isBold = true;
+        super.setText(html());
         return this;
     }
 

@@ -56,7 +56,7 @@ public final class LessonList extends JPanel {
         JPanel column = Arrange.column(Theme.GRID, rows.toArray(Component[]::new));
         column.setBorder(Theme.padding(12));
         add(new VerticalScrollPane(new WrappedColumn(column)).bare(), BorderLayout.CENTER);
-        setBackground(Theme.color(Ink.SURFACE));
+        Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
     }
 
     private Component row(String name) {

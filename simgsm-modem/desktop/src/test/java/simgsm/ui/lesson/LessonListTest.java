@@ -13,12 +13,15 @@ import java.util.Locale;
 import javax.swing.JButton;
 import javax.swing.JEditorPane;
 import javax.swing.SwingUtilities;
+import javax.swing.text.StyleConstants;
+import javax.swing.text.StyledDocument;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 import simgsm.lesson.LessonLibrary;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
@@ -106,5 +109,19 @@ class LessonListTest {
                 lay(inner);
             }
         }
+    }
+
+    @Test
+    void theListTakesTheBackgroundOfANewThemeAndItsTitlesAreBold() {
+        LessonList list = list(library);
+        Theme.install(Appearance.DARK);
+        SwingUtilities.updateComponentTreeUI(list);
+        assertEquals(Theme.color(Ink.SURFACE), list.getBackground());
+        JEditorPane title = (JEditorPane) ComponentNames.find(
+                        list(library), "lessons.title." + library.names().get(0))
+                .orElseThrow();
+        assertTrue(StyleConstants.isBold(((StyledDocument) title.getDocument())
+                .getCharacterElement(title.getDocument().getLength() / 2)
+                .getAttributes()));
     }
 }
