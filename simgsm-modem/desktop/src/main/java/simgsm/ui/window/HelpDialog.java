@@ -81,8 +81,10 @@ final class HelpDialog {
         UserAction close = new UserAction("help.close", texts.of("window.help.close"), dialog::dispose);
         close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
         close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
-        dialog.setSize(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height));
-        dialog.setLocationRelativeTo(frame);
+        Theme.styled(tabs, all -> {
+            dialog.setSize(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height));
+            dialog.setLocationRelativeTo(frame);
+        });
         dialog.setVisible(true);
     }
 
@@ -123,8 +125,7 @@ final class HelpDialog {
 
     private static JTextArea wrapped(String text) {
         JTextArea lines = new ReadingArea(text);
-        lines.setFont(Theme.base());
-        return lines;
+        return Theme.styled(lines, area -> area.setFont(Theme.base()));
     }
 
     /** Closed by Escape; the list of lessons remains open. */
@@ -197,6 +198,8 @@ final class HelpDialog {
     static JPanel content(Component root, String about, String version, TextBundle texts) {
         JTextArea text = wrapped(about);
         text.setOpaque(false);
+        // Nimbus also paints the background of a text that is not opaque.
+        Theme.styled(text, area -> area.setBackground(Theme.color(Ink.SURFACE, 0)));
         JTable table = new JTable(rows(root, texts));
         table.setDefaultEditor(Object.class, null);
         Theme.styled(table, HelpDialog::fit);

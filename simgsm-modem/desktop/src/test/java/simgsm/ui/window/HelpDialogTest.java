@@ -23,6 +23,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -170,5 +171,19 @@ class HelpDialogTest {
         g.dispose();
         int text = Theme.color(Ink.TEXT).getRGB();
         assertTrue(IntStream.range(0, 300 * 40).anyMatch(i -> image.getRGB(i % 300, i / 300) == text));
+    }
+
+    @Test
+    void paragraphsTakeANewSizeAndHaveNoBoxBehindThem() {
+        JPanel help = HelpDialog.content(window, "About.", "1", DesktopTexts.in(Locale.ENGLISH));
+        try {
+            Theme.zoomTo(2);
+            SwingUtilities.updateComponentTreeUI(help);
+            Component about = ComponentNames.find(help, "help.about").orElseThrow();
+            assertEquals(Theme.base(), about.getFont());
+            assertEquals(0, about.getBackground().getAlpha());
+        } finally {
+            Theme.zoomTo(1);
+        }
     }
 }
