@@ -8,12 +8,13 @@ import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.JComponent;
 import simgsm.console.Arguments;
 import simgsm.console.CommandException;
 import simgsm.console.Event;
 import simgsm.console.ProgramFolder;
 import simgsm.console.QuickStart;
-import simgsm.console.UsageException;
+import simgsm.ui.window.ProgramWindow;
 
 /** A lesson that is begun in a phone's help: the suite's demo with the lesson, beside the phone, which ends it. */
 final class BegunLesson {
@@ -23,12 +24,13 @@ final class BegunLesson {
 
     private BegunLesson() {}
 
-    /** @param arguments of the phone, for language and lessons' folder; @param results receives those fields of each result; any thread */
+    /** @param arguments of the phone, for the lessons' folder; @param results receives those fields of each result; any thread */
     static void start(String name, Arguments arguments, Consumer<String[]> results) {
         try {
             List<String> command = ProgramFolder.of(BegunLesson.class).command(JAR, QuickStart.options());
             command.addAll(List.of("--demo", "--lesson", name, "--console", "--port", "0"));
-            command.addAll(List.of("--lang", arguments.language().getLanguage()));
+            command.addAll(List.of("--lang", JComponent.getDefaultLocale().getLanguage()));
+            command.addAll(ProgramWindow.presentLook());
             arguments
                     .text("lessons")
                     .filter(folder -> !folder.isEmpty())
@@ -38,7 +40,7 @@ final class BegunLesson {
             Thread reader = new Thread(() -> read(lesson.inputReader(StandardCharsets.UTF_8), results), "lesson");
             reader.setDaemon(true);
             reader.start();
-        } catch (IOException | UsageException e) {
+        } catch (IOException e) {
             LOG.log(Level.WARNING, "the lesson has not begun: {0}", e.getMessage());
         }
     }

@@ -3,6 +3,7 @@ package simgsm.classroom;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalInt;
+import javax.swing.JComponent;
 import simgsm.center.CenterLauncher;
 import simgsm.center.app.Center;
 import simgsm.center.app.CenterCommands;
@@ -23,6 +24,7 @@ import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
+import simgsm.ui.Theme;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
@@ -75,16 +77,17 @@ public final class SuiteLauncher implements CenterLauncher {
             throw new UnavailableException(
                     "no display is available; without one --lesson NAME --check FILE plays a solution");
         }
-        Arguments arguments = WindowMemory.recall(given, given.has("demo") ? WindowedDemo.CENTER : "center");
+        Arguments arguments = recalled(given);
         CenterSettings settings = CenterSettings.read(arguments);
         if (arguments.has("demo")) {
-            return demo(arguments, settings, given.has("zoom"));
+            return demo(arguments, settings, given);
         }
         requireTogether(arguments, "lesson", "demo");
-        return center(arguments, settings, given.has("zoom"));
+        return center(arguments, settings, given);
     }
 
-    private static int demo(Arguments arguments, CenterSettings settings, boolean isZoomGiven) throws Exception {
+    private static int demo(Arguments arguments, CenterSettings settings, Arguments given) throws Exception {
+        boolean isZoomGiven = given.has("zoom");
         if (arguments.has("web") && settings.home().isClosed()) {
             throw new UsageException("--web: browsers have no SIM card, expected an open network, without --hlr");
         }
@@ -97,10 +100,11 @@ public final class SuiteLauncher implements CenterLauncher {
         if (arguments.has("headless") || !Display.isAvailable()) {
             return HeadlessDemo.run(arguments, settings);
         }
-        return lessons(arguments, isZoomGiven, WindowedDemo.run(arguments, settings, isZoomGiven));
+        Optional<String> chosen = WindowedDemo.run(arguments, settings, isZoomGiven);
+        return lessons(asShown(given), isZoomGiven, chosen);
     }
 
-    private static int center(Arguments arguments, CenterSettings settings, boolean isZoomGiven) throws Exception {
+    private static int center(Arguments arguments, CenterSettings settings, Arguments given) throws Exception {
         Optional<ProgramWindow> window = arguments.has("headless")
                 ? Optional.empty()
                 : Optional.of(ProgramWindow.of(arguments, Optional.empty()));
@@ -112,17 +116,29 @@ public final class SuiteLauncher implements CenterLauncher {
             }
             chosen = CenterWindow.run(center, arguments, settings, null, window.get(), CenterWindow.Watch.NONE);
         }
-        return lessons(arguments, isZoomGiven, chosen);
+        return chosen.isEmpty() ? ExitStatus.OK : lessons(asShown(given), given.has("zoom"), chosen);
     }
 
     /** Opens the chosen lesson, then those chosen in its windows. */
     private static int lessons(Arguments arguments, boolean isZoomGiven, Optional<String> first) throws Exception {
         Optional<String> next = first;
+        Arguments shown = arguments;
         while (next.isPresent()) {
-            next = WindowedLesson.run(
-                    arguments.without("remember-as", "window").with("lesson", next.get()), isZoomGiven);
+            next = WindowedLesson.run(shown.without("remember-as", "window").with("lesson", next.get()), isZoomGiven);
+            shown = asShown(shown);
         }
         return ExitStatus.OK;
+    }
+
+    private static Arguments recalled(Arguments given) throws UsageException {
+        return WindowMemory.recall(given, given.has("demo") ? WindowedDemo.CENTER : "center");
+    }
+
+    /** With the size, language and colours that were chosen in a window since the start. */
+    private static Arguments asShown(Arguments given) throws UsageException {
+        return recalled(given)
+                .with("lang", JComponent.getDefaultLocale().getLanguage())
+                .with("theme", Theme.appearance().word());
     }
 
     private static void requireTogether(Arguments arguments, String option, String needed) throws UsageException {
