@@ -12,9 +12,10 @@ import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
-import javax.swing.JTextField;
+import javax.swing.JTextArea;
 import simgsm.console.TextBundle;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.ReadingArea;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
 import simgsm.ui.window.WindowIcon;
@@ -26,6 +27,7 @@ public final class LinkFrame {
     private static final int SIDE_UNITS = 420;
     private static final int LEAST_UNITS = 180;
     private static final float LETTERS = 1.6f;
+    private static final int LINES = 2;
 
     private final Locale language;
     private final String link;
@@ -76,8 +78,9 @@ public final class LinkFrame {
     }
 
     JPanel content(TextBundle texts) {
-        JTextField letters = new JTextField(link);
-        letters.setEditable(false);
+        JTextArea letters = new ReadingArea(link);
+        letters.setWrapStyleWord(false); // a link has no spaces to wrap at
+        letters.setRows(LINES);
         letters.setCaretPosition(0);
         letters.setFont(letters.getFont().deriveFont(letters.getFont().getSize2D() * LETTERS));
         JPanel panel = new JPanel(new BorderLayout(Theme.px(Theme.GRID), Theme.px(Theme.GRID)));
