@@ -48,6 +48,9 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
 
     private ClassView view = new ClassView(List.of(), ClassView.Phase.FREE, 0, Optional.empty());
     private boolean isChanged = true;
+    /** Of browsers; empty for students with programs. */
+    private Optional<String> link = Optional.empty();
+
     private Optional<String> notice = Optional.empty();
     private long readyNanos;
     /** Language of the class's window. */
@@ -85,9 +88,9 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
                 .saying(isZoomGiven, wanted)
                 .withFlatCenter();
         session.consoles().listen(this);
-        Optional<LinkFrame> link = start(layout, layout.phoneColumn(screen))
-                .map(url -> new LinkFrame(
-                        language, url, Optional.of(layout.insteadOfPhone()), locked -> WebLink.lock(session, locked)));
+        link = start(layout, layout.phoneColumn(screen));
+        Optional<LinkFrame> linkFrame = link.map(url -> new LinkFrame(
+                language, url, Optional.of(layout.insteadOfPhone()), locked -> WebLink.lock(session, locked)));
         CenterWindow.Watch watch = new CenterWindow.Watch(
                 session.centerEvents(),
                 snapshot -> {},
@@ -100,7 +103,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
                             screen.height(),
                             this,
                             this::view);
-                    link.ifPresent(LinkFrame::open);
+                    linkFrame.ifPresent(LinkFrame::open);
                 },
                 chosen -> {
                     language = chosen;
@@ -108,7 +111,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
                 },
                 false,
                 roll.numbers().collect(Collectors.toSet()),
-                link.map(shown -> shown::open));
+                linkFrame.map(shown -> shown::open));
         CenterWindow.run(
                 session.center(),
                 demo.arguments,
@@ -242,14 +245,15 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
 
     @Override
     public List<String> commands() {
-        return IntStream.range(0, roll.students())
-                .mapToObj(i -> command(roll.phone(i)))
-                .toList();
+        return link.map(List::of)
+                .orElseGet(() -> IntStream.range(0, roll.students())
+                        .mapToObj(i -> command(roll.phone(i)))
+                        .toList());
     }
 
     @Override
     public String pattern() {
-        return command("N");
+        return link.orElseGet(() -> command("N"));
     }
 
     @Override

@@ -19,10 +19,10 @@ public interface ClassActions {
      */
     void replay(String phone) throws IOException;
 
-    /** The commands of the students' machines, a line each, in the order of their numbers. */
+    /** The commands of the students' machines, a line each, in the order of their numbers; or the browsers' link. */
     List<String> commands();
 
-    /** The command of all students, with N for the number. */
+    /** The command of all students, with N for the number; or the browsers' link. */
     String pattern();
 
     /** The reason why other machines cannot connect; empty if they can. */

@@ -132,9 +132,13 @@ public final class ClassPanel extends JPanel {
                 // the table shrinks for a notice, so that no button moves
                 notice,
                 Arrange.row(Theme.GRID, button(replay), save, Arrange.spring()),
-                new JLabel(words.of("class.commands")),
+                new JLabel(words.of(heading())),
                 command,
                 Arrange.row(Theme.GRID, copy, large, Arrange.spring()));
+    }
+
+    private String heading() {
+        return actions.pattern().startsWith("http") ? "class.link" : "class.commands";
     }
 
     private UserAction action(String id, Symbol symbol, Runnable task) {
@@ -231,7 +235,7 @@ public final class ClassPanel extends JPanel {
     }
 
     private void showLarge() {
-        frames.openLarge(this, words.of("class.commands"), large());
+        frames.openLarge(this, words.of(heading()), large());
     }
 
     ClassCommands large() {
