@@ -8,7 +8,6 @@ import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.function.Consumer;
-import javax.swing.JComponent;
 import simgsm.console.Arguments;
 import simgsm.console.CommandException;
 import simgsm.console.Event;
@@ -29,7 +28,6 @@ final class BegunLesson {
         try {
             List<String> command = ProgramFolder.of(BegunLesson.class).command(JAR, QuickStart.options());
             command.addAll(List.of("--demo", "--lesson", name, "--console", "--port", "0"));
-            command.addAll(List.of("--lang", JComponent.getDefaultLocale().getLanguage()));
             command.addAll(ProgramWindow.presentLook());
             arguments
                     .text("lessons")

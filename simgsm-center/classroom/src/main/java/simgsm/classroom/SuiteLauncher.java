@@ -1,9 +1,9 @@
 package simgsm.classroom;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import javax.swing.JComponent;
 import simgsm.center.CenterLauncher;
 import simgsm.center.app.Center;
 import simgsm.center.app.CenterCommands;
@@ -24,7 +24,6 @@ import simgsm.console.Options;
 import simgsm.console.Program;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
-import simgsm.ui.Theme;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
@@ -136,9 +135,12 @@ public final class SuiteLauncher implements CenterLauncher {
 
     /** With the size, language and colours that were chosen in a window since the start. */
     private static Arguments asShown(Arguments given) throws UsageException {
-        return recalled(given)
-                .with("lang", JComponent.getDefaultLocale().getLanguage())
-                .with("theme", Theme.appearance().word());
+        Arguments shown = recalled(given);
+        List<String> look = ProgramWindow.presentLook();
+        for (int i = 0; i < look.size(); i += 2) {
+            shown = shown.with(look.get(i).substring(2), look.get(i + 1));
+        }
+        return shown;
     }
 
     private static void requireTogether(Arguments arguments, String option, String needed) throws UsageException {

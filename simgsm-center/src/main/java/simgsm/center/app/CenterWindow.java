@@ -12,7 +12,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import javax.swing.JComponent;
 import simgsm.air.Msisdn;
 import simgsm.center.msc.BroadcastOrder;
 import simgsm.center.msc.ExchangeEvent;
@@ -224,7 +223,6 @@ public final class CenterWindow implements CenterActions {
         List<String> words = new ArrayList<>(center.home().wordsFor(number));
         words.addAll(List.of("--center", center.reachedAt(), "--end-with-input"));
         words.addAll(List.of("--window", place.apply(cascade).toString()));
-        words.addAll(List.of("--lang", JComponent.getDefaultLocale().getLanguage()));
         words.addAll(ProgramWindow.presentLook());
         words.addAll(WindowMemory.passedOn(arguments));
         children.start(jar, number, words, ProcessBuilder.Redirect.DISCARD);

@@ -226,15 +226,14 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
         synchronized (demo.board) {
             from = Math.max(0, demo.board.beganNanos(phone).orElse(readyNanos) - readyNanos);
         }
-        List<String> options = replayOptions(recording, TimeUnit.NANOSECONDS.toSeconds(from), language);
+        List<String> options = replayOptions(recording, TimeUnit.NANOSECONDS.toSeconds(from));
         session.children().start("simrobot.jar", "", options, Redirect.DISCARD);
     }
 
     /** The options of a SimRobot that replays a recording in the teacher's language, zoom and colours. */
-    static List<String> replayOptions(String recording, long fromSeconds, Locale language) {
+    static List<String> replayOptions(String recording, long fromSeconds) {
         List<String> options = new ArrayList<>(List.of("--replay", recording));
         options.addAll(List.of("--replay-from", String.valueOf(fromSeconds), "--end-with-input"));
-        options.addAll(List.of("--lang", language.getLanguage()));
         options.addAll(ProgramWindow.presentLook());
         return options;
     }

@@ -81,7 +81,8 @@ public final class LinkFrame {
         JTextArea letters = new ReadingArea(link);
         letters.setWrapStyleWord(false); // a link has no spaces to wrap at
         letters.setRows(LINES);
-        letters.setMinimumSize(new Dimension()); // otherwise that of a line for each letter, which the frame would grow to
+        letters.setMinimumSize(
+                new Dimension()); // otherwise that of a line for each letter, which the frame would grow to
         letters.setCaretPosition(0);
         letters.setFont(letters.getFont().deriveFont(letters.getFont().getSize2D() * LETTERS));
         JPanel panel = new JPanel(new BorderLayout(Theme.px(Theme.GRID), Theme.px(Theme.GRID)));

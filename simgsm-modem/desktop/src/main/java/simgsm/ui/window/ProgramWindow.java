@@ -155,13 +155,12 @@ public final class ProgramWindow {
                 : OptionalInt.empty();
     }
 
-    /** Options that give a started program the current zoom and colours of this one. */
+    /** Options that give a started program the current language, zoom and colours of this one. */
     public static List<String> presentLook() {
-        return List.of(
-                "--zoom",
-                String.valueOf(Math.round(Theme.zoom() * HUNDRED_PERCENT)),
-                "--theme",
-                Theme.appearance().name().toLowerCase(Locale.ROOT));
+        String language = JComponent.getDefaultLocale().getLanguage();
+        String zoom = String.valueOf(Math.round(Theme.zoom() * HUNDRED_PERCENT));
+        String theme = Theme.appearance().word();
+        return List.of("--lang", language, "--zoom", zoom, "--theme", theme);
     }
 
     /** Opens the window and returns after its user or {@link #close} has closed it. */
