@@ -8,7 +8,7 @@ import simgsm.tone.ToneLevel;
 
 /** Sound without keys: recorded voices behind what lines and recorders do to them, and sustained vowels by synthesis. */
 final class VoiceTapes {
-    /** Formants of [a], [ɑ], [ɔ], [ɛ], [o], [æ], [ʌ], [ə]: frequencies in hertz. */
+    /** Formants of twelve vowels: frequencies in hertz. */
     private static final double[][] VOWELS = {
         {770, 1210, 2500}, {710, 1100, 2450}, {590, 880, 2540}, {580, 1800, 2600}, {450, 800, 2500},
         {860, 1550, 2450}, {640, 1200, 2390}, {500, 1500, 2500}, {700, 1350, 2600}, {850, 1480, 2700},
