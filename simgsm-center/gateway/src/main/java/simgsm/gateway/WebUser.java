@@ -39,7 +39,7 @@ final class WebUser {
     private record Received(String from, String text, long millis) {}
 
     private final String token;
-    /** Of the number in the range of numbers. */
+    /** The place of the number in the range of numbers, 0 for the first. */
     private final int place;
 
     private final int places;

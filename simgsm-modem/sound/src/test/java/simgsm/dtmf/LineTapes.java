@@ -79,7 +79,7 @@ final class LineTapes {
         }
     }
 
-    /** Speech under the whole tape, so many decibels below the weaker tone. */
+    /** Adds speech to the whole tape. @param decibels that it is weaker than the weaker tone */
     private static Tape over(Tape tape, short[] speech, int decibels) {
         double gain = ToneLevel.amplitude(Math.min(tape.rowDbm0, tape.columnDbm0) - decibels)
                 / DisturbedTapes.rootMeanSquare(speech);

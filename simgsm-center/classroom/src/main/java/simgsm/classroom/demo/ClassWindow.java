@@ -48,7 +48,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
 
     private ClassView view = new ClassView(List.of(), ClassView.Phase.FREE, 0, Optional.empty());
     private boolean isChanged = true;
-    /** Of browsers; empty for students with programs. */
+    /** The link that students open in a browser; empty if they start programs. */
     private Optional<String> link = Optional.empty();
 
     private Optional<String> notice = Optional.empty();
@@ -253,6 +253,11 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
     @Override
     public String pattern() {
         return link.orElseGet(() -> command("N"));
+    }
+
+    @Override
+    public boolean isInBrowsers() {
+        return link.isPresent();
     }
 
     @Override

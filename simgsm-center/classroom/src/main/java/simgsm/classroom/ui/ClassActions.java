@@ -25,6 +25,9 @@ public interface ClassActions {
     /** The command of all students, with N for the number; or the browsers' link. */
     String pattern();
 
+    /** True if students open the link in a browser, and start no program. */
+    boolean isInBrowsers();
+
     /** The reason why other machines cannot connect; empty if they can. */
     Optional<String> warning();
 }

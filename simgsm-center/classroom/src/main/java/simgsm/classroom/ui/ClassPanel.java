@@ -109,7 +109,7 @@ public final class ClassPanel extends JPanel {
         replay = action("replay", Symbol.PLAY, this::replay);
         ComponentNames.name(clock, "class.clock", words.of("class.clock"));
         ComponentNames.name(best, "class.best", words.of("class.best.name"));
-        command = ComponentNames.name(new ReadingArea(actions.pattern()), "class.command", words.of("class.commands"));
+        command = ComponentNames.name(new ReadingArea(actions.pattern()), "class.command", words.of(heading()));
         add(content(), BorderLayout.CENTER);
         actions.warning().ifPresent(notice::show);
         notice.setVisible(actions.warning().isPresent());
@@ -138,7 +138,7 @@ public final class ClassPanel extends JPanel {
     }
 
     private String heading() {
-        return actions.pattern().startsWith("http") ? "class.link" : "class.commands";
+        return actions.isInBrowsers() ? "class.link" : "class.commands";
     }
 
     private UserAction action(String id, Symbol symbol, Runnable task) {

@@ -31,6 +31,7 @@ import simgsm.ui.Theme;
 
 /** The window of a class without a display. */
 class ClassPanelTest {
+    private boolean isInBrowsers;
     private static final ClassPanel.Frames NO_FRAMES = new ClassPanel.Frames() {
         @Override
         public void save(Component owner, String csv) {}
@@ -211,6 +212,20 @@ class ClassPanelTest {
         return new ClassView(List.of(rows), ClassView.Phase.RUNNING, 75, Optional.empty());
     }
 
+    @Test
+    void theTextForStudentsIsNamedAsTheirCommandOrTheBrowsersLink() throws Exception {
+        assertEquals("Each student's machine starts this; N is the number", nameOfCommand());
+        isInBrowsers = true;
+        assertEquals("Each student opens this link", nameOfCommand());
+    }
+
+    private String nameOfCommand() {
+        return ComponentNames.find(new ClassPanel(Locale.ENGLISH, students(), NO_FRAMES), "class.command")
+                .orElseThrow()
+                .getAccessibleContext()
+                .getAccessibleName();
+    }
+
     private ClassActions students() {
         return new ClassActions() {
             @Override
@@ -237,6 +252,11 @@ class ClassPanelTest {
             @Override
             public String pattern() {
                 return "x --number N --center 10.0.0.7:3003";
+            }
+
+            @Override
+            public boolean isInBrowsers() {
+                return isInBrowsers;
             }
 
             @Override

@@ -87,7 +87,7 @@ public final class MailGateway {
         application.submit(submission(settings.bind().number().digits(), number, harmless), status -> then.run());
     }
 
-    /** Of automatic mail, a notice of non-delivery is told to its number; a notice is never refused for good. */
+    /** The only automatic mail that reaches a phone is a notice of non-delivery, which is never refused for good. */
     private void mail(String number, String sender, String octets, Consumer<String> reply) {
         IncomingMail mail = IncomingMail.read(sender, octets);
         String pair = number + " " + sender.toLowerCase(Locale.ROOT);

@@ -6,8 +6,8 @@ import simgsm.center.msc.LadderEntry;
 import simgsm.ui.Theme;
 
 /**
- * The order of the lifelines: the centre in the middle, terminals in the order of their numbers on both sides. Names of
- * messages are written beside the centre, so many lines are closer to each other than to the centre.
+ * The order of the lifelines: the centre in the middle, terminals in the order of their numbers on both sides. The
+ * names of messages stand beside the centre: with more than two terminals the lines are closer to each other than to the centre.
  *
  * <pre>
  *   | time |  5550100  5550101      M3      5550200  5550201  | tag |
