@@ -50,12 +50,12 @@ class EmergencyCallTest {
             RunningProgram phone =
                     scenario.unregisteredPhone(Scenario.PHONE, "--sim", list, "--imei", "490154203237518");
             phone.expect("sim", "state", "pin");
+            phone.say("dial 911");
+            phone.expectBefore(Set.of("registered"), "connected", "number", Scenario.ROBOT);
             if (cells.isPresent()) {
                 cells.get().say("mobiles");
                 cells.get().expect("mobile", "number", "IMEI-490154203237518");
             }
-            phone.say("dial 911");
-            phone.expectBefore(Set.of("registered"), "connected", "number", Scenario.ROBOT);
             String caller = robot.expect("call").field("from");
             assertTrue(caller.matches("911[0-9]{7}"), caller);
             phone.expect("tone", "key", "1");

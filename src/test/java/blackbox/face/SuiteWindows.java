@@ -10,10 +10,10 @@ import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.ResourceBundle;
 import java.util.Set;
@@ -163,7 +163,9 @@ final class SuiteWindows {
                         Runnable::run);
             case CLASS -> classPanel(locale);
             case SCOPE -> scope(locale);
-            case LESSONS -> new LessonList(LessonLibrary.ofSuite(), locale, true, nothing(LessonList.Actions.class));
+            case LESSONS ->
+                new LessonList(
+                        LessonLibrary.ofSuite(), locale, true, IdleProgram.behind(LessonList.Actions.class, Map.of()));
             case LESSON -> lesson(form, locale);
             case SHEET -> sheet(form, locale);
             default -> program(which, language);
@@ -181,7 +183,7 @@ final class SuiteWindows {
                     library.names(),
                     locale,
                     text -> text,
-                    nothing(LessonActions.class));
+                    IdleProgram.behind(LessonActions.class, Map.of()));
             List<LessonView.StepView> steps = lesson.steps().stream()
                     .map(step -> new LessonView.StepView(step.name(), LessonView.StepState.DONE, true, ""))
                     .toList();
@@ -227,16 +229,14 @@ final class SuiteWindows {
     }
 
     private static ClassPanel classPanel(Locale locale) {
-        ClassActions actions = (ClassActions) Proxy.newProxyInstance(
-                ClassActions.class.getClassLoader(),
-                new Class<?>[] {ClassActions.class},
-                (proxy, method, arguments) -> switch (method.getName()) {
-                    case "commands" -> List.of();
-                    case "pattern" -> "java -jar simgsm-phone.jar --number N --center 192.168.178.112:34709";
-                    case "warning" -> Optional.of("The centre listens to this machine only.");
-                    default -> null;
-                });
-        ClassPanel panel = new ClassPanel(locale, actions, nothing(ClassPanel.Frames.class));
+        ClassActions actions = IdleProgram.behind(
+                ClassActions.class,
+                Map.of(
+                        "pattern",
+                        "java -jar simgsm-phone.jar --number N --center 192.168.178.112:34709",
+                        "warning",
+                        Optional.of("The centre listens to this machine only.")));
+        ClassPanel panel = new ClassPanel(locale, actions, IdleProgram.behind(ClassPanel.Frames.class, Map.of()));
         List<ClassView.Row> rows = IntStream.range(0, 30)
                 .mapToObj(i -> new ClassView.Row(
                         List.of(
@@ -263,12 +263,18 @@ final class SuiteWindows {
                 new HandsetWindow(
                                 in -> texts("simgsm.phone.messages", in.getLanguage()),
                                 () -> speaking(language),
-                                nothing(HandsetControls.class),
+                                IdleProgram.behind(HandsetControls.class, Map.of()),
                                 spoken -> {})
                         .content(locale);
-            case ROBOT -> SimRobotWindow.content("SimRobot", locale, () -> robot, nothing(OperatorActions.class));
+            case ROBOT ->
+                SimRobotWindow.content(
+                        "SimRobot", locale, () -> robot, IdleProgram.behind(OperatorActions.class, Map.of()));
             case REPLAY ->
-                SimRobotWindow.content("SimRobot - session.rec", locale, () -> replay, nothing(OperatorActions.class));
+                SimRobotWindow.content(
+                        "SimRobot - session.rec",
+                        locale,
+                        () -> replay,
+                        IdleProgram.behind(OperatorActions.class, Map.of()));
             default -> MonitorWindow.content(actions(), texts("simgsm.center.app.messages", language));
         };
         content.closed().run();
@@ -366,26 +372,17 @@ final class SuiteWindows {
     }
 
     private CenterActions actions() {
-        return (CenterActions) Proxy.newProxyInstance(
-                CenterActions.class.getClassLoader(),
-                new Class<?>[] {CenterActions.class},
-                (proxy, method, arguments) -> switch (method.getName()) {
-                    case "port" -> 3003;
-                    case "access" -> NetworkAccess.OPEN;
-                    case "link" -> Optional.of((Runnable) () -> {});
-                    case "snapshot" -> Optional.of(center);
-                    default -> null;
-                });
-    }
-
-    /** Answers everything by nothing. */
-    private static <T> T nothing(Class<T> type) {
-        return type.cast(Proxy.newProxyInstance(
-                type.getClassLoader(),
-                new Class<?>[] {type},
-                (proxy, method, arguments) -> method.getReturnType() == Optional.class
-                        ? Optional.empty()
-                        : method.getReturnType() == List.class ? List.of() : null));
+        return IdleProgram.behind(
+                CenterActions.class,
+                Map.of(
+                        "port",
+                        3003,
+                        "access",
+                        NetworkAccess.OPEN,
+                        "link",
+                        Optional.of((Runnable) () -> {}),
+                        "snapshot",
+                        Optional.of(center)));
     }
 
     /** Sets the size in pixels and lays all out, until nothing moves any more. */

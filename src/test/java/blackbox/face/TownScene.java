@@ -3,9 +3,9 @@ package blackbox.face;
 import blackbox.Scenario;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import simgsm.cells.radio.Propagation;
@@ -86,10 +86,7 @@ final class TownScene {
     }
 
     TownActions actions() {
-        return (TownActions) Proxy.newProxyInstance(
-                TownActions.class.getClassLoader(),
-                new Class<?>[] {TownActions.class},
-                (proxy, method, arguments) -> method.getName().equals("snapshot") ? snapshot : null);
+        return IdleProgram.behind(TownActions.class, Map.of("snapshot", snapshot));
     }
 
     Propagation propagation() {

@@ -2,6 +2,7 @@ package blackbox.pictures;
 
 import blackbox.VirtualPhone;
 import blackbox.VirtualSuite;
+import blackbox.face.IdleProgram;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Container;
@@ -9,13 +10,13 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.ResourceBundle;
 import javax.swing.JComboBox;
@@ -72,7 +73,7 @@ final class SuitePicture {
                 ResourceBundle.getBundle("simgsm.phone.messages", TextBundle.bundleLocale(language)), Locale.ROOT);
         Clock noon = Clock.fixed(Instant.parse("2026-11-21T12:00:00Z"), ZoneOffset.UTC);
         handset = new HandsetPanel(texts, language, noon, phone.handset().snapshot(), action -> {});
-        robot = new SimRobotPanel(language, window(), idle());
+        robot = new SimRobotPanel(language, window(), IdleProgram.behind(OperatorActions.class, Map.of()));
         ProgramWindow.Content monitor = MonitorWindow.content(new Watched(), CenterTexts.in(language));
         // Its timers tell real time.
         monitor.closed().run();
@@ -100,14 +101,6 @@ final class SuitePicture {
                 settle(inner);
             }
         }
-    }
-
-    /** SimRobot's window asks for nothing here that must be done. */
-    private static OperatorActions idle() {
-        return (OperatorActions) Proxy.newProxyInstance(
-                OperatorActions.class.getClassLoader(),
-                new Class<?>[] {OperatorActions.class},
-                (proxy, method, arguments) -> null);
     }
 
     HandsetPanel handset() {
