@@ -51,13 +51,14 @@ final class LcdCall {
 
     void ended(LcdPen pen, HandsetSnapshot phone) {
         CallSnapshot call = phone.call();
-        pen.centred(texts.of("lcd.ended"), pen.sans(14, true), 66);
-        pen.centred(CauseText.of(texts, call.ended().orElseThrow()), pen.sans(13, false), 88);
+        double lift = LcdKeys.lift(pen, call);
+        pen.centred(texts.of("lcd.ended"), pen.sans(14, true), 66 - lift / 2);
+        pen.centred(CauseText.of(texts, call.ended().orElseThrow()), pen.sans(13, false), 88 - lift * 0.7);
         pen.ink(Ink.LCD_QUIET);
         String line = phone.nameOf(call.number()) + (call.seconds() > 0 ? "   " + time(call.seconds()) : "");
-        pen.centred(line.strip(), pen.mono(13, false), 112);
+        pen.centred(line.strip(), pen.mono(13, false), 112 - lift);
         pen.ink(Ink.LCD_INK);
-        keys.heard(pen, call, HEARD_BASELINE, true);
+        keys.heard(pen, call, HEARD_BASELINE - lift, true);
     }
 
     void call(LcdPen pen, HandsetSnapshot phone) {
@@ -78,11 +79,12 @@ final class LcdCall {
             double from = 32 + pen.width(pen.sans(13, true), phase);
             codec(pen, phone.station(), from, edge - pen.width(pen.mono(14, true), time));
         }
-        party(pen, phone);
+        boolean hasSecond = call.waiting().isPresent() || call.held().isPresent();
+        double lift = hasSecond || call.phase() != CallPhase.CONNECTED ? 0 : LcdKeys.lift(pen, call);
+        party(pen, phone, lift > 0);
         if (call.phase() == CallPhase.CONNECTED) {
-            keys.keyed(pen, call.keyed(), KEYED_BASELINE);
-            boolean hasSecond = call.waiting().isPresent() || call.held().isPresent();
-            keys.heard(pen, call, HEARD_BASELINE, !hasSecond);
+            keys.keyed(pen, call.keyed(), KEYED_BASELINE - lift);
+            keys.heard(pen, call, HEARD_BASELINE - lift, !hasSecond);
         }
         if (call.waiting().isPresent()) {
             second(pen, phone, "lcd.waiting", call.waiting().get());
@@ -93,13 +95,15 @@ final class LcdCall {
         }
     }
 
-    /** The name of the other party above its number, or the number alone. */
-    private void party(LcdPen pen, HandsetSnapshot phone) {
+    /** The name of the other party above its number, or the number alone; small if a robot's words need the room. */
+    private void party(LcdPen pen, HandsetSnapshot phone, boolean isSmall) {
         String number = phone.call().number();
         String name = phone.nameOf(number);
         double room = LcdPen.WIDTH - 2 * LcdPen.MARGIN;
         if (number.isEmpty()) {
             pen.left(texts.of("lcd.unknown"), pen.sans(20, true), LcdPen.MARGIN, 83, room);
+        } else if (isSmall) {
+            pen.left(name, pen.sans(13, true), LcdPen.MARGIN, 70, room);
         } else if (name.equals(number)) {
             pen.left(number, pen.mono(25, true), LcdPen.MARGIN, 83, room);
         } else {

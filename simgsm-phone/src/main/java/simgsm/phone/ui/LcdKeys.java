@@ -21,7 +21,8 @@ final class LcdKeys {
     private static final double MEANING_SIZE = 12.5;
     private static final double EARLIER_SIZE = 11.5;
     private static final double EARLIER_BELOW = 18;
-    private static final double LEAST_WORDS_SIZE = 9;
+    private static final double WORDS_PITCH = 12.5;
+    private static final int MOST_WORDS_LINES = 3;
     private static final String CUT = "\u2026";
     private static final String BETWEEN = ", ";
 
@@ -87,11 +88,11 @@ final class LcdKeys {
     }
 
     /**
-     * The newest key heard as a keycap, with its meaning; a line below shows those before it.
+     * The newest key heard as a keycap, with its meaning; below it a robot's words, or the keys before it.
      *
-     * @param showsEarlier true if there is room for that line
+     * @param showsMore true if there is room below
      */
-    void heard(LcdPen pen, CallSnapshot call, double baseline, boolean showsEarlier) {
+    void heard(LcdPen pen, CallSnapshot call, double baseline, boolean showsMore) {
         String heard = call.heard();
         if (heard.isEmpty()) {
             return;
@@ -109,23 +110,32 @@ final class LcdKeys {
             double shrink = Math.min(1, (RIGHT_EDGE - from) / pen.width(font, words));
             pen.left(words, pen.sans(MEANING_SIZE * shrink, true), from, baseline);
         }
-        if (showsEarlier && !call.words().isEmpty()) {
-            words(pen, call.words(), baseline + EARLIER_BELOW);
-        } else if (showsEarlier && newest > 0) {
+        if (showsMore && !call.words().isEmpty()) {
+            double below = baseline + EARLIER_BELOW;
+            for (String line : words(pen, call)) {
+                pen.left(line, pen.sans(EARLIER_SIZE, false), LcdPen.MARGIN, below);
+                below += WORDS_PITCH;
+            }
+        } else if (showsMore && newest > 0) {
             earlier(pen, call, heard.substring(0, newest), baseline + EARLIER_BELOW);
         }
     }
 
-    /** Writes a robot's words in the largest size that fits; if none does, their end. */
-    private void words(LcdPen pen, String words, double baseline) {
-        double room = RIGHT_EDGE - LcdPen.MARGIN;
-        double natural = pen.width(pen.sans(EARLIER_SIZE, false), words);
-        Font font = pen.sans(Math.max(LEAST_WORDS_SIZE, EARLIER_SIZE * Math.min(1, room / natural)), false);
-        String shown = words;
-        while (pen.width(font, shown) > room) {
+    /** A robot's words in lines; their end, if there are more than {@value #MOST_WORDS_LINES}. */
+    private static List<String> words(LcdPen pen, CallSnapshot call) {
+        Font font = pen.sans(EARLIER_SIZE, false);
+        String shown = call.words();
+        List<String> lines = pen.wrap(shown, font, RIGHT_EDGE - LcdPen.MARGIN);
+        while (lines.size() > MOST_WORDS_LINES) {
             shown = CUT + shown.substring(shown.indexOf(' ', 2));
+            lines = pen.wrap(shown, font, RIGHT_EDGE - LcdPen.MARGIN);
         }
-        pen.left(shown, font, LcdPen.MARGIN, baseline);
+        return lines;
+    }
+
+    /** The room that further lines of a robot's words take from what is above them, in units. */
+    static double lift(LcdPen pen, CallSnapshot call) {
+        return (words(pen, call).size() - 1) * WORDS_PITCH;
     }
 
     /** Writes the newest keys that fit, the oldest of them first. */

@@ -2,6 +2,7 @@ package simgsm.phone.handset;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -19,6 +20,10 @@ import simgsm.speech.AudioOutput;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.context.StationEvent;
 import simgsm.tone.ToneSet;
+import simgsm.words.PromptListener;
+import simgsm.words.Prompts;
+import simgsm.words.SpokenLanguage;
+import simgsm.words.SpokenReply;
 
 /** A handset on a bench: a fake station, a hand-moved clock, the events as lines, the sent tones heard by a receiver. */
 public final class Bench {
@@ -139,6 +144,18 @@ public final class Bench {
             short[] sound = new short[160];
             generator.read(sound);
             handset.accept(new StationEvent.SpeechReceived(sound));
+        }
+    }
+
+    /** A robot's modem reads a reply with its prompts, and is silent for 400 ms. */
+    public void farEndSays(SpokenLanguage language, String reply) {
+        PromptListener.load();
+        Prompts prompts = Prompts.of(language);
+        short[] said = prompts.samples(new SpokenReply(prompts).read(reply));
+        for (int at = 0; at < said.length + 20 * 160; at += 160) {
+            int from = Math.min(at, said.length);
+            handset.accept(new StationEvent.SpeechReceived(
+                    Arrays.copyOf(Arrays.copyOfRange(said, from, Math.min(from + 160, said.length)), 160)));
         }
     }
 

@@ -33,6 +33,7 @@ import simgsm.ss.SsCode;
 import simgsm.ss.SsOperation;
 import simgsm.station.context.StationEvent;
 import simgsm.ui.Theme;
+import simgsm.words.SpokenLanguage;
 
 /** Every screen of the display is painted, in both languages, and no two look alike. */
 class LcdScreensTest {
@@ -229,6 +230,7 @@ class LcdScreensTest {
             bench.type("The robot stands before the door of the laboratory and waits for its next order");
             bench.tap(PhoneKey.LEFT, PhoneKey.LEFT, PhoneKey.LEFT, PhoneKey.LEFT, PhoneKey.LEFT, PhoneKey.LEFT);
         }));
+        screens.put("a robot's words", said("Hecho: #**20. Parado en 1.200 0.500 m, rumbo 90.0."));
         screens.put("off", with(bench -> bench.handset.powerOff()));
         return screens;
     }
@@ -334,6 +336,31 @@ class LcdScreensTest {
         });
         // A message scrolled is the same message; codec, key mode and a silenced ring are not spoken.
         assertEquals(screens().size() - 4, seen.size());
+    }
+
+    /** Nothing is written in a smaller size. How many lines a sentence takes depends on the system's fonts. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "Hecho: #**20. Parado.|1|1",
+                "Hecho: #**20. Parado en 1.200 0.500 m, rumbo 90.0.|2|3",
+                "La orden no vale: se espera * o # en la tecla 12. Rango 1..99 cm.|2|3",
+                "Choque tras 123 de 9999 cm. Choque en -12.345 -12.345 m, rumbo 271.4. Queda poca carga.|3|3"
+            })
+    void theWordsOfARobotTakeUpToThreeLinesOfOneSize(String reply, int least, int most) {
+        LcdPen pen = new LcdPen(new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics(), 1);
+        double lines = 1 + LcdKeys.lift(pen, said(reply).snapshot().call()) / 12.5;
+        assertTrue(lines >= least && lines <= most, lines + " lines");
+    }
+
+    private static Bench said(String reply) {
+        Bench bench = Bench.connected();
+        bench.handset.press(DtmfKey.sequence("** #**20 **"));
+        bench.speechMillis(2_000);
+        bench.farEndPlays('3');
+        bench.farEndSays(SpokenLanguage.SPANISH, reply);
+        return bench;
     }
 
     @ParameterizedTest
