@@ -3,15 +3,21 @@ package blackbox;
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import javax.swing.JFrame;
+import javax.swing.JRootPane;
 import javax.swing.SwingUtilities;
 
 /**
@@ -123,6 +129,7 @@ final class WindowSession {
         await("the call is over", () -> !name(phone, "lcd").contains("connected"));
         System.out.println("the display says " + name(phone, "lcd"));
         menu(phone);
+        help(robot);
         System.out.println("done");
     }
 
@@ -154,6 +161,39 @@ final class WindowSession {
         }
         await("Spanish", () -> name(phone, "lcd").startsWith("Ajustes"));
         await("a Spanish window", () -> name(phone, "key.end").equals("Colgar"));
+    }
+
+    /** The help stays on the screen when everything grows, and keeps a size given by hand when its colours change. */
+    private void help(Frame robot) throws Exception {
+        System.out.println("the help, twice as large");
+        Rectangle screen = robot.getGraphicsConfiguration().getBounds();
+        act(robot, "window.help");
+        Window help = await(
+                "the help",
+                () -> onEventThread(() -> Stream.of(robot.getOwnedWindows())
+                        .filter(each -> each.isShowing() && search(each, "help.tabs") != null)
+                        .findFirst()
+                        .orElse(null)));
+        for (int i = 0; i < 8; i++) {
+            act(robot, "window.zoom.in");
+        }
+        await("the help on the screen", () -> onEventThread(() -> screen.contains(help.getBounds())));
+        Dimension chosen = new Dimension(700, 500);
+        onEventThread(() -> {
+            help.setSize(chosen);
+            return true;
+        });
+        act(robot, "window.appearance");
+        act(robot, "window.appearance");
+        await("the help in its size", () -> onEventThread(() -> chosen.equals(help.getSize())));
+    }
+
+    private static void act(Frame frame, String action) throws Exception {
+        JRootPane root = ((JFrame) frame).getRootPane();
+        onEventThread(() -> {
+            root.getActionMap().get(action).actionPerformed(null);
+            return true;
+        });
     }
 
     private void press(int code) {

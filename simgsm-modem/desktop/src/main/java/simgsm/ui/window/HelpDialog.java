@@ -81,10 +81,8 @@ final class HelpDialog {
         UserAction close = new UserAction("help.close", texts.of("window.help.close"), dialog::dispose);
         close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
         close.bindInWindow(dialog.getRootPane(), KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
-        Theme.styled(tabs, all -> {
-            dialog.setSize(Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height));
-            dialog.setLocationRelativeTo(frame);
-        });
+        Display.resize(dialog, Theme.px(SIZE_UNITS.width), Theme.px(SIZE_UNITS.height));
+        dialog.setLocationRelativeTo(frame);
         dialog.setVisible(true);
     }
 

@@ -1,14 +1,15 @@
 package simgsm.ui.window;
 
 import java.awt.Component;
+import java.awt.Dialog;
 import java.awt.Dimension;
+import java.awt.Frame;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
-import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
@@ -51,9 +52,8 @@ public final class WindowKeys {
     /** Binds the keys of a window beside the program's main one, and F1 to the main one's help. */
     public static void installBeside(JComponent anchor, Locale language) {
         install(anchor, language);
-        Supplier<Stream<JRootPane>> all = () ->
-                Stream.of(Window.getWindows()).filter(Component::isDisplayable).map(SwingUtilities::getRootPane);
-        new UserAction("window.help.main", DesktopTexts.in(language).of("window.help"), () -> openHelp(all.get()))
+        Runnable help = () -> openHelp(windows().map(SwingUtilities::getRootPane));
+        new UserAction("window.help.main", DesktopTexts.in(language).of("window.help"), help)
                 .in(CommandGroup.WINDOW)
                 .bindInWindow(anchor, KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
     }
@@ -77,19 +77,25 @@ public final class WindowKeys {
         zoomTo(anchor, steps == 0 ? 1 : Theme.zoomed(steps));
     }
 
-    /** Sets the zoom of the anchor's window, and a size that fits. */
+    /** Sets the zoom of all windows, and sizes that fit. */
     static void zoomTo(JComponent anchor, double zoom) {
         double before = Theme.zoom();
         Theme.zoomTo(zoom);
-        Window window = SwingUtilities.getWindowAncestor(anchor);
         refreshAll(anchor);
-        if (window != null) {
-            double factor = Theme.zoom() / before;
-            Dimension size = window.getSize();
-            window.setMinimumSize(null);
-            Display.resize(window, (int) Math.round(size.width * factor), (int) Math.round(size.height * factor));
-            window.validate();
-        }
+        double factor = Theme.zoom() / before;
+        windows()
+                .filter(each -> each instanceof Frame || each instanceof Dialog)
+                .forEach(window -> {
+                    Dimension size = window.getSize();
+                    window.setMinimumSize(null);
+                    Display.resize(
+                            window, (int) Math.round(size.width * factor), (int) Math.round(size.height * factor));
+                    window.validate();
+                });
+    }
+
+    private static Stream<Window> windows() {
+        return Stream.of(Window.getWindows()).filter(Component::isDisplayable);
     }
 
     /** All windows of a program change: also a large tone scope, the help and the class. */
@@ -97,7 +103,7 @@ public final class WindowKeys {
         if (SwingUtilities.getWindowAncestor(anchor) == null) {
             Theme.refresh(anchor);
         }
-        Stream.of(Window.getWindows()).filter(Component::isDisplayable).forEach(Theme::refresh);
+        windows().forEach(Theme::refresh);
     }
 
     private static KeyStroke ctrl(int key) {

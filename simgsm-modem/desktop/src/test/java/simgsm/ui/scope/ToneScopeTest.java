@@ -229,7 +229,7 @@ class ToneScopeTest {
     @ParameterizedTest
     @CsvSource({
         "en, '5: key, log odds ', '5: levels differ by '",
-        "es, '5: tecla, log odds ', '5: niveles distintos en '"
+        "es, '5: tecla, verosimilitud ', '5: niveles distintos en '"
     })
     void eachReceiverSaysWhyItTookAKeyOrNot(String language, String modem, String classic) {
         ToneScopePanel panel = twisted(language);
