@@ -133,6 +133,27 @@ class FaceTest {
             }
             faults.addAll(covered(where, found));
             tabRuns(window).forEach(fault -> faults.add(where + ": " + fault));
+            outside(window, window).forEach(fault -> faults.add(where + ": " + fault));
+        }
+        return faults;
+    }
+
+    /** The buttons of which an edge is outside what contains them. */
+    private static List<String> outside(JComponent window, Component component) {
+        List<String> faults = new ArrayList<>();
+        if (!component.isVisible()) {
+            return faults;
+        }
+        if (component instanceof AbstractButton button && !SuiteWindows.isScrolled(button) && button.getWidth() > 0) {
+            Rectangle seen = visible(button, window);
+            if (seen.width < button.getWidth() || seen.height < button.getHeight()) {
+                faults.add("outside: " + button.getName());
+            }
+        }
+        if (component instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                faults.addAll(outside(window, child));
+            }
         }
         return faults;
     }

@@ -376,7 +376,7 @@ final class SuiteWindows {
                 CenterActions.class,
                 Map.of(
                         "port",
-                        3003,
+                        39195,
                         "access",
                         NetworkAccess.OPEN,
                         "link",

@@ -109,15 +109,14 @@ final class HeaderPanel extends DressedPanel {
 
     /**
      * Hides the words of the buttons if space is short, then the registration policy, which the port's tool tip
-     * repeats. The notice that other machines may register is hidden last.
+     * repeats, and the program's name. The notice that other machines may register is hidden after the words.
      */
     @Override
     public void doLayout() {
         int words = areWordsShown ? 0 : wordsWidth();
-        int name = network.isVisible() ? 0 : network.getPreferredSize().width + Theme.px(ROW_GAP);
-        int all = row.getMinimumSize().width + words + name;
+        int all = row.getMinimumSize().width + words + hidden(network) + hidden(title);
         int wordsOff = all - wordsWidth();
-        int nameOff = all - network.getPreferredSize().width - Theme.px(ROW_GAP);
+        int nameOff = all - width(network);
         boolean isOpen = access == NetworkAccess.OPEN_TO_OTHERS;
         int first = isOpen ? wordsOff : nameOff;
         int second = isOpen ? nameOff : wordsOff;
@@ -128,7 +127,16 @@ final class HeaderPanel extends DressedPanel {
         } else {
             show(isOpen && second <= getWidth(), !isOpen && second <= getWidth());
         }
+        setVisible(title, wordsOff - width(network) <= getWidth());
         super.doLayout();
+    }
+
+    private static int width(JLabel label) {
+        return label.getPreferredSize().width + Theme.px(ROW_GAP);
+    }
+
+    private static int hidden(JLabel label) {
+        return label.isVisible() ? 0 : width(label);
     }
 
     private int wordsWidth() {
@@ -144,8 +152,12 @@ final class HeaderPanel extends DressedPanel {
         starters.stream()
                 .filter(button -> button.getHideActionText() == withWords)
                 .forEach(button -> button.setHideActionText(!withWords));
-        if (network.isVisible() != withNetwork) {
-            network.setVisible(withNetwork);
+        setVisible(network, withNetwork);
+    }
+
+    private static void setVisible(JLabel label, boolean isVisible) {
+        if (label.isVisible() != isVisible) {
+            label.setVisible(isVisible);
         }
     }
 

@@ -141,7 +141,7 @@ public final class Inspector extends JPanel {
 
     @Override
     public void doLayout() {
-        boolean low = getHeight() < Theme.px(LOW_UNITS);
+        boolean low = isTooLow(newRobot.isVisible());
         if (low != isLow) {
             isLow = low;
             JPanel place = low ? robotSheet : top;
@@ -151,9 +151,13 @@ public final class Inspector extends JPanel {
         super.doLayout();
     }
 
+    private boolean isTooLow(boolean withForm) {
+        return getHeight() < Theme.px(LOW_UNITS) + (withForm ? newRobot.getPreferredSize().height : 0);
+    }
+
     private void toggleNewRobotForm() {
         wanted.run();
-        if (isLow && !robotTab.isSelected()) {
+        if (isTooLow(true) && !robotTab.isSelected()) {
             robotTab.doClick(0);
         }
         newRobot.toggle(names, numbers);

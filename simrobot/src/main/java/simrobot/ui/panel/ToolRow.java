@@ -115,13 +115,14 @@ final class ToolRow extends JPanel {
         MenuButton menu = new MenuButton(language);
         List<JComponent> first = List.of(menu, worlds.component(), gap(), link, gap(), power, motors, brake, gap());
         JPanel row = Arrange.row(Theme.HALF, first.toArray(JComponent[]::new));
-        List.of(pause, step, speed.component(), record.component()).forEach(row::add);
+        List.of(pause, step, speed.component()).forEach(row::add);
         return row;
     }
 
     private JPanel floorTools(Runnable inspectorSwitch) {
         return Arrange.row(
                 Theme.HALF,
+                record.component(),
                 button("zoom.out", CommandGroup.VIEW, Symbol.MINUS, 0, () -> view.zoom(0.8)),
                 button("zoom.in", CommandGroup.VIEW, Symbol.PLUS, 0, () -> view.zoom(1.25)),
                 button("fit", CommandGroup.VIEW, Symbol.FIT, KeyEvent.VK_F, this::fit),

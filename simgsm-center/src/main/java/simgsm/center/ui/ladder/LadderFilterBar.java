@@ -49,6 +49,17 @@ final class LadderFilterBar extends JPanel {
         add(Arrange.row(Theme.GRID, Arrange.growing(text), who, kind));
     }
 
+    /** Hides the protocols where they would be cut, unless one is chosen. */
+    @Override
+    public void doLayout() {
+        int both = who.getPreferredSize().width + kind.getPreferredSize().width + 2 * Theme.px(Theme.GRID);
+        boolean isShown = both <= getWidth() || kind.getSelectedIndex() > 0;
+        if (isShown != kind.isVisible()) {
+            kind.setVisible(isShown);
+        }
+        super.doLayout();
+    }
+
     private void tell() {
         if (!isFilling) {
             changed.run();

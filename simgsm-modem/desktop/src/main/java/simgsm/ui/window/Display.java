@@ -66,12 +66,12 @@ public final class Display {
         }
     }
 
-    /** The wanted bounds, cut to the area's size and moved left and up into it; they may begin outside it. */
+    /** The wanted bounds, cut to the area's size and moved into it; they may begin to the left of it. */
     static Rectangle within(Rectangle wanted, Rectangle area) {
         int width = Math.min(wanted.width, area.width);
         int height = Math.min(wanted.height, area.height);
         int x = Math.min(wanted.x, area.x + area.width - width);
-        int y = Math.min(wanted.y, area.y + area.height - height);
+        int y = Math.max(area.y, Math.min(wanted.y, area.y + area.height - height));
         return new Rectangle(x, y, width, height);
     }
 }

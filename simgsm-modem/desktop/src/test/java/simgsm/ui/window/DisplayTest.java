@@ -16,6 +16,8 @@ class DisplayTest {
         "900, 500, 300, 400,  700, 300, 300, 400",
         // is larger than the room: is cut
         "50, 60, 2000, 900,  0, 30, 1000, 670",
+        // has its title above the screen: moves down
+        "10, 5, 300, 400,  10, 30, 300, 400",
         // stands to the left of the screen, as its user wished
         "-20, 30, 300, 400,  -20, 30, 300, 400",
     })
