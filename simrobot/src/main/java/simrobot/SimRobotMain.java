@@ -24,6 +24,7 @@ import simgsm.sim.SimSlot;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
 import simgsm.ui.window.WindowMemory;
+import simgsm.ui.window.WindowOptions;
 import simrobot.app.RequestedBehaviours;
 import simrobot.app.RequestedRobots;
 import simrobot.app.SessionRecording;
@@ -70,7 +71,7 @@ public final class SimRobotMain {
     public static void main(String[] args) {
         new Program(NAME, SimRobotOptions.all())
                 .showingErrors(StartErrorWindow::show, WINDOWLESS)
-                .checking(ProgramWindow::check)
+                .checking(WindowOptions::check)
                 .runAndExit(args, SimRobotMain::run);
     }
 
@@ -185,19 +186,13 @@ public final class SimRobotMain {
             model.watch(record);
             simRobot.start();
             ports.start();
-            console.ifPresent(out -> {
-                out.ready(ports.with(Event.of("ready").with("robots", names(simRobot))));
-                if (arguments.has("end-with-input")) {
-                    window.onLesson(name -> out.emit(Event.of("lesson").with("name", name)));
-                }
-            });
+            console.ifPresent(out -> out.ready(ports.with(Event.of("ready").with("robots", names(simRobot)))));
             built.behaviours().start(simRobot, event -> {
                 record.event(event);
                 console.ifPresent(printed -> printed.emit(event));
             });
             if (console.isPresent()) {
-                RobotConsole commands = commands(arguments, built, console.get()::emit);
-                window.withConsole(() -> Program.runConsole(console.get(), arguments, commands));
+                window.withConsole(console.get(), arguments, commands(arguments, built, console.get()::emit));
             }
             show(window, refusals, model.title(), model);
             console.ifPresent(Console::close);

@@ -13,7 +13,7 @@ import simgsm.console.CommandException;
 import simgsm.console.Event;
 import simgsm.console.ProgramFolder;
 import simgsm.console.QuickStart;
-import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowOptions;
 
 /** A lesson that is begun in a phone's help: the suite's demo with the lesson, beside the phone, which ends it. */
 final class BegunLesson {
@@ -28,7 +28,7 @@ final class BegunLesson {
         try {
             List<String> command = ProgramFolder.of(BegunLesson.class).command(JAR, QuickStart.options());
             command.addAll(List.of("--demo", "--lesson", name, "--console", "--port", "0"));
-            command.addAll(ProgramWindow.presentLook());
+            command.addAll(WindowOptions.presentLook());
             arguments
                     .text("lessons")
                     .filter(folder -> !folder.isEmpty())

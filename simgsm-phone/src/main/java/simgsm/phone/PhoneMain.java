@@ -26,6 +26,7 @@ import simgsm.station.context.StationEvent;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
 import simgsm.ui.window.WindowMemory;
+import simgsm.ui.window.WindowOptions;
 
 /** Starts a phone, with its window or on a console. */
 public final class PhoneMain {
@@ -38,7 +39,7 @@ public final class PhoneMain {
     public static void main(String[] args) {
         new Program(NAME, options())
                 .showingErrors(StartErrorWindow::show, "headless")
-                .checking(ProgramWindow::check)
+                .checking(WindowOptions::check)
                 .runAndExit(args, PhoneMain::run);
     }
 
@@ -109,16 +110,11 @@ public final class PhoneMain {
         Runtime.getRuntime().addShutdownHook(new Thread(phone::close, "detach"));
         phone.start(address(center));
         console.ifPresent(out -> out.ready(ready));
-        if (console.isPresent() && arguments.has("end-with-input")) {
-            window.onLesson(name -> console.get().emit(Event.of("lesson").with("name", name)));
-        } else {
-            window.onLessonBeside(name -> BegunLesson.start(
-                    name,
-                    arguments,
-                    fields -> phone.execute(() -> phone.handset().userCodes().result(fields))));
-        }
-        console.ifPresent(
-                out -> window.withConsole(() -> Program.runConsole(out, arguments, new PhoneCommands(out, phone))));
+        window.onLessonBeside(name -> BegunLesson.start(
+                name,
+                arguments,
+                fields -> phone.execute(() -> phone.handset().userCodes().result(fields))));
+        console.ifPresent(out -> window.withConsole(out, arguments, new PhoneCommands(out, phone)));
         try (PhoneControls controls = new PhoneControls(phone)) {
             window.show(new HandsetWindow(PhoneTexts::in, phone.handset()::snapshot, controls, window::speak)::content);
         }

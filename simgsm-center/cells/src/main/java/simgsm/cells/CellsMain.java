@@ -18,6 +18,7 @@ import simgsm.console.Program;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
 import simgsm.ui.window.WindowMemory;
+import simgsm.ui.window.WindowOptions;
 
 /** Starts the cells program from the command line. */
 public final class CellsMain {
@@ -26,7 +27,7 @@ public final class CellsMain {
     public static void main(String[] args) {
         new Program(CellsSettings.PROGRAM, options())
                 .showingErrors(StartErrorWindow::show, "headless", "print-osmo-bsc")
-                .checking(ProgramWindow::check)
+                .checking(WindowOptions::check)
                 .runAndExit(args, CellsMain::run);
     }
 
@@ -62,7 +63,7 @@ public final class CellsMain {
                 }
                 if (window.isPresent()) {
                     if (prints) {
-                        openConsole(window.get(), console, arguments, commands);
+                        window.get().withConsole(console, arguments, commands);
                     }
                     return CellsWindow.run(loop, settings, window.get());
                 }
@@ -70,14 +71,6 @@ public final class CellsMain {
                 return console.exitStatus();
             }
         }
-    }
-
-    private static void openConsole(
-            ProgramWindow window, Console console, Arguments arguments, CellsCommands commands) {
-        if (arguments.has("end-with-input")) {
-            window.onLesson(name -> console.emit(Event.of("lesson").with("name", name)));
-        }
-        window.withConsole(() -> Program.runConsole(console, arguments, commands));
     }
 
     private static CellNetwork network(

@@ -28,6 +28,7 @@ import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.StartErrorWindow;
 import simgsm.ui.window.WindowMemory;
+import simgsm.ui.window.WindowOptions;
 
 /** Reads the centre's command line and runs the centre, the demo, a class or a lesson. */
 public final class SuiteLauncher implements CenterLauncher {
@@ -39,7 +40,7 @@ public final class SuiteLauncher implements CenterLauncher {
         }
         new Program(Center.NAME, options())
                 .showingErrors(StartErrorWindow::show, windowless(args))
-                .checking(ProgramWindow::check)
+                .checking(WindowOptions::check)
                 .runAndExit(args, SuiteLauncher::run);
     }
 
@@ -136,7 +137,7 @@ public final class SuiteLauncher implements CenterLauncher {
     /** With the size, language and colours that were chosen in a window since the start. */
     private static Arguments asShown(Arguments given) throws UsageException {
         Arguments shown = recalled(given);
-        List<String> look = ProgramWindow.presentLook();
+        List<String> look = WindowOptions.presentLook();
         for (int i = 0; i < look.size(); i += 2) {
             shown = shown.with(look.get(i).substring(2), look.get(i + 1));
         }

@@ -22,11 +22,11 @@ import simgsm.center.ui.MonitorWindow;
 import simgsm.center.ui.NetworkAccess;
 import simgsm.console.Arguments;
 import simgsm.console.Console;
-import simgsm.console.Program;
 import simgsm.ui.Theme;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.WindowMemory;
+import simgsm.ui.window.WindowOptions;
 import simgsm.ui.window.WindowPlace;
 
 /** The centre with its window: performs the window's actions and waits for its end. */
@@ -97,7 +97,7 @@ public final class CenterWindow implements CenterActions {
         center.start(console.map(out -> watch.events().andThen(out::tell)).orElse(watch.events()));
         console.ifPresent(out -> {
             out.ready(center.ready());
-            window.withConsole(() -> Program.runConsole(out, arguments, new CenterCommands(center, out)));
+            window.withConsole(out, arguments, new CenterCommands(center, out));
         });
         if (!arguments.has("lesson")) { // which a pupil has begun
             window.showSheets();
@@ -223,7 +223,7 @@ public final class CenterWindow implements CenterActions {
         List<String> words = new ArrayList<>(center.home().wordsFor(number));
         words.addAll(List.of("--center", center.reachedAt(), "--end-with-input"));
         words.addAll(List.of("--window", place.apply(cascade).toString()));
-        words.addAll(ProgramWindow.presentLook());
+        words.addAll(WindowOptions.presentLook());
         words.addAll(WindowMemory.passedOn(arguments));
         children.start(jar, number, words, ProcessBuilder.Redirect.DISCARD);
     }

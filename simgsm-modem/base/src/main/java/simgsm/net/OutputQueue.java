@@ -23,6 +23,7 @@ public final class OutputQueue {
     private final ArrayDeque<Message> queue = new ArrayDeque<>();
     private int droppable;
     private long dropped;
+    private long taken;
 
     /**
      * @param most waiting messages, droppable ones not counted
@@ -81,6 +82,7 @@ public final class OutputQueue {
             if (!first.octets.hasRemaining()) {
                 queue.removeFirst();
                 droppable -= first.isDroppable ? 1 : 0;
+                taken++;
                 written.accept(first.octets.array());
             }
         }
@@ -97,6 +99,11 @@ public final class OutputQueue {
 
     public int size() {
         return queue.size();
+    }
+
+    /** Messages whose last octet has been written so far. */
+    public long taken() {
+        return taken;
     }
 
     /** Droppable messages dropped so far. */

@@ -19,9 +19,7 @@ public abstract class QueuedConnection extends Connection {
      * @return false if too many messages wait: the peer does not read
      */
     protected final boolean write(byte[] message, boolean isDroppable) {
-        if (isDroppable && output.dropsNext()) {
-            flush();
-        }
+        makeRoom(isDroppable);
         boolean isFirst = output.isEmpty();
         boolean hasRoom = output.add(message, isDroppable);
         if (isFirst && isDroppable) {
@@ -33,9 +31,17 @@ public abstract class QueuedConnection extends Connection {
     }
 
     /** Queues a message for the end of the iteration; otherwise as {@link #write}. */
-    protected final boolean writeLater(byte[] message) {
+    protected final boolean writeLater(byte[] message, boolean isDroppable) {
+        makeRoom(isDroppable);
         flushLater();
-        return output.add(message, false);
+        return output.add(message, isDroppable);
+    }
+
+    /** What the peer's socket takes now need not be dropped. */
+    private void makeRoom(boolean isDroppable) {
+        if (isDroppable && output.dropsNext()) {
+            flush();
+        }
     }
 
     /** Messages not yet taken by the peer. */
@@ -49,7 +55,7 @@ public abstract class QueuedConnection extends Connection {
     }
 
     @Override
-    protected final void writeTo(WritableByteChannel channel) throws IOException {
+    protected void writeTo(WritableByteChannel channel) throws IOException {
         output.flush(channel);
     }
 }

@@ -104,9 +104,11 @@ class OutputQueueTest {
         assertFalse(outgoing.isEmpty());
         peer.room = 1;
         outgoing.flush(peer);
+        assertEquals(0, outgoing.taken());
         peer.room = Integer.MAX_VALUE;
         outgoing.flush(peer);
         assertEquals(List.of(1, 2), peer.messages());
+        assertEquals(2, outgoing.taken());
         assertTrue(outgoing.isEmpty());
         assertArrayEquals(new byte[] {LENGTH, 1, 0, 0, 0, 0}, java.util.Arrays.copyOf(peer.taken.toByteArray(), 6));
     }

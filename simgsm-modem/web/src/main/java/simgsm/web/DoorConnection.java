@@ -6,11 +6,11 @@ import java.nio.ByteBuffer;
 import java.nio.channels.WritableByteChannel;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
-import simgsm.net.Connection;
 import simgsm.net.OutputQueue;
+import simgsm.net.QueuedConnection;
 
 /** A client's connection: the head of its first request selects a WebSocket or the pages. */
-final class DoorConnection extends Connection implements WebSocketSession.Carrier {
+final class DoorConnection extends QueuedConnection implements WebSocketSession.Carrier {
     private static final int MOST_HEAD_OCTETS = 16 * 1024;
     private static final int HEAD_TOO_LARGE = 431;
     private static final long HEAD_NANOS = TimeUnit.SECONDS.toNanos(3);
@@ -28,8 +28,6 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
 
     private final WebDoor door;
     private final Endpoint endpoint;
-    private final OutputQueue output = new OutputQueue(MOST_MESSAGES, MOST_DROPPABLE, written -> countTaken());
-    private long messagesTaken;
     private final StringBuilder head = new StringBuilder();
     /** Null until the head has been read, and for a passed connection. */
     private WebSocketSession socket;
@@ -40,7 +38,7 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
     private boolean isInputEnded;
 
     DoorConnection(Endpoint endpoint, WebDoor door) {
-        super(endpoint);
+        super(endpoint, new OutputQueue(MOST_MESSAGES, MOST_DROPPABLE, written -> {}));
         this.endpoint = endpoint;
         this.door = door;
     }
@@ -102,32 +100,24 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
         if (!isOpen()) {
             return;
         }
-        if (output.isEmpty()) {
+        if (!hasOutput()) {
             expectProgress();
         }
-        if (isDroppable && output.dropsNext()) {
-            flush();
-        }
-        flushLater();
-        if (!output.add(octets, isDroppable)) {
+        if (!writeLater(octets, isDroppable)) {
             fail(NOT_READING);
         }
     }
 
     /** Ends the connection if its client takes no whole message in this time. */
     private void expectProgress() {
-        long before = messagesTaken;
+        long before = output().taken();
         after(TAKE_NANOS, () -> {
-            if (hasOutput() && messagesTaken == before) {
+            if (hasOutput() && output().taken() == before) {
                 fail(NOT_READING);
             } else if (hasOutput()) {
                 expectProgress();
             }
         });
-    }
-
-    private void countTaken() {
-        messagesTaken++;
     }
 
     @Override
@@ -164,14 +154,9 @@ final class DoorConnection extends Connection implements WebSocketSession.Carrie
     }
 
     @Override
-    public boolean hasOutput() {
-        return !output.isEmpty();
-    }
-
-    @Override
     protected void writeTo(WritableByteChannel channel) throws IOException {
-        output.flush(channel);
-        if (passed != null && output.isEmpty()) {
+        super.writeTo(channel);
+        if (passed != null && !hasOutput()) {
             passed.clientHasTakenAll();
         }
     }

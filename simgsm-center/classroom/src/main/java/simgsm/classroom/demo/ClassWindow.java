@@ -32,7 +32,7 @@ import simgsm.console.Event;
 import simgsm.console.TextBundle;
 import simgsm.file.PrivateFiles;
 import simgsm.ui.window.Display;
-import simgsm.ui.window.ProgramWindow;
+import simgsm.ui.window.WindowOptions;
 import simgsm.ui.window.WindowPlace;
 
 /** The teacher's windows of a class: centre, robots, a phone, and the results at the right. */
@@ -82,7 +82,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
     void run(boolean isZoomGiven) throws Exception {
         WindowPlace screen = Display.usableArea();
         int column = (int) (SHARE_OF_SCREEN * screen.width());
-        OptionalInt wanted = ProgramWindow.zoomPercent(demo.arguments);
+        OptionalInt wanted = WindowOptions.zoomPercent(demo.arguments);
         DemoLayout layout = DemoLayout.of(
                         new WindowPlace(screen.x(), screen.y(), screen.width() - column, screen.height()), wanted)
                 .saying(isZoomGiven, wanted)
@@ -234,7 +234,7 @@ final class ClassWindow implements ClassActions, Consoles.Listener {
     static List<String> replayOptions(String recording, long fromSeconds) {
         List<String> options = new ArrayList<>(List.of("--replay", recording));
         options.addAll(List.of("--replay-from", String.valueOf(fromSeconds), "--end-with-input"));
-        options.addAll(ProgramWindow.presentLook());
+        options.addAll(WindowOptions.presentLook());
         return options;
     }
 

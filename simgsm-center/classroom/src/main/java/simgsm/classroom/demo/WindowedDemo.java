@@ -20,6 +20,7 @@ import simgsm.console.UsageException;
 import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.WindowMemory;
+import simgsm.ui.window.WindowOptions;
 import simgsm.ui.window.WindowPlace;
 
 /**
@@ -41,7 +42,7 @@ public final class WindowedDemo {
      */
     public static Optional<String> run(Arguments arguments, CenterSettings settings, boolean isZoomGiven)
             throws Exception {
-        OptionalInt wanted = ProgramWindow.zoomPercent(arguments);
+        OptionalInt wanted = WindowOptions.zoomPercent(arguments);
         // Centre and desktop libraries load at the same time; the other programs start before the centre's window. The
         // thread that loads the desktop must be the main one: X11 desktops group windows by its class (WM_CLASS).
         FutureTask<Session> opening = new FutureTask<>(() -> Session.open(arguments, folder -> settings));
@@ -119,7 +120,7 @@ public final class WindowedDemo {
         Optional<WindowPlace> phone = WindowMemory.place(arguments, PHONE);
         Optional<WindowPlace> robot = WindowMemory.place(arguments, ROBOT);
         Optional<WindowPlace> center = WindowMemory.place(arguments, CENTER);
-        OptionalInt zoom = ProgramWindow.zoomPercent(arguments);
+        OptionalInt zoom = WindowOptions.zoomPercent(arguments);
         return phone.isPresent() && robot.isPresent() && center.isPresent() && zoom.isPresent()
                 ? Optional.of(new DemoLayout(phone.get(), robot.get(), center.get(), zoom.getAsInt()))
                 : Optional.empty();

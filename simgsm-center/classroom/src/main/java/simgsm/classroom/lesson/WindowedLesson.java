@@ -39,6 +39,7 @@ import simgsm.ui.window.Display;
 import simgsm.ui.window.ProgramWindow;
 import simgsm.ui.window.SuiteWindow;
 import simgsm.ui.window.WindowIcon;
+import simgsm.ui.window.WindowOptions;
 import simgsm.ui.window.WindowPlace;
 
 /** {@code --demo --lesson NAME}: the suite, with the lesson's panel at the right. */
@@ -105,11 +106,11 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
         WindowPlace screen = Display.usableArea();
         WindowPlace place = place(
                 screen,
-                DemoLayout.of(screen, ProgramWindow.zoomPercent(arguments)).zoomPercent());
+                DemoLayout.of(screen, WindowOptions.zoomPercent(arguments)).zoomPercent());
         DemoLayout layout = DemoLayout.of(
                         new WindowPlace(screen.x(), screen.y(), screen.width() - place.width(), screen.height()),
-                        ProgramWindow.zoomPercent(arguments))
-                .saying(isZoomGiven, ProgramWindow.zoomPercent(arguments));
+                        WindowOptions.zoomPercent(arguments))
+                .saying(isZoomGiven, WindowOptions.zoomPercent(arguments));
         ProgramWindow window = ProgramWindow.of(
                 arguments.with("zoom", String.valueOf(layout.zoomPercent())), Optional.of(layout.center()));
         LessonRun run = new LessonRun(lesson, seed, new LessonFigures());

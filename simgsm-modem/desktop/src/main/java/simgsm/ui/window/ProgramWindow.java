@@ -2,7 +2,6 @@ package simgsm.ui.window;
 
 import java.awt.Dimension;
 import java.awt.Rectangle;
-import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
@@ -12,7 +11,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -24,6 +22,8 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import simgsm.console.Arguments;
+import simgsm.console.Console;
+import simgsm.console.Event;
 import simgsm.console.Program;
 import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
@@ -111,56 +111,15 @@ public final class ProgramWindow {
      */
     public static ProgramWindow of(Arguments arguments, Optional<WindowPlace> otherwise)
             throws UsageException, UnavailableException {
-        Optional<Appearance> chosen = arguments.value("theme", ProgramWindow::appearance);
+        Optional<Appearance> chosen = arguments.value("theme", WindowOptions::appearance);
         Optional<WindowPlace> place = arguments.value("window", WindowPlace::parse);
-        double zoom = zoomPercent(arguments).orElse(HUNDRED_PERCENT) / (double) HUNDRED_PERCENT;
+        double zoom = WindowOptions.zoomPercent(arguments).orElse(HUNDRED_PERCENT) / (double) HUNDRED_PERCENT;
         Locale language = arguments.language();
         if (!Display.isAvailable()) {
             throw new UnavailableException(DesktopTexts.in(language).of("window.noDisplay"));
         }
         return new ProgramWindow(
-                chosen.orElseGet(ProgramWindow::systemAppearance), zoom, place.or(() -> otherwise), arguments);
-    }
-
-    /** Refuses invalid values of window options, also if no window opens. */
-    public static void check(Arguments arguments) throws UsageException {
-        if (arguments.has("theme") && !arguments.text("theme").orElseThrow().equalsIgnoreCase("system")) {
-            arguments.value("theme", Appearance::parse);
-        }
-        arguments.value("window", WindowPlace::parse);
-        zoomPercent(arguments);
-        arguments.language();
-    }
-
-    private static Appearance appearance(String text) {
-        return text.equalsIgnoreCase("system") ? systemAppearance() : Appearance.parse(text);
-    }
-
-    /** The desktop's appearance by its GTK theme's name; light without one. */
-    private static Appearance systemAppearance() {
-        Object name = System.getenv("GTK_THEME");
-        if (name == null && Display.isAvailable()) {
-            name = Toolkit.getDefaultToolkit().getDesktopProperty("gnome.Net/ThemeName");
-        }
-        String lower = String.valueOf(name).toLowerCase(Locale.ROOT);
-        return lower.endsWith("dark") || lower.endsWith("-inverse") ? Appearance.DARK : Appearance.LIGHT;
-    }
-
-    /** The value of {@code --zoom}; empty without it. */
-    public static OptionalInt zoomPercent(Arguments arguments) throws UsageException {
-        return arguments.has("zoom")
-                ? OptionalInt.of(
-                        (int) arguments.integer("zoom", HUNDRED_PERCENT, (int) (Theme.ZOOM_MIN * HUNDRED_PERCENT), (int)
-                                (Theme.ZOOM_MAX * HUNDRED_PERCENT)))
-                : OptionalInt.empty();
-    }
-
-    /** Options that give a started program the current language, zoom and colours of this one. */
-    public static List<String> presentLook() {
-        String language = JComponent.getDefaultLocale().getLanguage();
-        String zoom = String.valueOf(Math.round(Theme.zoom() * HUNDRED_PERCENT));
-        String theme = Theme.appearance().word();
-        return List.of("--lang", language, "--zoom", zoom, "--theme", theme);
+                chosen.orElseGet(WindowOptions::systemAppearance), zoom, place.or(() -> otherwise), arguments);
     }
 
     /** Opens the window and returns after its user or {@link #close} has closed it. */
@@ -193,6 +152,7 @@ public final class ProgramWindow {
     /** Sets the action that begins a lesson from the help; without it the help says how to begin one. */
     public void onLesson(Consumer<String> chosen) {
         lessonChosen = Optional.of(chosen);
+        lessonQuestion = "lessons.ends";
     }
 
     /** Shows the teacher's sheets in the help: in the centre's window alone, as pupils have the others. */
@@ -206,17 +166,18 @@ public final class ProgramWindow {
         lessonQuestion = "lessons.beside";
     }
 
-    /** A console of the window's program; its end closes the window. */
-    public interface ConsoleRun {
-        void run() throws Exception;
-    }
-
-    /** Runs a console on its own thread, for {@code --console}; call before {@link #show}. */
-    public void withConsole(ConsoleRun console) {
+    /**
+     * Runs a console on its own thread, for {@code --console}; call before {@link #show}. Its end closes the window. With
+     * {@code --end-with-input}, the program that started this one reads there which lesson the user has chosen.
+     */
+    public void withConsole(Console console, Arguments arguments, Console.Commands commands) {
+        if (arguments.has("end-with-input")) {
+            onLesson(name -> console.emit(Event.of("lesson").with("name", name)));
+        }
         Thread thread = new Thread(
                 () -> {
                     try {
-                        console.run();
+                        Program.runConsole(console, arguments, commands);
                     } catch (InterruptedException e) {
                         Thread.currentThread().interrupt();
                     } catch (Exception e) {

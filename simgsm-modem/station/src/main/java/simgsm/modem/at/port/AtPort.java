@@ -64,7 +64,7 @@ public final class AtPort implements AutoCloseable {
         }
 
         private void send(byte[] octets) {
-            if (!writeLater(octets)) {
+            if (!writeLater(octets, false)) {
                 fail("the client does not read");
             }
             endAfterLastResult();
