@@ -196,7 +196,8 @@ public final class MonitorPanel extends DressedPanel {
         newRobot.setHideActionText(false);
         if (isLow) {
             header.take(newPhone, newRobot);
-            lists.add(Arrange.column(Theme.HALF, Arrange.growing(tabs), notice));
+            // the notice stays marked
+            lists.add(Arrange.column(Theme.HALF, Arrange.growing(tabs), Arrange.row(0, Arrange.growing(notice))));
         } else {
             lists.add(Arrange.column(
                     Theme.GRID,

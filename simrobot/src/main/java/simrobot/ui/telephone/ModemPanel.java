@@ -95,7 +95,7 @@ public final class ModemPanel extends JPanel {
                     Arrange.row(10, number, Arrange.spring(), signal),
                     network,
                     call,
-                    peer,
+                    Arrange.row(0, Arrange.growing(peer)), // stays marked when it has been stacked
                     codec,
                     Arrange.row(0, sound, Arrange.spring()),
                     Arrange.spring());

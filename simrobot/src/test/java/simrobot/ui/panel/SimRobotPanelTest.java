@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Rectangle;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -324,6 +325,14 @@ class SimRobotPanelTest {
         WindowBench mixed = bench(WindowBench.line(
                 "robot", true, true, WindowBench.noOrders(), "", Optional.of(SpeechCodec.Kind.GSM_FULL_RATE)));
         assertEquals("A-law out, GSM 06.10 in", mixed.spoken("modem.codec"));
+    }
+
+    @Test
+    void theModemsFactsReturnToTheirPlacesAfterALowWindow() throws Exception {
+        WindowBench bench = bench(WindowBench.line("robot", true, false, WindowBench.noOrders(), ""));
+        Rectangle before = bench.component("modem.codec").getBounds();
+        bench.resize(764, 432).show().resize(1100, 800);
+        assertEquals(before, bench.component("modem.codec").getBounds());
     }
 
     @Test
