@@ -193,6 +193,7 @@ final class RobotCommands {
         }
     }
 
+    /** A robot put there begins anew, without its trail; one moved by hand keeps it. */
     void place(ConsoleCommand command) throws CommandException {
         Pose pose = pose(command.name(), command.words(3, "X Y HEADING"));
         onSimulation(() -> {
@@ -200,6 +201,7 @@ final class RobotCommands {
             if (placement != Placement.DONE) {
                 throw new CommandException("place " + command.rest() + ": " + placement.text());
             }
+            robot.trail().clear();
             answer(new RobotEvent.PoseReported(robot.pose()));
         });
     }

@@ -195,6 +195,12 @@ class RobotConsoleTest {
     }
 
     @Test
+    void aPlacedRobotBeginsAnewWithoutItsTrail() throws Exception {
+        answers("step", "place -1.5 .25 -90", "step");
+        assertEquals(1, simRobot.scene().robots().get(0).trail().size());
+    }
+
+    @Test
     void placePutsTheRobotThereAndTellsItsPose() throws Exception {
         assertEquals(List.of("pose robot=r0 x=-1.5000 y=0.2500 heading=270.00"), answers("place -1.5 .25 -90"));
     }

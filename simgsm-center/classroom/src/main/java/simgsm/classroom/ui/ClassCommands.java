@@ -3,16 +3,16 @@ package simgsm.classroom.ui;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.util.List;
-import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 
 /** The commands of the students' machines, in the largest letters that fit. Needs no display. */
-final class ClassCommands extends JPanel {
+final class ClassCommands extends DressedPanel {
     private static final int MARGIN_UNITS = 24;
     private static final int MOST_UNITS = 56;
     private static final int LEAST_UNITS = 13;
@@ -21,7 +21,6 @@ final class ClassCommands extends JPanel {
 
     /** @param rows phones and their robots */
     ClassCommands(TextBundle words, String pattern, List<ClassView.Row> rows) {
-        super(new BorderLayout());
         StringBuilder all = new StringBuilder(pattern).append("\n\n");
         rows.stream()
                 .sorted((a, b) -> a.phone().compareTo(b.phone()))
@@ -32,6 +31,11 @@ final class ClassCommands extends JPanel {
         ComponentNames.name(text, "class.large.text", words.of("class.commands"));
         setBorder(Theme.padding(MARGIN_UNITS));
         add(text, BorderLayout.CENTER);
+        dress();
+    }
+
+    @Override
+    protected void dress() {
         setBackground(Theme.color(Ink.CARD));
         text.setBackground(Theme.color(Ink.CARD));
         text.setForeground(Theme.color(Ink.TEXT));

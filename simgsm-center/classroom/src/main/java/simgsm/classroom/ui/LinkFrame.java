@@ -8,7 +8,6 @@ import java.awt.Graphics;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
@@ -26,7 +25,7 @@ import simgsm.web.QrCode;
 public final class LinkFrame {
     private static final int SIDE_UNITS = 420;
     private static final int LEAST_UNITS = 180;
-    private static final float LETTERS = 1.6f;
+    private static final int LETTERS_UNITS = 21;
     private static final int LINES = 2;
 
     private final Locale language;
@@ -84,10 +83,9 @@ public final class LinkFrame {
         letters.setMinimumSize(
                 new Dimension()); // otherwise that of a line for each letter, which the frame would grow to
         letters.setCaretPosition(0);
-        letters.setFont(letters.getFont().deriveFont(letters.getFont().getSize2D() * LETTERS));
+        Theme.styled(letters, it -> it.setFont(Theme.sans(LETTERS_UNITS, false)));
         JPanel panel = new JPanel(new BorderLayout(Theme.px(Theme.GRID), Theme.px(Theme.GRID)));
-        int gap = Theme.px(Theme.GRID);
-        panel.setBorder(BorderFactory.createEmptyBorder(gap, gap, gap, gap));
+        panel.setBorder(Theme.padding(Theme.GRID));
         panel.add(ComponentNames.name(new CodeView(new QrCode(link)), "link.code", texts.of("link.code")));
         JCheckBox locked =
                 ComponentNames.name(new JCheckBox(texts.of("link.lock")), "link.lock", texts.of("link.lock"));

@@ -26,6 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.draw.Appearance;
+import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 
@@ -105,9 +106,18 @@ class ClassPanelTest {
 
         panel.show(view(row("5550101", true), row("5550100", false)));
         assertTrue(command.getText().contains("--number 5550101 "), "the chosen student stays chosen");
-        JTextArea large = (JTextArea)
-                ComponentNames.find(panel.large(), "class.large.text").orElseThrow();
+        ClassCommands page = panel.large();
+        JTextArea large =
+                (JTextArea) ComponentNames.find(page, "class.large.text").orElseThrow();
         assertTrue(large.getText().endsWith("5550101 drives robot 5550200"), large.getText());
+        Theme.install(Appearance.DARK);
+        try {
+            Theme.refresh(page);
+            assertEquals(Theme.color(Ink.CARD), page.getBackground());
+            assertEquals(Theme.color(Ink.TEXT), large.getForeground());
+        } finally {
+            Theme.install(Appearance.LIGHT);
+        }
     }
 
     @Test

@@ -2,6 +2,7 @@ package simgsm.classroom.ui;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.awt.Component;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -26,5 +27,19 @@ class LinkFrameTest {
         lock.doClick();
         assertEquals(List.of(true, false), told);
         assertEquals(List.of(), ComponentNames.unnamed(panel));
+    }
+
+    @Test
+    void theLinksLettersGrowWithTheWindow() {
+        LinkFrame frame = new LinkFrame(Locale.ENGLISH, "http://10.0.0.1:8080/#1f", Optional.empty(), isLocked -> {});
+        JPanel panel = frame.content(ClassroomTexts.in(Locale.ENGLISH));
+        Component letters = ComponentNames.find(panel, "link.letters").orElseThrow();
+        try {
+            Theme.zoomTo(2);
+            Theme.refresh(panel);
+            assertEquals(2 * 21, letters.getFont().getSize2D());
+        } finally {
+            Theme.zoomTo(1);
+        }
     }
 }

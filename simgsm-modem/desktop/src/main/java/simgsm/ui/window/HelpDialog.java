@@ -126,6 +126,14 @@ final class HelpDialog {
         return Theme.styled(lines, area -> area.setFont(Theme.base()));
     }
 
+    /** Text on the window's surface. */
+    static JTextArea paragraph(String text) {
+        JTextArea lines = wrapped(text);
+        lines.setOpaque(false);
+        // Nimbus also paints the background of a text that is not opaque.
+        return Theme.styled(lines, area -> area.setBackground(Theme.color(Ink.SURFACE, 0)));
+    }
+
     /** Closed by Escape; the list of lessons remains open. */
     private static void sheet(JDialog list, String title, String markdown, TextBundle texts) {
         JDialog dialog = new JDialog(list, texts.of("lessons.sheet") + ": " + title);
@@ -194,10 +202,7 @@ final class HelpDialog {
     }
 
     static JPanel content(Component root, String about, String version, TextBundle texts) {
-        JTextArea text = wrapped(about);
-        text.setOpaque(false);
-        // Nimbus also paints the background of a text that is not opaque.
-        Theme.styled(text, area -> area.setBackground(Theme.color(Ink.SURFACE, 0)));
+        JTextArea text = paragraph(about);
         JTable table = new JTable(rows(root, texts));
         table.setDefaultEditor(Object.class, null);
         Theme.styled(table, HelpDialog::fit);

@@ -18,7 +18,6 @@ import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
-import simgsm.ui.ReadingArea;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;
 
@@ -116,9 +115,7 @@ final class SettingsPanel extends JPanel {
     }
 
     private static JTextArea note(String key, TextBundle texts, Object... values) {
-        JTextArea note = new ReadingArea(texts.of(key, values));
-        note.setFont(Theme.base());
-        note.setOpaque(false);
+        JTextArea note = HelpDialog.paragraph(texts.of(key, values));
         return ComponentNames.name(note, key, note.getText());
     }
 }
