@@ -123,7 +123,7 @@ class LayeringTest {
             simgsm.gateway.speech    : simgsm.speech simgsm.station.call
             simgsm.gateway.sip       : simgsm.state simgsm.timer simgsm.air simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.gateway.speech
             simgsm.gateway.esme      : simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.smpp
-            simgsm.gateway.mail      : simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.smpp simgsm.gateway.esme
+            simgsm.gateway.mail      : simgsm.console simgsm.octets simgsm.timer simgsm.air simgsm.sms simgsm.smpp simgsm.gateway.esme
             simgsm.gateway.fax       :
             simgsm.gateway           : simgsm.event simgsm.file simgsm.net simgsm.timer simgsm.smpp simgsm.gateway.speech simgsm.gateway.sip simgsm.gateway.esme simgsm.gateway.mail simgsm.gateway.fax simgsm.air simgsm.trace simgsm.dtmf simgsm.speech simgsm.words simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.console simgsm.web
             simrobot.behaviour       :

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.ZonedDateTime;
 import java.util.Locale;
-import java.util.ResourceBundle;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
@@ -47,8 +46,7 @@ final class FaxPort {
         this.thread = thread;
         this.options = options;
         this.listener = listener;
-        Locale locale = TextBundle.bundleLocale(language);
-        words = new TextBundle(ResourceBundle.getBundle("simgsm.gateway.messages", locale), locale);
+        words = PageWords.own(language);
         time = new CoreTime(thread);
         port = new EsmePort(thread, options.smpp(), GatewayEvent.FAX, listener);
         application = new Application(

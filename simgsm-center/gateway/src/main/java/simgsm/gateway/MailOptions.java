@@ -34,7 +34,8 @@ record MailOptions(SmppOptions smpp, MailSettings settings, Optional<InetSocketA
         MailSettings settings = new MailSettings(
                 smpp.bind(number, "^" + number),
                 arguments.value("mail-domain", MailOptions::domain).orElseThrow(),
-                arguments.has("mail-to"));
+                arguments.has("mail-to"),
+                PageWords.own(arguments.language()));
         return Optional.of(new MailOptions(
                 smpp,
                 settings,

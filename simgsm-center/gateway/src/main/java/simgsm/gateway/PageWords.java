@@ -19,6 +19,12 @@ final class PageWords {
         page = ResourceBundle.getBundle("simgsm.gateway.messages", locale);
     }
 
+    /** The gateway's own words, without the phone's. */
+    static TextBundle own(Locale language) {
+        Locale locale = TextBundle.bundleLocale(language);
+        return new TextBundle(ResourceBundle.getBundle("simgsm.gateway.messages", locale), locale);
+    }
+
     /** The meaning of a robot's reply tone; empty for other keys. */
     String toneMeaning(char key) {
         return key >= FIRST_TONE && key <= LAST_TONE ? phone.getString("tone." + key) : "";

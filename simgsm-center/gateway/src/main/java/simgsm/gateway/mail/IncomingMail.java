@@ -11,10 +11,18 @@ import java.util.regex.Pattern;
  *
  * @param id its Message-ID with brackets, may be empty
  * @param isAutomatic no person has written it (RFC 3834): it is never an order and never answered
- * @param failure of an own mail: what a notice of non-delivery says; empty for all others
+ * @param failure of an own mail, as a notice of non-delivery says it; empty for all others
  * @param text without quoted lines and signature, at most 1 000 characters
  */
-record IncomingMail(String id, String subject, boolean isAutomatic, Optional<String> failure, String text) {
+record IncomingMail(String id, String subject, boolean isAutomatic, Optional<Failure> failure, String text) {
+    /**
+     * An own mail that has failed.
+     *
+     * @param receiver empty if the notice does not name it
+     * @param status of RFC 3463
+     */
+    record Failure(String receiver, String status) {}
+
     private static final int MOST_CHARACTERS = 1_000;
     /** Characters of HTML that are read; bounds the work of its patterns. */
     private static final int MOST_HTML = 8_000;
@@ -38,7 +46,7 @@ record IncomingMail(String id, String subject, boolean isAutomatic, Optional<Str
                 || !submitted.isEmpty() && !submitted.split("[ ;(]")[0].equals("no")
                 || BULK.contains(mail.header("precedence").toLowerCase(Locale.ROOT))
                 || mail.headers().containsKey("list-id");
-        Optional<String> failure =
+        Optional<Failure> failure =
                 !isAutomatic || ABOUT_AUTOMATIC.matcher(mail.body()).find()
                         ? Optional.empty()
                         : mail.find("message/delivery-status").flatMap(part -> failure(part.text()));
@@ -51,13 +59,12 @@ record IncomingMail(String id, String subject, boolean isAutomatic, Optional<Str
                 ownWords(textOf(mail)));
     }
 
-    private static Optional<String> failure(String status) {
+    private static Optional<Failure> failure(String status) {
         Matcher code = STATUS.matcher(status);
         Matcher receiver = RECEIVER.matcher(status);
         return !code.find()
                 ? Optional.empty()
-                : Optional.of("mail to " + (receiver.find() ? receiver.group(1) : "its receiver") + " failed: "
-                        + code.group(1));
+                : Optional.of(new Failure(receiver.find() ? receiver.group(1) : "", code.group(1)));
     }
 
     private static String textOf(MimePart mail) {

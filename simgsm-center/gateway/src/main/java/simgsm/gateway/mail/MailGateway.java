@@ -99,7 +99,7 @@ public final class MailGateway {
         } else if (!application.isBound()) {
             reply.accept("451 4.3.0 the network does not answer");
         } else if (mail.isAutomatic()) {
-            notice(number, mail.failure().get(), () -> reply.accept(TAKEN));
+            notice(number, words(mail.failure().get()), () -> reply.accept(TAKEN));
         } else if (pairs.isFull(pair, timers.nowNanos())) {
             reply.accept("550 5.7.1 more than " + MOST_AN_HOUR + " an hour to one number");
         } else {
@@ -113,6 +113,11 @@ public final class MailGateway {
                 reply.accept(reply(status));
             });
         }
+    }
+
+    private String words(IncomingMail.Failure failure) {
+        String receiver = failure.receiver().isEmpty() ? settings.words().of("mail.receiver") : failure.receiver();
+        return settings.words().of("mail.failed", receiver, failure.status());
     }
 
     private static String reply(int status) {

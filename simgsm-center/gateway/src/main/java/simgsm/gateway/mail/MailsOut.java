@@ -72,7 +72,7 @@ final class MailsOut {
             transport.failed(delivery.id(), "-", "no address");
             Runnable end = () -> answers.accept(delivery, SmppStatus.PERMANENT_APPLICATION_ERROR);
             if (delivery.to().equals(settings.bind().number().digits())) {
-                notices.send(delivery.number(), "mail not sent: expected ADDRESS TEXT", end);
+                notices.send(delivery.number(), settings.words().of("mail.expected"), end);
             } else {
                 end.run();
             }
@@ -99,7 +99,7 @@ final class MailsOut {
                 .filter(before -> addresses.to().contains(before.address()))
                 .map(Correspondences.Mail::id)
                 .filter(id -> !id.isEmpty());
-        String subject = addresses.subject().isEmpty() ? "SMS from " + delivery.number() : addresses.subject();
+        String subject = addresses.subject().isEmpty() ? subject(delivery) : addresses.subject();
         return new OutgoingMail(
                 delivery.id(),
                 delivery.number(),
@@ -113,6 +113,10 @@ final class MailsOut {
                 clock.instant());
     }
 
+    private String subject(TextDelivery delivery) {
+        return settings.words().of("mail.subject", delivery.number());
+    }
+
     /** A text without an address to a mail's number answers it. A robot's is not told from a person's: it is automatic. */
     private Optional<OutgoingMail> reply(TextDelivery delivery) {
         return correspondences
@@ -123,7 +127,7 @@ final class MailsOut {
                         settings.domain(),
                         List.of(before.address()),
                         "",
-                        before.subject().isEmpty() ? "SMS from " + delivery.number() : "Re: " + before.subject(),
+                        before.subject().isEmpty() ? subject(delivery) : "Re: " + before.subject(),
                         delivery.text(),
                         Optional.of(before.id()).filter(id -> !id.isEmpty()),
                         true,
@@ -172,8 +176,9 @@ final class MailsOut {
         }
     }
 
-    private static String notice(Collection<String> addresses, String why) {
-        return "mail to " + SmtpClient.printable(String.join(",", addresses)) + " failed: " + SmtpClient.printable(why);
+    private String notice(Collection<String> addresses, String why) {
+        String to = SmtpClient.printable(String.join(",", addresses));
+        return settings.words().of("mail.failed", to, SmtpClient.printable(why));
     }
 
     private void failedForNow(MailJob job, String reason) {

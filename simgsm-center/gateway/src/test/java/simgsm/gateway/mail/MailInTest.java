@@ -14,7 +14,7 @@ class MailInTest {
     private static final String ANN = "ann@example.org";
     private static final String ROBOT = "5550200";
     private static final String ORDER = "** #**20 **";
-    private static final String BOUNCE = """
+    static final String BOUNCE = """
             Content-Type: multipart/report; boundary="b"
 
             --b

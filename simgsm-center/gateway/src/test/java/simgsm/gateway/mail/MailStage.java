@@ -5,8 +5,11 @@ import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.ResourceBundle;
 import java.util.concurrent.TimeUnit;
 import simgsm.air.Msisdn;
+import simgsm.console.TextBundle;
 import simgsm.gateway.esme.Application;
 import simgsm.gateway.esme.BindSettings;
 import simgsm.gateway.esme.TcpProtocol;
@@ -72,9 +75,17 @@ final class MailStage implements MailTransport, Application.Listener {
     Wire smsc;
     private final List<SmppPdu> pdus = new ArrayList<>();
     private SmppFramer framer;
+    private final TextBundle words;
     private int sequence = 100;
 
     MailStage() {
+        this(Locale.ENGLISH);
+    }
+
+    /** @param language of the notices to phones */
+    MailStage(Locale language) {
+        Locale bundle = TextBundle.bundleLocale(language);
+        words = new TextBundle(ResourceBundle.getBundle("simgsm.gateway.messages", bundle), bundle);
         restart();
     }
 
@@ -84,7 +95,7 @@ final class MailStage implements MailTransport, Application.Listener {
         gateway = new MailGateway(
                 timers,
                 () -> Instant.EPOCH.plusNanos(timers.nowNanos()),
-                new MailSettings(new BindSettings(new Msisdn("6245"), "^6245", "mail", ""), "sms.example", true),
+                new MailSettings(new BindSettings(new Msisdn("6245"), "^6245", "mail", ""), "sms.example", true, words),
                 this,
                 this);
         smsc = new Wire(gateway.application().connection());

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -151,6 +152,18 @@ class MailsOutTest {
         assertEquals("mail not sent: expected ADDRESS TEXT", MailStage.text(notice));
         stage.answer(notice, 0);
         assertEquals(List.of(0x65), stage.answers());
+    }
+
+    @Test
+    void aSpanishGatewayWritesToPhonesInSpanish() {
+        MailStage spanish = new MailStage(Locale.forLanguageTag("es"));
+        spanish.deliver(PHONE, 7, "hola");
+        assertEquals("correo no enviado: se espera NOMBRE@DOMINIO TEXTO", MailStage.text(spanish.submitted()));
+        spanish.deliver(PHONE, 8, "ann@example.org Hola");
+        spanish.serverUntil("MAIL").say("550 no");
+        assertEquals("el correo a ann@example.org ha fallado: 550 no", MailStage.text(spanish.submitted()));
+        spanish.mail("", PHONE, MailInTest.BOUNCE.formatted("").replaceAll("(?m)^Final-Recipient:.*\n", ""));
+        assertEquals("el correo a su destinatario ha fallado: 5.3.0", MailStage.text(spanish.submitted()));
     }
 
     @Test
