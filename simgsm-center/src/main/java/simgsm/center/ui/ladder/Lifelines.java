@@ -36,7 +36,8 @@ record Lifelines(List<String> names) {
     /** Gap of other lines: a number of 7 digits fits above them, of longer ones the end. */
     private static final int OUTER_UNITS = 84;
 
-    private static final int LEAST_OUTER_UNITS = 64;
+    /** The last three digits of a number fit. */
+    private static final int LEAST_OUTER_UNITS = 52;
 
     static final Lifelines NONE = new Lifelines(List.of(LadderEntry.CENTER));
 

@@ -48,7 +48,7 @@ class LifelinesTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"2, 390, 84", "5, 610, 96", "5, 900, 200", "7, 730, 96", "7, 1400, 240", "7, 2400, 250"})
+    @CsvSource({"2, 390, 84", "5, 610, 96", "5, 900, 200", "7, 670, 96", "7, 730, 120", "7, 1400, 240", "7, 2400, 250"})
     void theNamesBesideTheCenterHaveMoreRoomThanTheOuterLines(int terminals, int width, int room) {
         Lifelines lifelines = Lifelines.of(
                 IntStream.range(0, terminals).mapToObj(i -> "555010" + i).toList());
@@ -63,11 +63,11 @@ class LifelinesTest {
         double before = 0;
         for (String name : lifelines.names()) {
             double x = lifelines.x(name, width);
-            assertTrue(x - before >= 63.9, name + " at " + x + " after " + before);
+            assertTrue(x - before >= 51.9, name + " at " + x + " after " + before);
             before = x;
         }
         assertTrue(before <= width - Lifelines.TAG_UNITS - 30, "last at " + before);
-        assertTrue(lifelines.leastWidth() <= 730, "needs " + lifelines.leastWidth());
+        assertTrue(lifelines.leastWidth() <= 670, "needs " + lifelines.leastWidth());
     }
 
     @Test
