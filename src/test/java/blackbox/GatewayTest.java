@@ -300,6 +300,7 @@ class GatewayTest {
         assertTrue(get("/link.svg", "word").body().contains("/#word"));
         assertTrue(get("/users", "word").body().startsWith("["));
         assertTrue(get("/robots/robot/map.svg", "word").body().startsWith("<svg "));
+        assertTrue(get("/robots/robot/lane.svg", "word").body().startsWith("<svg "));
         assertEquals(404, get("/robots/none/map.svg", "word").statusCode());
         assertNotEquals(200, get("/robots/robot/../../x", "word").statusCode());
     }

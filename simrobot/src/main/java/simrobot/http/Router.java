@@ -11,6 +11,7 @@ import simgsm.web.WebResponse;
 import simrobot.camera.CameraPictureCache;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.Area;
 
 /** Answers requests by their path. */
 final class Router extends WebPages {
@@ -91,7 +92,8 @@ final class Router extends WebPages {
             throws IOException, InterruptedException, RequestException {
         SimulationSnapshot scene = scenes.now();
         if (parts.equals(List.of(MAP))) {
-            return WebResponse.text("image/svg+xml", page.map(scene));
+            return WebResponse.text(
+                    "image/svg+xml", page.map(scene, scene.world().ground()));
         }
         if (parts.get(0).equals("robots") && parts.size() <= 3) {
             if (parts.size() == 1) {
@@ -101,13 +103,18 @@ final class Router extends WebPages {
             if (parts.size() == 2) {
                 return WebResponse.json(StatusJson.one(scene, robot, source));
             }
+            if (parts.get(2).equals(MAP)) {
+                Area room = WorldMap.around(scene.world(), robot.xMeters(), robot.yMeters());
+                return WebResponse.text("image/svg+xml", page.map(scene, room));
+            }
             if (parts.get(2).equals(CAMERA)) {
                 return WebResponse.jpeg(cameras.shot(scene, withCamera(robot)).jpeg());
             }
         }
         throw RequestException.notFound(
                 path,
-                "/, /" + MAP + ", /robots, /robots/NAME, /robots/NAME/" + CAMERA + " or /robots/NAME/" + STREAM
+                "/, /" + MAP + ", /robots, /robots/NAME, /robots/NAME/" + MAP + ", /robots/NAME/" + CAMERA
+                        + " or /robots/NAME/" + STREAM
                         + (orders.isPresent() ? ", or an order at /robots/NAME/" + ORDERS + "/ID" : ""));
     }
 

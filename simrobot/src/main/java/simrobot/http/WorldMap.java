@@ -10,6 +10,8 @@ import simrobot.drawing.PlaceNames;
 import simrobot.drawing.Viewport;
 import simrobot.drawing.WorldPainter;
 import simrobot.simulation.SimulationSnapshot;
+import simrobot.world.Area;
+import simrobot.world.Segment;
 import simrobot.world.World;
 
 /**
@@ -37,8 +39,31 @@ final class WorldMap {
         return "--" + ink.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    private static Viewport view(World world) {
-        return Viewport.picture(world.ground(), LONG_SIDE, LEAST_SIDE, MARGIN);
+    /** The rectangle up to the nearest walls in the directions of the axes; without a wall, up to the ground's edge. */
+    static Area around(World world, double x, double y) {
+        double left = world.ground().minXMeters();
+        double right = world.ground().maxXMeters();
+        double bottom = world.ground().minYMeters();
+        double top = world.ground().maxYMeters();
+        for (Segment wall : world.items(Segment.class)) {
+            double beside = crossing(wall.y1Meters(), wall.y2Meters(), y, wall.x1Meters(), wall.x2Meters());
+            left = beside < x ? Math.max(left, beside) : left;
+            right = beside > x ? Math.min(right, beside) : right;
+            double over = crossing(wall.x1Meters(), wall.x2Meters(), x, wall.y1Meters(), wall.y2Meters());
+            bottom = over < y ? Math.max(bottom, over) : bottom;
+            top = over > y ? Math.min(top, over) : top;
+        }
+        return new Area(left, bottom, right, top, 0);
+    }
+
+    /** The second coordinate of a wall where its first is {@code at}; NaN if it is so nowhere or everywhere. */
+    private static double crossing(double from, double to, double at, double secondFrom, double secondTo) {
+        boolean crosses = from != to && Math.min(from, to) <= at && at <= Math.max(from, to);
+        return crosses ? secondFrom + (at - from) / (to - from) * (secondTo - secondFrom) : Double.NaN;
+    }
+
+    private static Viewport view(Area shown) {
+        return Viewport.picture(shown, LONG_SIDE, LEAST_SIDE, MARGIN);
     }
 
     private static SvgCanvas canvas() {
@@ -46,30 +71,30 @@ final class WorldMap {
     }
 
     /** The floor, which is the same for all pictures of a world and slow to draw in a large one. */
-    static String floor(World world, PlaceNames names) {
+    static String floor(World world, Area shown, PlaceNames names) {
         SvgCanvas g = canvas();
-        WorldPainter.floor(g, world, view(world), SHOWN.withNames(names));
+        WorldPainter.floor(g, world, view(shown), SHOWN.withNames(names));
         return g.elements();
     }
 
     /** The robots, and the picture's end. */
-    static String robots(SimulationSnapshot scene, PlaceNames names) {
+    static String robots(SimulationSnapshot scene, Area shown, PlaceNames names) {
         SvgCanvas g = canvas();
-        WorldPainter.movableRobots(g, scene, view(scene.world()), names);
+        WorldPainter.movableRobots(g, scene, view(shown), names);
         return g.elements() + "</svg>\n";
     }
 
-    /** The whole map as a separate file with its colours. */
-    static String file(SimulationSnapshot scene, String title, PlaceNames names) {
-        String opening =
-                opening(scene.world(), title).replaceFirst("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+    /** The map of a part of the ground as a separate file with its colours. */
+    static String file(SimulationSnapshot scene, Area shown, String title, PlaceNames names) {
+        String opening = opening(shown, title).replaceFirst("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
         return opening + "<style>:root{" + variables(Appearance.LIGHT) + "}@media(prefers-color-scheme:dark){:root{"
-                + variables(Appearance.DARK) + "}}</style>" + floor(scene.world(), names) + robots(scene, names);
+                + variables(Appearance.DARK) + "}}</style>" + floor(scene.world(), shown, names)
+                + robots(scene, shown, names);
     }
 
     /** The part before the floor. */
-    static String opening(World world, String title) {
-        Viewport view = view(world);
+    static String opening(Area shown, String title) {
+        Viewport view = view(shown);
         String size = SvgCanvas.number(view.width()) + " " + SvgCanvas.number(view.height());
         return "<svg id=\"map\" role=\"img\" viewBox=\"0 0 " + size + "\" data-scale=\""
                 + NumberTexts.fixed(view.pixelsPerMeter(), 6) + "\" data-left=\""

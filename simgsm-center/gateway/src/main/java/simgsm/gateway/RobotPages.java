@@ -59,7 +59,8 @@ final class RobotPages {
         return switch (parts.get(1)) {
             case "camera.jpg" -> fetch(server, robot + "/camera.jpg");
             case "map.svg" -> fetch(server, "map.svg");
-            default -> throw RequestException.notFound(path, "camera.jpg or map.svg of a robot");
+            case "lane.svg" -> fetch(server, robot + "/map.svg");
+            default -> throw RequestException.notFound(path, "camera.jpg, map.svg or lane.svg of a robot");
         };
     }
 

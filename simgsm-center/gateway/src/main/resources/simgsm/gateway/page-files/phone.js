@@ -398,7 +398,8 @@
       return;
     }
     try {
-      const path = `/robots/${encodeURIComponent(chosen)}/${showsCamera ? 'camera.jpg' : 'map.svg'}`;
+      const map = robots.length === places ? 'lane.svg' : 'map.svg';
+      const path = `/robots/${encodeURIComponent(chosen)}/${showsCamera ? 'camera.jpg' : map}`;
       const url = URL.createObjectURL(await (await fetchWithKey(path)).blob());
       const picture = $('picture');
       await new Promise(done => { picture.onload = picture.onerror = done; picture.src = url; });
