@@ -17,9 +17,9 @@ import simgsm.web.PageBody;
 import simgsm.web.UrlPaths;
 import simrobot.drawing.NumberTexts;
 import simrobot.drawing.PlaceNames;
+import simrobot.drawing.Viewport;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
-import simrobot.world.Area;
 import simrobot.world.World;
 
 /**
@@ -65,19 +65,19 @@ final class Page {
     PageBody of(SimulationSnapshot scene, WebSource source) {
         String title = texts.of("page.map", scene.world().name());
         return new PageBody(
-                filled(before, scene, source) + WorldMap.opening(scene.world().ground(), title),
+                filled(before, scene, source) + WorldMap.opening(WorldMap.whole(scene.world()), title),
                 floor(scene.world()),
-                WorldMap.robots(scene, scene.world().ground(), names) + filled(after, scene, source));
+                WorldMap.robots(scene, WorldMap.whole(scene.world()), names) + filled(after, scene, source));
     }
 
-    /** Returns the map of a part of the ground as SVG. */
-    String map(SimulationSnapshot scene, Area shown) {
-        return WorldMap.file(scene, shown, texts.of("page.map", scene.world().name()), names);
+    /** Returns the map of a view as SVG. */
+    String map(SimulationSnapshot scene, Viewport view) {
+        return WorldMap.file(scene, view, texts.of("page.map", scene.world().name()), names);
     }
 
     private synchronized PageBody.Part floor(World world) {
         if (known != world) {
-            floor = new PageBody.Part(WorldMap.floor(world, world.ground(), names));
+            floor = new PageBody.Part(WorldMap.floor(world, WorldMap.whole(world), names));
             known = world;
         }
         return floor;

@@ -9,9 +9,9 @@ import simgsm.web.RequestException;
 import simgsm.web.WebPages;
 import simgsm.web.WebResponse;
 import simrobot.camera.CameraPictureCache;
+import simrobot.drawing.Viewport;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
-import simrobot.world.Area;
 
 /** Answers requests by their path. */
 final class Router extends WebPages {
@@ -92,8 +92,7 @@ final class Router extends WebPages {
             throws IOException, InterruptedException, RequestException {
         SimulationSnapshot scene = scenes.now();
         if (parts.equals(List.of(MAP))) {
-            return WebResponse.text(
-                    "image/svg+xml", page.map(scene, scene.world().ground()));
+            return WebResponse.text("image/svg+xml", page.map(scene, WorldMap.whole(scene.world())));
         }
         if (parts.get(0).equals("robots") && parts.size() <= 3) {
             if (parts.size() == 1) {
@@ -104,7 +103,7 @@ final class Router extends WebPages {
                 return WebResponse.json(StatusJson.one(scene, robot, source));
             }
             if (parts.get(2).equals(MAP)) {
-                Area room = WorldMap.around(scene.world(), robot.xMeters(), robot.yMeters());
+                Viewport room = WorldMap.room(scene.world(), robot.xMeters(), robot.yMeters());
                 return WebResponse.text("image/svg+xml", page.map(scene, room));
             }
             if (parts.get(2).equals(CAMERA)) {

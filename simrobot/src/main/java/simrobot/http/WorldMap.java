@@ -22,6 +22,8 @@ final class WorldMap {
     private static final double LONG_SIDE = 960;
     private static final double LEAST_SIDE = 200;
     private static final double MARGIN = 48;
+    private static final double ROOM_SIDE = 360;
+    private static final double ROOM_MARGIN = 20;
     private static final Layers SHOWN = new Layers(true, false, false);
 
     private WorldMap() {}
@@ -62,8 +64,13 @@ final class WorldMap {
         return crosses ? secondFrom + (at - from) / (to - from) * (secondTo - secondFrom) : Double.NaN;
     }
 
-    private static Viewport view(Area shown) {
-        return Viewport.picture(shown, LONG_SIDE, LEAST_SIDE, MARGIN);
+    static Viewport whole(World world) {
+        return Viewport.picture(world.ground(), LONG_SIDE, LEAST_SIDE, MARGIN);
+    }
+
+    /** A room's picture, small, so that its names can be read on a phone. */
+    static Viewport room(World world, double x, double y) {
+        return Viewport.picture(around(world, x, y), ROOM_SIDE, 0, ROOM_MARGIN);
     }
 
     private static SvgCanvas canvas() {
@@ -71,30 +78,29 @@ final class WorldMap {
     }
 
     /** The floor, which is the same for all pictures of a world and slow to draw in a large one. */
-    static String floor(World world, Area shown, PlaceNames names) {
+    static String floor(World world, Viewport view, PlaceNames names) {
         SvgCanvas g = canvas();
-        WorldPainter.floor(g, world, view(shown), SHOWN.withNames(names));
+        WorldPainter.floor(g, world, view, SHOWN.withNames(names));
         return g.elements();
     }
 
     /** The robots, and the picture's end. */
-    static String robots(SimulationSnapshot scene, Area shown, PlaceNames names) {
+    static String robots(SimulationSnapshot scene, Viewport view, PlaceNames names) {
         SvgCanvas g = canvas();
-        WorldPainter.movableRobots(g, scene, view(shown), names);
+        WorldPainter.movableRobots(g, scene, view, names);
         return g.elements() + "</svg>\n";
     }
 
-    /** The map of a part of the ground as a separate file with its colours. */
-    static String file(SimulationSnapshot scene, Area shown, String title, PlaceNames names) {
-        String opening = opening(shown, title).replaceFirst("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+    /** The map of a view as a separate file with its colours. */
+    static String file(SimulationSnapshot scene, Viewport view, String title, PlaceNames names) {
+        String opening = opening(view, title).replaceFirst("<svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"");
         return opening + "<style>:root{" + variables(Appearance.LIGHT) + "}@media(prefers-color-scheme:dark){:root{"
-                + variables(Appearance.DARK) + "}}</style>" + floor(scene.world(), shown, names)
-                + robots(scene, shown, names);
+                + variables(Appearance.DARK) + "}}</style>" + floor(scene.world(), view, names)
+                + robots(scene, view, names);
     }
 
     /** The part before the floor. */
-    static String opening(Area shown, String title) {
-        Viewport view = view(shown);
+    static String opening(Viewport view, String title) {
         String size = SvgCanvas.number(view.width()) + " " + SvgCanvas.number(view.height());
         return "<svg id=\"map\" role=\"img\" viewBox=\"0 0 " + size + "\" data-scale=\""
                 + NumberTexts.fixed(view.pixelsPerMeter(), 6) + "\" data-left=\""

@@ -147,6 +147,14 @@ class WebServerTest {
         }
     }
 
+    @Test
+    void aRobotsMapEndsAtTheWallsAroundItAndFitsAPhone() throws Exception {
+        String map = text(ask("GET", "/robots/ann/map.svg"));
+        // 12 m to the wall, but 20 m from south to north, in 320 pixels
+        assertTrue(
+                map.startsWith("<svg ") && map.contains("data-scale=\"" + "16.000000" + "\""), map.substring(0, 200));
+    }
+
     // ---- status ----------------------------------------------------------------------------------------------------
 
     @Test
