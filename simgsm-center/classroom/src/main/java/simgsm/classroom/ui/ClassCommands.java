@@ -15,7 +15,7 @@ import simgsm.ui.Theme;
 final class ClassCommands extends DressedPanel {
     private static final int MARGIN_UNITS = 24;
     private static final int MOST_UNITS = 56;
-    private static final int LEAST_UNITS = 13;
+    private static final int LEAST_PIXELS = 9;
 
     private final JTextArea text = new ReadingArea("");
 
@@ -45,8 +45,8 @@ final class ClassCommands extends DressedPanel {
     public void doLayout() {
         int width = getWidth() - getInsets().left - getInsets().right;
         int height = getHeight() - getInsets().top - getInsets().bottom;
-        for (int units = MOST_UNITS; units >= LEAST_UNITS; units--) {
-            text.setFont(Theme.mono().deriveFont(Theme.exact(units)));
+        for (int pixels = Theme.px(MOST_UNITS); pixels >= LEAST_PIXELS; pixels--) {
+            text.setFont(Theme.mono().deriveFont((float) pixels));
             text.setSize(width, Short.MAX_VALUE);
             Dimension needed = text.getPreferredSize();
             if (needed.height <= height && needed.width <= width) {

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -117,6 +118,28 @@ class ClassPanelTest {
             assertEquals(Theme.color(Ink.TEXT), large.getForeground());
         } finally {
             Theme.install(Appearance.LIGHT);
+        }
+    }
+
+    @Test
+    void theCommandsOfFortyStudentsFitASmallScreenAtEveryZoom() {
+        List<ClassView.Row> rows = IntStream.range(0, 40)
+                .mapToObj(i -> row("55501" + (i + 10), false))
+                .toList();
+        ClassCommands page = new ClassCommands(ClassroomTexts.in(Locale.ENGLISH), "java -jar simgsm-phone.jar", rows);
+        try {
+            for (double zoom : new double[] {1, 1.5, 2}) {
+                Theme.zoomTo(zoom);
+                page.setSize(1366, 740);
+                page.doLayout();
+                JTextArea text = (JTextArea)
+                        ComponentNames.find(page, "class.large.text").orElseThrow();
+                int height = text.getLineCount()
+                        * text.getFontMetrics(text.getFont()).getHeight();
+                assertTrue(height <= text.getHeight(), height + " at " + zoom);
+            }
+        } finally {
+            Theme.zoomTo(1);
         }
     }
 

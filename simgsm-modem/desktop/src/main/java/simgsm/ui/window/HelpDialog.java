@@ -116,7 +116,7 @@ final class HelpDialog {
 
     /** A text of a message box in several lines, so that the box fits the screen at any zoom. */
     static JTextArea message(String text) {
-        JTextArea lines = wrapped(text);
+        JTextArea lines = paragraph(text);
         lines.setSize(Theme.px(MESSAGE_UNITS), Short.MAX_VALUE);
         return lines;
     }
