@@ -100,11 +100,15 @@ class AtCommandsTest {
                 AT+CCFC=6,2                -> +CME ERROR: 50
                 AT+CCFC=0,5                -> +CME ERROR: 50
                 AT+CCFC=0                  -> +CME ERROR: 50
-                AT+CCFC=0,2,,,2            -> +CME ERROR: 4
+                AT+CCFC=0,2,,,1            -> +CCFC: 0,1|OK
+                AT+CCFC=0,2,,,2            -> +CCFC: 0,2|OK
+                AT+CCFC=0,3,"5550299",129,2 -> +CME ERROR: 4
                 AT+CCFC=0,2;+CREG?         -> +CCFC: 0,7|+CREG: 0,1|OK
                 AT+CCWA=1                  -> OK
                 AT+CCWA?                   -> +CCWA: 1|OK
                 AT+CCWA=1,2                -> +CCWA: 0,7|OK
+                AT+CCWA=1,2,2              -> +CCWA: 0,2|OK
+                AT+CCWA=1,1,2              -> +CME ERROR: 4
                 AT+CCWA=1,1                -> +CME ERROR: 4
                 AT+CLIR?                   -> +CLIR: 0,4|OK
                 AT+CLIR=0                  -> OK
@@ -128,7 +132,7 @@ class AtCommandsTest {
                 AT+COPS=3,2         -> OK
                 AT+COPS?            -> +COPS: 0,2,"00101"|OK
                 AT+COPS=3,0         -> OK
-                AT+COPS=?           -> +COPS: (2,"SimGSM","SimGSM","00101"),,(0,2,3),(0-2)|OK
+                AT+COPS=?           -> +COPS: (2,"SimGSM","SimGSM","00101",0),,(0,2,3),(0-2)|OK
                 AT+CSQ              -> +CSQ: 25,99|OK
                 AT+CSQ=?            -> +CSQ: (0-31,99),(99)|OK
                 AT+CIND?            -> +CIND: 5,5,1,0,0,0,0,0|OK

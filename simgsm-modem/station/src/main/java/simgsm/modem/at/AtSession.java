@@ -290,6 +290,7 @@ public final class AtSession<C> {
     private void takeText(char character) {
         watchPrompt();
         if (character == CTRL_Z) {
+            echo(character);
             endText();
         } else if (character == ESCAPE) {
             timers.cancel(timer);

@@ -4,6 +4,7 @@ import java.util.stream.Collectors;
 import simgsm.modem.at.AtCommandTable;
 import simgsm.modem.at.AtException;
 import simgsm.modem.at.AtParameters;
+import simgsm.modem.at.AtProfile;
 import simgsm.modem.at.AtRequest;
 import simgsm.modem.at.AtResult;
 import simgsm.modem.at.CmeError;
@@ -70,10 +71,13 @@ final class NetworkCommands {
         }
     }
 
+    /** The one operator, with access technology 0 (GSM), without which gsm-utils 1.10 reads no list; SIM800 has none. */
     private static void operators(AtClient client, AtRequest request) {
         String name = AtRequest.quoted(
                 client.settings().characterSet.encode(client.modem().network().operatorName()));
-        request.answer("(2," + name + "," + name + ",\"" + NetworkCodes.operatorCode() + "\"),,(0,2,3),(0-2)");
+        String technology = client.modem().profile() == AtProfile.SIM800 ? "" : ",0";
+        request.answer("(2," + name + "," + name + ",\"" + NetworkCodes.operatorCode() + "\"" + technology
+                + "),,(0,2,3),(0-2)");
     }
 
     private static void setOperator(AtClient client, AtRequest request) throws AtException {

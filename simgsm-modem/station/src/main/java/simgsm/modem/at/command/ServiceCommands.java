@@ -59,13 +59,17 @@ final class ServiceCommands {
         SsCode reason = REASONS.get(parameters.number(0, 0, REASONS.size() - 1));
         int mode = parameters.number(1, 0, PROCEDURES.size() - 1);
         int type = parameters.number(3, 0, MOST_TYPE, AddressType.UNKNOWN);
-        checkClass(parameters.number(4, 1, MOST_CLASSES, ALL_CLASSES));
+        int classes = parameters.number(4, 1, MOST_CLASSES, ALL_CLASSES);
+        if (isWithoutSpeech(classes, mode)) {
+            request.answer(0, classes);
+            return AtResult.OK;
+        }
         String seconds = parameters.given(7).isEmpty() ? "" : "**" + parameters.number(7, 1, MOST_SECONDS, 1);
         String number = mode == REGISTER ? "*" + number(parameters, type) + seconds : "";
         String code = PROCEDURES.get(mode) + reason.typed() + number + "#";
         return client.modem().services().ask(request, code, status -> {
             if (mode == QUERY) {
-                request.answer(forwarding(status));
+                request.answer(forwarding(status, classes));
             }
         });
     }
@@ -81,21 +85,23 @@ final class ServiceCommands {
         return number;
     }
 
-    /** The network forwards calls of speech; there are no others. */
-    private static void checkClass(int classes) throws AtException {
-        if ((classes & VOICE) == 0) {
+    /** The network serves calls of speech: for other classes alone a service is inactive and cannot be set. */
+    private static boolean isWithoutSpeech(int classes, int mode) throws AtException {
+        boolean isWithout = (classes & VOICE) == 0;
+        if (isWithout && mode != QUERY) {
             throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
         }
+        return isWithout;
     }
 
-    private static String forwarding(ServiceStatus status) {
+    private static String forwarding(ServiceStatus status, int classes) {
         int active = status.isActive() ? 1 : 0;
         return status.forwardedTo()
                 .map(number -> active + "," + VOICE + "," + AtRequest.quoted(number) + "," + AddressType.of(number)
                         + status.noReplySeconds()
                                 .map(seconds -> ",,," + seconds)
                                 .orElse(""))
-                .orElse(active + "," + ALL_CLASSES);
+                .orElse(active + "," + classes);
     }
 
     private static AtResult callWaiting(AtClient client, AtRequest request) throws AtException {
@@ -107,23 +113,27 @@ final class ServiceCommands {
             return AtResult.OK;
         }
         int mode = parameters.number(1, 0, QUERY);
-        checkClass(classes);
+        boolean isWithoutSpeech = isWithoutSpeech(classes, mode);
         client.settings().showsWaiting = shows;
+        if (isWithoutSpeech) {
+            request.answer(0, classes);
+            return AtResult.OK;
+        }
         if (!client.modem().terminal().hasCallWaiting()) {
-            return withoutWaiting(request, mode);
+            return withoutWaiting(request, mode, classes);
         }
         String code = PROCEDURES.get(mode) + SsCode.CALL_WAITING.typed() + "#";
         return client.modem().services().ask(request, code, status -> {
             if (mode == QUERY) {
-                request.answer(status.isActive() ? 1 : 0, status.isActive() ? VOICE : ALL_CLASSES);
+                request.answer(status.isActive() ? 1 : 0, status.isActive() ? VOICE : classes);
             }
         });
     }
 
     /** A terminal without call waiting has nothing to ask the network for. */
-    private static AtResult withoutWaiting(AtRequest request, int mode) throws AtException {
+    private static AtResult withoutWaiting(AtRequest request, int mode, int classes) throws AtException {
         if (mode == QUERY) {
-            request.answer(0, ALL_CLASSES);
+            request.answer(0, classes);
         } else if (mode != 0) {
             throw new AtException(CmeError.OPERATION_NOT_SUPPORTED);
         }
