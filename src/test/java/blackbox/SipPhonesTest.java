@@ -593,6 +593,21 @@ class SipPhonesTest {
         assertEquals(List.of("keys robot=robot keys=#"), suite.robotLines("keys"));
     }
 
+    /** diago 0.42.1 sends so where it sends no sound. */
+    @Test
+    void keysWithOneTimeStampForAllAreKeysOfTheirOwn() {
+        inCall();
+        for (int code : new int[] {10, 10, 11, 10, 10, 2, 0, 10, 10}) {
+            for (int i = 1; i <= 7; i++) {
+                phone.event(code, i >= 5, Math.min(5, i) * 160, 0, i == 1);
+                suite.seconds(0.02);
+            }
+            suite.seconds(0.15);
+        }
+        suite.seconds(3);
+        assertEquals(List.of(ORDER), orders());
+    }
+
     @Test
     void anEventWithoutItsEndAndItsReorderedCopiesAreOneKey() {
         inCall();

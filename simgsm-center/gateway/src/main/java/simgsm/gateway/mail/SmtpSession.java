@@ -168,6 +168,8 @@ final class SmtpSession implements TcpProtocol {
             fail("501 5.1.7 expected MAIL FROM:<ADDRESS>");
         } else if (size.matches() && Double.parseDouble(size.group(1)) > MOST_OCTETS) {
             fail("552 5.3.4 at most " + MOST_OCTETS + " octets");
+        } else if (!path.group(1).matches("\\p{ASCII}*")) {
+            fail("553 5.6.7 expected an address in ASCII");
         } else {
             sender = path.group(1);
             say("250 2.1.0 OK");

@@ -5,7 +5,8 @@ import simgsm.dtmf.DtmfKey;
 
 /**
  * Keys from telephone-event packets (RFC 4733): one for each source and time stamp, whatever is lost, repeated or
- * reordered. Time is counted in frames of 20 ms.
+ * reordered; after its end a later packet with a shorter duration begins another key, because some phones use one time
+ * stamp for all. Time is counted in frames of 20 ms.
  */
 final class PhoneEvents {
     /** A key without packets ends after 100 ms. */
@@ -23,6 +24,8 @@ final class PhoneEvents {
     private boolean isHeard;
     private int source;
     private int timestamp;
+    private int sequence;
+    private int duration;
     private int event;
     private boolean isSounding;
     private int silentFrames;
@@ -48,7 +51,13 @@ final class PhoneEvents {
         if (ahead < 0) {
             return;
         }
-        if (ahead > 0) {
+        boolean isLater = ahead > 0 || (short) (packet.sequence() - sequence) > 0;
+        int before = duration;
+        if (isLater) {
+            sequence = packet.sequence();
+            duration = (payload[2] & 0xff) << 8 | payload[3] & 0xff;
+        }
+        if (ahead > 0 || isLater && !isSounding && duration < before) {
             // RFC 4733, 2.5.1.3: a longer key goes on in a segment with another time stamp
             boolean isSegment = isHeard && code == event && ahead == LONGEST_SEGMENT && frames > 0;
             isHeard = true;

@@ -271,6 +271,7 @@ class MailInTest {
                 "EHLO x/MAIL FROM:a@b|501",
                 "EHLO x/MAIL FROM:<a\u0001b@c>|501",
                 "EHLO x/MAIL FROM:<a\rRCPT@c>|501",
+                "EHLO x/MAIL FROM:<ben\u00e9@example.org>|553",
                 "EHLO x/MAIL FROM:<> SIZE=100|250",
                 "EHLO x/MAIL FROM:<a@b> SIZE=65537|552",
                 "EHLO x/MAIL FROM:<a@b>/RCPT TO:<+5550200@SMS.example> NOTIFY=NEVER|250",
