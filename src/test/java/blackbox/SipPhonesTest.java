@@ -89,6 +89,22 @@ class SipPhonesTest {
         assertEquals("SHA-256", phone.algorithm);
     }
 
+    /** pyVoIP 1.6.8: the INVITE with credentials has the branch of the first, Call-IDs are those of its last start. */
+    @Test
+    void aCallIdOfAnEarlierStartAndABranchOfTwoInvitesAreNoRepetitions() {
+        phone.registered();
+        phone.keepsBranch = true;
+        for (String start : List.of("a", "b")) {
+            phone.fromTag = start;
+            String answer = phone.call("5550200");
+            assertTrue(answer.startsWith("SIP/2.0 200"), answer);
+            assertEquals("MD5", phone.algorithm);
+            phone.say(phone.request("BYE", phone.uri("5550200"), "", ""));
+            suite.seconds(40);
+            phone.received.clear();
+        }
+    }
+
     @Test
     void wrongPasswordsAreLimitedToTenAMinuteForEachAddress() {
         phone.password = "guess";

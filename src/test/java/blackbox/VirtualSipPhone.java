@@ -46,6 +46,9 @@ final class VirtualSipPhone {
     private final DtmfReceiver receiver =
             new DtmfReceiver(digit -> tones.add(digit.key().symbol()));
     private int branch;
+    /** All requests with one branch. */
+    boolean keepsBranch;
+
     private int mediaPort;
     private int sequence = 65_530;
     private int timestamp = 1000;
@@ -111,7 +114,8 @@ final class VirtualSipPhone {
     String request(String method, String uri, String more, String body) {
         String to = method.equals("REGISTER") ? uri(number) : uri;
         return method + " " + uri + " SIP/2.0\n"
-                + "Via: SIP/2.0/UDP 10.0.0.1:9999;rport;branch=z9hG4bK" + number + "-" + callId + "-" + ++branch + "\n"
+                + "Via: SIP/2.0/UDP 10.0.0.1:9999;rport;branch=z9hG4bK" + number + "-" + callId + "-"
+                + (keepsBranch ? branch : ++branch) + "\n"
                 + "Max-Forwards: 70\n"
                 + "From: <" + uri(number) + ">;tag=" + fromTag + "\n"
                 + "To: <" + to + ">" + (toTag.isEmpty() ? "" : ";tag=" + toTag) + "\n"

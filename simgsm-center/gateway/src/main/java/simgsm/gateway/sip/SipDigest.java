@@ -36,7 +36,7 @@ final class SipDigest {
     private record Nonce(long madeNanos, long count) {}
 
     private final Map<String, Nonce> nonces = new NewestEntries<>();
-    /** Requests without credentials, by Call-ID. */
+    /** Requests without credentials, by Call-ID and tag of From: some phones count Call-IDs from each start. */
     private final Map<String, Integer> asked = new NewestEntries<>();
 
     private final Supplier<String> words;
@@ -52,7 +52,8 @@ final class SipDigest {
      */
     void challenge(SipMessage request, SipMessage response, boolean isStale, long nowNanos) {
         String algorithm = credentials(request).map(SipDigest::algorithm).orElseGet(() -> {
-            boolean isAgain = asked.merge(request.callId(), 1, Integer::sum) % 2 == 0;
+            boolean isAgain =
+                    asked.merge(request.callId() + " " + request.address("From").tag(), 1, Integer::sum) % 2 == 0;
             return isAgain ? "SHA-256" : MD5;
         });
         String nonce = words.get() + words.get();

@@ -9,7 +9,7 @@ import java.util.function.Consumer;
 import java.util.random.RandomGenerator;
 import simgsm.timer.Timers;
 
-/** The transactions with all phones (RFC 3261, 17), found by branch, host and method (17.1.3, 17.2.3). */
+/** The transactions with all phones (RFC 3261, 17), found by branch, host, method and CSeq (17.1.3, 17.2.3). */
 final class SipTransactions {
     /** Round-trip estimate, longest repetition, lifetime of messages in the network (17.1.1.1, table 4). */
     static final long T1_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
@@ -61,11 +61,11 @@ final class SipTransactions {
     private static String serverKey(SipMessage request, String method) {
         SipValue via = request.via();
         String branch = via.parameter("branch").orElse("");
-        // before RFC 3261 branches were not unique
+        // before RFC 3261 branches were not unique; pyVoIP 1.6.8 keeps one for the INVITE with credentials
         String old = branch.startsWith(COOKIE)
                 ? ""
-                : request.callId() + request.cseq() + request.address("From").tag();
-        return branch + " " + via.main() + " " + method + " " + old;
+                : request.callId() + request.address("From").tag();
+        return branch + " " + via.main() + " " + method + " " + request.cseq() + " " + old;
     }
 
     /** The transaction of a repeated request, of ACK, or of the request that CANCEL cancels. */
