@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -87,6 +88,18 @@ class SipPhonesTest {
         String answer = phone.register("");
         assertTrue(answer.startsWith("SIP/2.0 200"), answer);
         assertEquals("SHA-256", phone.algorithm);
+    }
+
+    /** diago 0.42.1 and sip 0.0.6 take a repeated answer for a second one. */
+    @Test
+    void anAnswerAfterSilenceOfTheLineIsNotRepeatedAtOnce() {
+        VirtualSuite slow = new VirtualSuite(1500);
+        VirtualSipPhone caller = new VirtualSipPhone(new VirtualSip(slow), "5550300");
+        caller.registered();
+        String answer = caller.call(VirtualSuite.ROBOT);
+        assertTrue(answer.startsWith("SIP/2.0 200"), answer);
+        slow.seconds(0.1);
+        assertEquals(Optional.empty(), caller.poll("SIP/2.0 200"));
     }
 
     /** pyVoIP 1.6.8: the INVITE with credentials has the branch of the first, Call-IDs are those of its last start. */

@@ -29,6 +29,7 @@ final class VirtualSip implements SipTransport, SipListener {
     private final Map<Integer, BiConsumer<byte[], SipPeer>> media = new HashMap<>();
     private final SipServer server;
     private int nextPort = 20_000;
+    private long nowNanos;
     private BooleanSupplier isLost = () -> false;
 
     VirtualSip(VirtualSuite suite) {
@@ -38,7 +39,20 @@ final class VirtualSip implements SipTransport, SipListener {
             passwords.put(Integer.toString(5_550_300 + i), PASSWORD);
         }
         server = new SipServer(timers, this, passwords, new SplittableRandom(1), new SplittableRandom(2), this);
-        suite.tellTime(timers::advance);
+        suite.tellTime(this::timeIs);
+    }
+
+    /** As in the gateway, the clock of the core moves at deadlines, datagrams and events of stations alone. */
+    private void timeIs(long nanos) {
+        nowNanos = nanos;
+        if (timers.nextDeadlineNanos().orElse(Long.MAX_VALUE) <= nanos) {
+            timers.advance(nanos);
+        }
+    }
+
+    @Override
+    public void timePassed() {
+        timers.advance(nowNanos);
     }
 
     /** From now on datagrams are lost where this says so, in both directions. */
@@ -65,13 +79,17 @@ final class VirtualSip implements SipTransport, SipListener {
     /** A datagram to the port of SIP. */
     void toServer(byte[] octets, SipPeer from) {
         if (!isLost.getAsBoolean()) {
-            suite.later(() -> server.arrived(octets, from));
+            suite.later(() -> {
+                timePassed();
+                server.arrived(octets, from);
+            });
         }
     }
 
     /** A datagram to a port of speech. */
     void toMedia(int port, byte[] octets, SipPeer from) {
         if (!isLost.getAsBoolean() && media.containsKey(port)) {
+            timePassed();
             media.get(port).accept(octets, from);
         }
     }

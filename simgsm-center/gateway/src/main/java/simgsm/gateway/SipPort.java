@@ -60,6 +60,11 @@ final class SipPort implements SipTransport, SipListener {
     }
 
     @Override
+    public void timePassed() {
+        time.advance();
+    }
+
+    @Override
     public void send(byte[] octets, SipPeer to) {
         socket.send(octets, new InetSocketAddress(to.host(), to.port()));
     }

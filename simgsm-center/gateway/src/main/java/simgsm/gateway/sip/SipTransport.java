@@ -14,6 +14,9 @@ public interface SipTransport {
         void close();
     }
 
+    /** Moves the timers to the present, before an event of a station: its thread may have waited since the last datagram. */
+    void timePassed();
+
     /** Sends a SIP message; it may be lost. */
     void send(byte[] octets, SipPeer to);
 

@@ -185,6 +185,7 @@ public final class SipUser {
     }
 
     private void accept(StationEvent event) {
+        context.transport().timePassed();
         if (event instanceof StationEvent.SpeechReceived received) {
             speech.heard(received.samples());
         } else if (event instanceof StationEvent.StationRegistered) {
