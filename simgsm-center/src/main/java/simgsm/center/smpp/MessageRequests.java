@@ -53,8 +53,8 @@ final class MessageRequests {
     private static final int MODE_BITS = 0x03;
     /** Messaging mode "forward": the response waits for the delivery. */
     private static final int FORWARD_MODE = 0x02;
-    /** Message types of acknowledgements that an application sends for a person. */
-    private static final int TYPE_BITS = 0x3c;
+    /** Message types that are not served; 0x08, a delivery acknowledgement, is the default of rusmpp 0.4 and a text like others. */
+    private static final int TYPE_BITS = 0x34;
 
     /**
      * The requesting application.

@@ -61,6 +61,8 @@ class SmppFieldsTest extends SmppStage {
         "SUBMIT_SM,    . x01 x01 1 x07 x01 5550300 x00 x00 x00 . . x00 x00 x00 x00 x01 -41, 0x50",
         "SUBMIT_SM,    . x01 x01 1 x01 x12 5550300 x00 x00 x00 . . x00 x00 x00 x00 x01 -41, 0x51",
         "SUBMIT_SM,    . x01 x01 1 x01 x01 letters x00 x00 x00 . . x00 x00 x00 x00 x01 -41, 0x0b",
+        "SUBMIT_SM,    . x01 x01 1 x01 x01 5550300 x08 x00 x00 . . x00 x00 x00 x00 x01 -41, 0x00",
+        "SUBMIT_SM,    . x01 x01 1 x01 x01 5550300 x10 x00 x00 . . x00 x00 x00 x00 x01 -41, 0x43",
         "SUBMIT_SM,    . x01 x01 1 x01 x01 5550300 x02 x00 x00 . . x00 x00 x00 x00 x01 -41, 0x43",
         "SUBMIT_SM,    . x01 x01 1 x01 x01 5550300 x04 x00 x00 . . x00 x00 x00 x00 x01 -41, 0x43",
         "SUBMIT_SM,    . x01 x01 1 x01 x01 5550300 x03 x00 x03 . . x12 x00 x00 x00 x01 -41, 0x00",
