@@ -74,7 +74,7 @@ class AtClientsTest {
     private String run(String block) throws Exception {
         String script = block.replace("127.0.0.1:7000", "127.0.0.1:" + phonePort)
                 .replace("127.0.0.1:7001", "127.0.0.1:" + secondPort)
-                .replace("modemmanager.sh 7000", "modemmanager.sh " + phonePort)
+                .replace(".sh 7000", ".sh " + phonePort)
                 .replace("src/test/peers", Dist.root().resolve("src/test/peers").toString());
         ProcessBuilder builder =
                 Peer.BASH.process("-c", script).directory(scenario.folder().toFile());
@@ -246,6 +246,23 @@ class AtClientsTest {
                     "successfully hung up the call")) {
                 assertTrue(printed.lines().anyMatch(each -> each.matches(line)), line + " is not in\n" + printed);
             }
+        } finally {
+            scenario.close();
+        }
+    }
+
+    @Test
+    void ofonoSendsAnOrderAndAsksItsNumber() throws Exception {
+        Peer.OFONO.require();
+        try {
+            begin("oFono");
+            String printed = run(blocks("oFono").get(0));
+            assertEquals("""
+                    "SimGSM"
+                    /phonesim/message
+                    "3 REPLY"
+                    "5550100"
+                    """, printed.replaceAll("\"3 .*\"", "\"3 REPLY\""));
         } finally {
             scenario.close();
         }

@@ -38,6 +38,7 @@ enum Peer {
     MODEM_MANAGER("ModemManager"),
     MMCLI("mmcli"),
     WVDIAL("wvdial"),
+    OFONO("ofonod"),
     BASH("bash"),
     OSMO_STP("osmo-stp"),
     OSMO_HLR("osmo-hlr"),
