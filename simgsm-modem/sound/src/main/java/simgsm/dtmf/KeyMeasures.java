@@ -12,7 +12,7 @@ final class KeyMeasures {
     /**
      * The measures, in the order of {@link #values}, with their curves: pairs of a value and its addend, between which and
      * beyond which the addend is linear and constant. {@code LikelihoodFit}, a test program, fitted the addends to labelled
-     * recordings. Shares and ratios are common logarithms.
+     * recordings; {@link #WANDER}'s was chosen afterwards. Shares and ratios are common logarithms.
      */
     enum Kind {
         /** log10(1 - coherence) of the steadier tone over the newest 40 ms. */
@@ -27,7 +27,7 @@ final class KeyMeasures {
          */
         BEFORE(-3.5, 0, 0, -9.97),
         /** The strongest other line between 560 and 3500 Hz against the weaker tone, dB. */
-        LINE(-40, -1.81, -15, 0, -4, -1.97, 4, -5.69),
+        LINE(-15, 0, -4, -1.97, 4, -5.69),
         /** Geometric over arithmetic mean of the spectrum apart from the tones, 0.6 for noise. */
         EVENNESS(0.04, -9.76, 0.12, -7.67, 0.25, -4.11, 0.4, -6.6, 0.6, 0),
         /** log10 of the other sound before the tones began over the other sound now; 0 as for BEFORE. */
@@ -35,7 +35,9 @@ final class KeyMeasures {
         /** log10 of the strongest line's share of the other sound. */
         LINE_SHARE(-1.1, -0.79, -0.6, -5.37, -0.15, 0),
         /** The strongest line between 90 and 250 Hz, the pitch of voices, against the weaker tone, dB. */
-        PITCH(-10, 0, 12, -6.16);
+        PITCH(-10, 0, 12, -6.16),
+        /** log10 of 1 - coherence over {@link #LINE}'s ratio: tones that waver without other sound slide. */
+        WANDER(1.6, 0, 3.4, -7);
 
         final double[] curve;
 
@@ -136,6 +138,7 @@ final class KeyMeasures {
         put(Kind.BACKGROUND, fit.open ? 0 : Math.log10(background));
         put(Kind.LINE_SHARE, log(spectrum.line / spectrum.rest));
         put(Kind.PITCH, decibels(spectrum.pitch / weaker));
+        put(Kind.WANDER, values[Kind.WAVER.ordinal()] - log(spectrum.line / weaker));
     }
 
     private void put(Kind kind, double value) {
