@@ -3,8 +3,12 @@ package blackbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The console of the cells: lists, places, towers, reports, and robots that are followed. */
 class CellsConsoleTest {
@@ -113,6 +117,33 @@ class CellsConsoleTest {
             cells.expectNext("report");
             cells.expect("report", "number", Scenario.PHONE, "nr", Integer.toString(number + 2));
         }
+    }
+
+    @Test
+    void reportsAreWrittenAsCsvWithoutBeingAskedForOnTheConsole(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("reports.csv");
+        try (Scenario town = new Scenario("reports in a file")) {
+            town.center();
+            RunningProgram cells = town.cells("village.town", "--reports", file.toString());
+            town.robot("empty.map");
+            town.call(town.phone(Scenario.PHONE));
+            cells.say("reports on");
+            cells.expect("report", "number", Scenario.PHONE);
+            cells.expectNext("report");
+            assertEquals(0, cells.quit());
+        }
+        List<String> lines = Files.readAllLines(file);
+        assertEquals("time,number,cell,rxlev,rxqual,ta,neighbours", lines.get(0));
+        String of = Scenario.PHONE + ",west,[0-9]{1,2},[0-7],[0-9]{1,2},(east:[0-9]{1,2})?";
+        assertTrue(lines.stream().anyMatch(line -> line.matches("20[-0-9]+T[:.0-9]+Z," + of)), lines.toString());
+    }
+
+    @Test
+    void aFileForReportsInNoFolderIsAnInputOutputError() throws Exception {
+        FinishedProgram cells = FinishedProgram.run(
+                "simgsm-cells", "--headless", "--town", "worlds/village.town", "--reports", "/no-folder/x.csv");
+        assertEquals(74, cells.status());
+        assertTrue(cells.error().contains("/no-folder/x.csv: no such folder"), cells.error());
     }
 
     @Test

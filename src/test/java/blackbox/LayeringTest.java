@@ -118,7 +118,7 @@ class LayeringTest {
             simgsm.cells.mobile      : simgsm.event simgsm.octets simgsm.state simgsm.timer simgsm.air simgsm.abis simgsm.rr simgsm.speech simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.cipher simgsm.cells.tower
             simgsm.cells.network     : simgsm.octets simgsm.timer simgsm.air simgsm.rr simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile
             simgsm.cells.net         : simgsm.timer simgsm.net simgsm.air simgsm.abis simgsm.cells.town simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network
-            simgsm.cells.app         : simgsm.event simgsm.octets simgsm.air simgsm.rr simgsm.console simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
+            simgsm.cells.app         : simgsm.event simgsm.file simgsm.octets simgsm.air simgsm.rr simgsm.console simgsm.ui.window simgsm.cells.ui simgsm.cells.town simgsm.cells.radio simgsm.cells.snapshot simgsm.cells.tower simgsm.cells.mobile simgsm.cells.network simgsm.cells.net
             simgsm.cells             : simgsm.console simgsm.ui.window simgsm.cells.town simgsm.cells.app simgsm.cells.tower simgsm.cells.net simgsm.cells.network
             simgsm.gateway.speech    : simgsm.speech simgsm.station.call
             simgsm.gateway.sip       : simgsm.state simgsm.timer simgsm.air simgsm.dtmf simgsm.speech simgsm.station.call simgsm.station.context simgsm.station.mobility simgsm.station simgsm.gateway.speech

@@ -5,6 +5,7 @@ import simgsm.cells.app.CellsCommands;
 import simgsm.cells.app.CellsEvents;
 import simgsm.cells.app.CellsSettings;
 import simgsm.cells.app.CellsWindow;
+import simgsm.cells.app.ReportFile;
 import simgsm.cells.net.CellsLoop;
 import simgsm.cells.net.GsmtapSocket;
 import simgsm.cells.network.CellNetwork;
@@ -49,8 +50,10 @@ public final class CellsMain {
             CellsEvents events = new CellsEvents(console);
             boolean prints = window.isEmpty() || arguments.has("console");
             GsmtapSocket capture = GsmtapSocket.to(settings.gsmtap());
-            CellNetwork network = network(settings, capture, events, prints);
+            ReportFile reports = ReportFile.to(settings.reports());
+            CellNetwork network = network(settings, capture, events, prints, reports);
             try (capture;
+                    reports;
                     CellsLoop loop = new CellsLoop(network, settings.address(), settings.port())) {
                 loop.start(settings.controllerAddress(), cause -> FatalError.end(CellsSettings.PROGRAM, cause));
                 settings.followed()
@@ -74,9 +77,10 @@ public final class CellsMain {
     }
 
     private static CellNetwork network(
-            CellsSettings settings, GsmtapSocket capture, CellsEvents events, boolean prints) {
+            CellsSettings settings, GsmtapSocket capture, CellsEvents events, boolean prints, ReportFile reports) {
         AirInterface air = new AirInterface(settings.algorithms(), capture);
-        CellNetwork network = new CellNetwork(settings.town(), settings.seed(), air, prints ? events : event -> {});
+        CellNetwork network =
+                new CellNetwork(settings.town(), settings.seed(), air, prints ? reports.andThen(events) : reports);
         network.setHandoverRule(settings.handover());
         if (prints) {
             network.setOnRefusal(events::refused);

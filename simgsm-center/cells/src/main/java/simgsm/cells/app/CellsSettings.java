@@ -37,6 +37,7 @@ import simgsm.console.UsageException;
  * @param handover the controller's rule, for the window
  * @param algorithms of the air
  * @param gsmtap receiver of the air capture
+ * @param reports CSV file of measurement reports
  * @param followed robots whose poses move terminals
  */
 public record CellsSettings(
@@ -50,6 +51,7 @@ public record CellsSettings(
         List<FollowedRobot> followed,
         Set<CipherAlgorithm> algorithms,
         Optional<InetSocketAddress> gsmtap,
+        Optional<Path> reports,
         Locale language) {
     public static final String PROGRAM = "simgsm-cells";
     public static final int DEFAULT_PORT = 3013;
@@ -82,6 +84,7 @@ public record CellsSettings(
                 List.copyOf(followed),
                 arguments.value("a5", CellsSettings::algorithms).orElse(AirInterface.STANDARD.algorithms()),
                 arguments.hostPort("gsmtap").map(to -> new InetSocketAddress(to.host(), to.port())),
+                arguments.path("reports"),
                 arguments.language());
     }
 

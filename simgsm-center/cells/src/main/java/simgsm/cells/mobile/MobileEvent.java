@@ -30,9 +30,17 @@ public sealed interface MobileEvent {
         }
     }
 
-    /** With {@code reports on}: each measurement report, levels as {@code name:rxlev}. @param number of the report, from 0 */
+    /**
+     * With {@code reports on}: each measurement report, levels as {@code name:rxlev}.
+     *
+     * @param number of the report, from 0
+     * @param quality RXQUAL, TS 45.008, 8.2.4
+     * @param timingAdvance bit periods, 0 to 63
+     */
     @EventLine("report number=mobile.number nr=number serving= neighbours=")
-    record Reported(Mobile mobile, int number, CellLevel serving, List<CellLevel> neighbours) implements MobileEvent {}
+    record Reported(
+            Mobile mobile, int number, CellLevel serving, List<CellLevel> neighbours, int quality, int timingAdvance)
+            implements MobileEvent {}
 
     /** The end of a handover. */
     enum HandoverResult {

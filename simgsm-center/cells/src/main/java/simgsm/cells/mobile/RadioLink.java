@@ -164,7 +164,9 @@ public final class RadioLink {
                             .map(each -> new MobileEvent.CellLevel(
                                     network.nameOf(each),
                                     RadioScale.rxlev(reception.levelsDbm()[each])))
-                            .toList()));
+                            .toList(),
+                    quality,
+                    mobile.timingAdvance(tower)));
         }
     }
 }
