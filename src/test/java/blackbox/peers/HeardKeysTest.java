@@ -33,6 +33,9 @@ class HeardKeysTest {
     private static final int AUDIBLE = 30;
 
     private static final int HOLE_MILLIS = 3;
+    /** ES 201 235-3 bridges shorter gaps of a tone. */
+    private static final int BRIDGED_MILLIS = 20;
+
     private static final int FIRST_LATER_MILLIS = 40;
     /** The pause after a key is longer than this; a hole is shorter. */
     private static final int PAUSE_MILLIS = 200;
@@ -72,6 +75,11 @@ class HeardKeysTest {
 
         boolean isWhole() {
             return beginsMillis.size() > 2 && holesMillis.size() <= 1 && firstIsLaterMillis() <= FIRST_LATER_MILLIS;
+        }
+
+        /** A longer hole makes one key two. */
+        boolean isReadable() {
+            return isWhole() && holesMillis.stream().allMatch(millis -> millis <= BRIDGED_MILLIS);
         }
 
         /** How much later the first key is heard than it would be at the others' distance. */
@@ -216,8 +224,9 @@ class HeardKeysTest {
                 Audio.wav(folder.resolve("heard.wav"), Files.readAllBytes(raw)).toString());
         Heard heard = Heard.in(Sound.read(raw));
         System.out.println("  " + heard);
-        // A hole of more than 20 ms makes one key two.
-        assertEquals(keys, heard.isWhole() ? decoded.strip().split("\t")[1] : keys);
+        if (heard.isReadable()) {
+            assertEquals(keys, decoded.strip().split("\t")[1]);
+        }
         return heard;
     }
 
