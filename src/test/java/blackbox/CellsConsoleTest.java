@@ -120,7 +120,7 @@ class CellsConsoleTest {
     }
 
     @Test
-    void reportsAreWrittenAsCsvWithoutBeingAskedForOnTheConsole(@TempDir Path folder) throws Exception {
+    void reportsAreWrittenAsCsvBesideTheConsole(@TempDir Path folder) throws Exception {
         Path file = folder.resolve("reports.csv");
         try (Scenario town = new Scenario("reports in a file")) {
             town.center();

@@ -138,7 +138,7 @@ class FaceTest {
         return faults;
     }
 
-    /** The buttons of which an edge is outside what contains them. */
+    /** Faults of buttons: an edge lies outside the container or the window. */
     private static List<String> outside(JComponent window, Component component) {
         List<String> faults = new ArrayList<>();
         if (!component.isVisible()) {

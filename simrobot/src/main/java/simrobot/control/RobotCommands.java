@@ -193,7 +193,7 @@ final class RobotCommands {
         }
     }
 
-    /** A robot put there begins anew, without its trail; one moved by hand keeps it. */
+    /** Moves the robot and clears its trail; a move with the mouse keeps the trail. */
     void place(ConsoleCommand command) throws CommandException {
         Pose pose = pose(command.name(), command.words(3, "X Y HEADING"));
         onSimulation(() -> {

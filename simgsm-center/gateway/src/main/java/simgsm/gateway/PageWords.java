@@ -16,13 +16,17 @@ final class PageWords {
     PageWords(Locale language) {
         Locale locale = TextBundle.bundleLocale(language);
         phone = ResourceBundle.getBundle("simgsm.gateway.phone-words.messages", locale);
-        page = ResourceBundle.getBundle("simgsm.gateway.messages", locale);
+        page = messages(locale);
     }
 
     /** The gateway's own words, without the phone's. */
     static TextBundle own(Locale language) {
         Locale locale = TextBundle.bundleLocale(language);
-        return new TextBundle(ResourceBundle.getBundle("simgsm.gateway.messages", locale), locale);
+        return new TextBundle(messages(locale), locale);
+    }
+
+    private static ResourceBundle messages(Locale locale) {
+        return ResourceBundle.getBundle("simgsm.gateway.messages", locale);
     }
 
     /** The meaning of a robot's reply tone; empty for other keys. */

@@ -37,7 +37,7 @@ public abstract class QueuedConnection extends Connection {
         return output.add(message, isDroppable);
     }
 
-    /** What the peer's socket takes now need not be dropped. */
+    /** Flushes before a message is dropped: the socket may take waiting ones now. */
     private void makeRoom(boolean isDroppable) {
         if (isDroppable && output.dropsNext()) {
             flush();
