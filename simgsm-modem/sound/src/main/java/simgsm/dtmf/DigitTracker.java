@@ -175,7 +175,9 @@ final class DigitTracker {
         nextLook = hop + wait;
         KeyCandidate.Finding finding = finding(hop, wait);
         if (finding == null) {
-            add(hop, judge.logOdds(hop, runKey, fit, measures, recent, end));
+            double odds = judge.logOdds(hop, runKey, fit, measures, recent, end);
+            add(hop, odds);
+            nextLook = odds < -limit ? hop + 2 : hop;
             finding = sum > limit ? KeyCandidate.Finding.ACCEPTED : KeyCandidate.Finding.EVIDENCE;
         }
         if (candidates != null) {
@@ -336,7 +338,7 @@ final class DigitTracker {
         sounding.tuneTo(current.key().ordinal());
         double both =
                 fit.amplitude[0] * fit.amplitude[1] * GoertzelBank.gain(fit.hertz[0]) * GoertzelBank.gain(fit.hertz[1]);
-        perLevel = 1 / (both * both);
+        perLevel = 1 / Math.sqrt(both);
         silence = 0;
         lastSounding = hop;
         newest[decided++ % newest.length] = current;

@@ -1,5 +1,7 @@
 package simgsm.dtmf;
 
+import java.util.Arrays;
+
 /**
  * Eight Goertzel filters over blocks of {@link #HOP} samples. Both last states of each filter are kept for {@link
  * #HISTORY} blocks; they give the block's complex sum, and the sums of several blocks give a {@link Window}. A sine of
@@ -12,6 +14,9 @@ final class GoertzelBank {
     static final int HOPS_PER_SECOND = 400;
     static final int HISTORY = 64;
     static final int TONES = 8;
+    private static final int WITH_TWO_BEFORE = HOP + 2;
+    /** The first tone of the high group. */
+    static final int GROUP = 4;
 
     static final int[] HERTZ = {697, 770, 852, 941, 1209, 1336, 1477, 1633};
 
@@ -27,7 +32,11 @@ final class GoertzelBank {
     private final double[][] newer = new double[TONES][HISTORY];
 
     private final double[][] older = new double[TONES][HISTORY];
-    private final double[] input = new double[HOP];
+    /** {@code [22 block]}: each block, after the two samples before it. */
+    private final short[] recent = new short[WITH_TWO_BEFORE * HISTORY];
+    /** The hop of each block whose columns were filtered; they are filtered when they are first asked for. */
+    private final long[] columnsOf = new long[HISTORY];
+
     /** The sum measured last. */
     double real;
 
@@ -39,8 +48,10 @@ final class GoertzelBank {
         /** {@code [tone][4 block]}: factors of both states in the real and in the imaginary part. */
         private final double[][] factors;
 
+        private final int blocks;
+
         Window(double... weights) {
-            int blocks = weights.length;
+            blocks = weights.length;
             factors = new double[TONES][4 * blocks];
             for (int k = 0; k < TONES; k++) {
                 double step = radians(HERTZ[k]);
@@ -55,18 +66,19 @@ final class GoertzelBank {
         }
     }
 
+    GoertzelBank() {
+        reset();
+    }
+
     private static double radians(double hertz) {
         return 2 * Math.PI * hertz / 8000;
     }
 
     /** Adds the block {@code samples[at..at + 20)}; the two samples before are required, too. */
     void accept(short[] samples, int at) {
-        for (int i = 0; i < HOP; i++) {
-            input[i] = samples[at + i] - samples[at + i - 2];
-        }
         int slot = (int) (hops & HISTORY - 1);
+        System.arraycopy(samples, at - 2, recent, WITH_TWO_BEFORE * slot, WITH_TWO_BEFORE);
         filterFour(0, slot);
-        filterFour(4, slot);
         hops++;
     }
 
@@ -84,9 +96,10 @@ final class GoertzelBank {
         double c2 = 0;
         double d1 = 0;
         double d2 = 0;
-        for (int i = 0; i < HOP; i += 2) {
-            double x = input[i];
-            double y = input[i + 1];
+        int from = WITH_TWO_BEFORE * slot;
+        for (int i = from; i < from + HOP; i += 2) {
+            double x = recent[i + 2] - recent[i];
+            double y = recent[i + 3] - recent[i + 1];
             a2 = x - a2 + ca * a1;
             b2 = x - b2 + cb * b1;
             c2 = x - c2 + cc * c1;
@@ -114,6 +127,9 @@ final class GoertzelBank {
 
     /** Sums a tone's blocks up to one. @return square of the amplitude times the gain */
     double measure(int tone, long hop, Window window) {
+        if (tone >= GROUP) {
+            filterColumns(hop, window.blocks);
+        }
         double[] s1 = newer[tone];
         double[] s2 = older[tone];
         double[] f = window.factors[tone];
@@ -129,11 +145,22 @@ final class GoertzelBank {
         return x * x + y * y;
     }
 
-    void reset() {
-        for (int k = 0; k < TONES; k++) {
-            for (int slot = 0; slot < HISTORY; slot++) {
-                put(k, slot, 0, 0);
+    private void filterColumns(long hop, int blocks) {
+        for (long each = hop; each > hop - blocks; each--) {
+            int slot = (int) (each & HISTORY - 1);
+            if (columnsOf[slot] != each) {
+                filterFour(GROUP, slot);
+                columnsOf[slot] = each;
             }
+        }
+    }
+
+    void reset() {
+        Arrays.fill(recent, (short) 0);
+        Arrays.fill(columnsOf, -1);
+        for (int k = 0; k < TONES; k++) {
+            Arrays.fill(newer[k], 0);
+            Arrays.fill(older[k], 0);
         }
         hops = 0;
     }

@@ -12,30 +12,30 @@ final class ToneFit {
     /** Frequency and steadiness are measured over the newest 40 ms: some codecs need time to settle on a tone. */
     static final int LISTENED = 16;
 
-    static final double HALF = 1 / 16.0;
+    /** Hops with a higher likeness belong to the tone. */
+    static final double HALF = 0.5;
     /** From the middle of the newest three blocks to their end, in hops. */
     static final double LAG = 1.5;
 
-    /** Hops until tones off their frequency are examined again: 5 ms. */
-    private static final int OFF_FREQUENCY_WAIT = 2;
-
     private static final int ROW = 0;
     private static final int COLUMN = 1;
-    /** Hops of the initial median of the tone's power. */
+    /** Hops of the initial median of the tone's mean. */
     private static final int REFERENCE = 8;
     /** A pause that ends a digit, in half hops: an earlier tone is another one. */
     private static final double PAUSE = 4.5;
     /**
      * 9 dB louder in each tone: such hops before the newest mean that the tone is over, and the sound now is another.
      */
-    private static final double FAR_LOUDER = 64;
+    private static final double FAR_LOUDER = 2.8;
 
     private static final int MOST_LOUDER = 2;
     /** Largest frequency error; between Q.24's limits of acceptance (1.8 %) and rejection (3 %). */
     private static final double MOST_ERROR = 0.021;
-    /** The same in the newest hops, where noise disturbs it. */
+    /** A frequency error of 3 % turns the phase by less than a quarter over this lag, in hops. */
+    private static final int FAR_OFF_LAG = 2;
+    /** The larger limit of the newest hops, where noise disturbs the frequency. */
     private static final double[] FAR_OFF_TANGENT = Arrays.stream(GoertzelBank.HERTZ)
-            .mapToDouble(hertz -> Math.tan(0.04 * radiansPerHop(hertz)))
+            .mapToDouble(hertz -> Math.tan(0.03 * FAR_OFF_LAG * radiansPerHop(hertz)))
             .toArray();
 
     /** Q.24 requires 8 dB plus a margin of 2 dB; no exchange accepts 15 dB. */
@@ -88,8 +88,9 @@ final class ToneFit {
     private double perReference;
     private final double[][] re = new double[2][GoertzelBank.HISTORY];
     private final double[][] im = new double[2][GoertzelBank.HISTORY];
-    private final double[] product = new double[GoertzelBank.HISTORY];
-    /** Product of both tones' powers over that of the tone's own: the fourth power of their mean amplitude's ratio. */
+    /** Geometric mean of both tones' amplitudes times their gains. */
+    private final double[] mean = new double[GoertzelBank.HISTORY];
+    /** The mean over that of the tone's own. */
     private final double[] likeness = new double[SPAN];
 
     private double along;
@@ -117,7 +118,7 @@ final class ToneFit {
         reach(bank, REFERENCE - 1);
         if (isFarOff(COLUMN) || isFarOff(ROW)) {
             offFrequency = true;
-            return OFF_FREQUENCY_WAIT;
+            return ToneGate.EVERY;
         }
         perReference = 1 / median();
         evidence = 0;
@@ -134,14 +135,14 @@ final class ToneFit {
         }
         offFrequency = !tune(ROW) || !tune(COLUMN);
         if (offFrequency) {
-            return OFF_FREQUENCY_WAIT;
+            return ToneGate.EVERY;
         }
         goBack(bank, hop, span, rival);
         open = hops >= span - 1;
         return 0;
     }
 
-    /** Measures the pair's products up to a block. */
+    /** Measures the pair up to a block. */
     private void follow(GoertzelBank bank, long hop, int key) {
         if (key != tunedTo || hop > after + REFERENCE) {
             pair.tuneTo(key);
@@ -164,7 +165,7 @@ final class ToneFit {
 
     private void separate(GoertzelBank bank, long hop) {
         int slot = (int) (hop & GoertzelBank.HISTORY - 1);
-        product[slot] = pair.measure(bank, hop);
+        mean[slot] = pair.measure(bank, hop);
         int second = (int) Math.floorMod(hop, (long) GoertzelBank.HOPS_PER_SECOND);
         put(ROW, slot, pair.rowReal, pair.rowImaginary, second * nominal(ROW) % GoertzelBank.HOPS_PER_SECOND);
         put(
@@ -185,10 +186,10 @@ final class ToneFit {
         im[tone][slot] = y * TURN_COSINE[turn] - x * TURN_SINE[turn];
     }
 
-    /** Median of the newest products, by insertion. */
+    /** Median of the newest means, by insertion. */
     private double median() {
         for (int i = 0; i < REFERENCE; i++) {
-            double value = product[slot(i)];
+            double value = mean[slot(i)];
             int at = i;
             for (; at > 0 && sorted[at - 1] > value; at--) {
                 sorted[at] = sorted[at - 1];
@@ -204,7 +205,7 @@ final class ToneFit {
 
     /** True if the newest hops' phase is far off the frequency. Saves closer looks at voices. */
     private boolean isFarOff(int tone) {
-        correlate(tone, REFERENCE, 1, -1);
+        correlate(tone, REFERENCE, FAR_OFF_LAG, -1);
         return Math.abs(across) > along * FAR_OFF_TANGENT[tone == ROW ? pair.row : 4 + pair.column];
     }
 
@@ -230,7 +231,7 @@ final class ToneFit {
         for (; seen < until && evidence > most - PAUSE; seen++) {
             int i = seen;
             reach(bank, i);
-            double both = product[slot(i)];
+            double both = mean[slot(i)];
             likeness[i] = rival != null && rival.measure(bank, hop - i) > both ? 0 : both * perReference;
             louder += likeness[i] > FAR_LOUDER ? 1 : 0;
             evidence += sounding(likeness[i]) - 0.5;
@@ -241,19 +242,14 @@ final class ToneFit {
         }
         double fraction = 0.5;
         if (hops > 0 && hops < seen && likeness[hops] < likeness[hops - 1]) {
-            double inside = amplitudeRatio(likeness[hops - 1]);
-            fraction = (inside - 0.5) / (inside - amplitudeRatio(likeness[hops]));
+            fraction = (likeness[hops - 1] - HALF) / (likeness[hops - 1] - likeness[hops]);
         }
         sinceOnset = hops - 1 + Math.max(0, Math.min(1, fraction));
     }
 
-    private static double amplitudeRatio(double likeness) {
-        return Math.sqrt(Math.sqrt(likeness));
-    }
-
-    /** Evidence of the tones, 0 to 1: twice the amplitude's ratio less a half. */
+    /** Evidence of the tones, 0 to 1. */
     static double sounding(double likeness) {
-        return Math.max(0, Math.min(1, 2 * amplitudeRatio(likeness) - 0.5));
+        return Math.max(0, Math.min(1, 2 * likeness - 0.5));
     }
 
     /** Frequency and steadiness of one tone. @return true if it is on frequency */
@@ -297,14 +293,16 @@ final class ToneFit {
 
     /** Level and coherence at a frequency, from the hops that belong to the tone. */
     private void cohere(int tone, double turn, int n) {
+        double cosine = Math.cos(turn);
+        double sine = Math.sin(turn);
         double x = 0;
         double y = 0;
         double energy = 0;
         int used = 0;
+        double c = 1;
+        double s = 0;
         for (int i = 0; i < n; i++) {
             if (likeness[i] > HALF) {
-                double c = Math.cos(turn * i);
-                double s = Math.sin(turn * i);
                 double a = re[tone][slot(i)];
                 double b = im[tone][slot(i)];
                 x += a * c - b * s;
@@ -312,6 +310,9 @@ final class ToneFit {
                 energy += a * a + b * b;
                 used++;
             }
+            double next = c * cosine - s * sine;
+            s = s * cosine + c * sine;
+            c = next;
         }
         amplitude[tone] = Math.hypot(x, y) / Math.max(1, used);
         coherence[tone] = energy == 0 ? 0 : (x * x + y * y) / (used * energy);

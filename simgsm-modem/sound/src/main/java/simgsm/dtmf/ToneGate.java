@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import simgsm.tone.ToneLevel;
 
 /**
- * The first, cheap test, every fourth hop: prominence of one row's and one column's tone in the last 20 ms, eight
+ * The first, cheap test, every fourth hop: prominence of one row's and one column's tone in the last 17.5 ms, seven
  * blocks of the {@link GoertzelBank} under a Hann window.
  */
 final class ToneGate {
@@ -17,13 +17,15 @@ final class ToneGate {
 
     private static final double FLOOR = Math.pow(ToneLevel.amplitude(LEAST_DBM0), 2);
     private static final double MOST_TWIST = Math.pow(10, MOST_TWIST_DB / 10);
-    /** Ratio of all four tones of a group to the strongest; a tone 1.8 % off gives 1.35. */
+    /** Ratio of all four tones of a group to the strongest; a tone 1.8 % off gives up to 1.24. */
     private static final double MOST_SPREAD = 1.6;
 
-    private static final int GROUP = 4;
+    private static final int GROUP = GoertzelBank.GROUP;
 
-    private static final GoertzelBank.Window HANN = new GoertzelBank.Window(IntStream.range(0, 8)
-            .mapToDouble(j -> (1 - Math.cos(Math.PI * (j + 0.5) / 4)) / 8)
+    private static final int BLOCKS = 7;
+
+    private static final GoertzelBank.Window HANN = new GoertzelBank.Window(IntStream.range(0, BLOCKS)
+            .mapToDouble(j -> (1 - Math.cos(2 * Math.PI * (j + 0.5) / BLOCKS)) / BLOCKS)
             .toArray());
 
     private final double[] perGain = new double[GoertzelBank.TONES];

@@ -27,7 +27,7 @@ final class TonePair {
         return GoertzelBank.leak(hertz) * cosine * cosine;
     }
 
-    /** Measures the three blocks up to one. @return product of both tones' powers */
+    /** Measures the three blocks up to one. @return geometric mean of both tones' amplitudes times their gains */
     double measure(GoertzelBank bank, long hop) {
         bank.measure(row, hop, WINDOW);
         double a = bank.real;
@@ -39,7 +39,8 @@ final class TonePair {
         rowImaginary = scale * (b - leak * d);
         columnReal = scale * (c - leak * a);
         columnImaginary = scale * (d - leak * b);
-        return (rowReal * rowReal + rowImaginary * rowImaginary)
-                * (columnReal * columnReal + columnImaginary * columnImaginary);
+        double row2 = rowReal * rowReal + rowImaginary * rowImaginary;
+        double column2 = columnReal * columnReal + columnImaginary * columnImaginary;
+        return Math.sqrt(Math.sqrt(row2 * column2));
     }
 }
