@@ -186,6 +186,8 @@ public final class VeriCommandPanel extends JPanel {
         @Override
         public void layoutContainer(Container parent) {
             int width = parent.getWidth();
+            // The number of rows depends on the width, which a previous layout has set.
+            keys.setSize(width, keys.getHeight());
             int courseWidth = course.getPreferredSize().width;
             int courseHeight = course.getPreferredSize().height;
             int besideWidth = verdict.getPreferredSize().width + Theme.px(Theme.GRID) + courseWidth;

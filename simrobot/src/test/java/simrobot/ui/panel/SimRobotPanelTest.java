@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
 import java.awt.Rectangle;
 import java.util.List;
 import java.util.Locale;
@@ -30,7 +31,9 @@ import simgsm.ui.Keycaps;
 import simgsm.ui.Lamp;
 import simgsm.ui.NumberedLabel;
 import simgsm.ui.Theme;
+import simrobot.ui.SimRobotTexts;
 import simrobot.ui.TelephoneSnapshot;
+import simrobot.ui.telephone.VeriCommandPanel;
 import vericommand.Instruction;
 import vericommand.OrderCourse;
 import vericommand.OrderSource;
@@ -333,6 +336,19 @@ class SimRobotPanelTest {
         Rectangle before = bench.component("modem.codec").getBounds();
         bench.resize(764, 432).show().resize(1100, 800);
         assertEquals(before, bench.component("modem.codec").getBounds());
+    }
+
+    @Test
+    void keysThatFitTakeOneRowAfterANarrowLayout() {
+        VeriCommandPanel panel = new VeriCommandPanel(SimRobotTexts.in(ENGLISH), ENGLISH);
+        panel.show(WindowBench.line(
+                "robot", true, true, WindowBench.orders("**#**20**", "forward 20 cm", "accepted", "accepted", 0), "1"));
+        Component keys = ComponentNames.find(panel, "order.keys").orElseThrow();
+        for (int width : new int[] {100, 400}) {
+            panel.setSize(width, 400);
+            WindowBench.layout(panel);
+        }
+        assertEquals(keys.getMinimumSize().height, keys.getHeight());
     }
 
     @Test

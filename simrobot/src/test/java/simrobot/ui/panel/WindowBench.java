@@ -108,7 +108,7 @@ public final class WindowBench implements OperatorActions {
         return this;
     }
 
-    private static void layout(Container container) {
+    static void layout(Container container) {
         container.doLayout();
         for (Component child : container.getComponents()) {
             if (child instanceof Container inner) {

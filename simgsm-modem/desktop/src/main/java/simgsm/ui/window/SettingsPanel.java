@@ -7,7 +7,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
+import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
@@ -56,23 +58,23 @@ final class SettingsPanel extends JPanel {
                         ? choice(
                                 "settings.language",
                                 texts,
-                                LANGUAGES,
-                                Locale.forLanguageTag(language.getLanguage()),
+                                () -> LANGUAGES,
+                                () -> Locale.forLanguageTag(language.getLanguage()),
                                 each -> each.getDisplayLanguage(each),
                                 actions.language().get())
                         : note("settings.language.own", texts),
                 choice(
                         "settings.theme",
                         texts,
-                        List.of(Appearance.values()),
-                        Theme.appearance(),
+                        () -> List.of(Appearance.values()),
+                        Theme::appearance,
                         each -> texts.of("theme." + each.word()),
                         actions.appearance()),
                 choice(
                         "settings.zoom",
                         texts,
-                        zooms(),
-                        (int) Math.round(Theme.zoom() * 100),
+                        SettingsPanel::zooms,
+                        SettingsPanel::zoom,
                         each -> each + " %",
                         actions.zoomPercent()),
                 memory(texts, actions.memory()),
@@ -81,20 +83,36 @@ final class SettingsPanel extends JPanel {
     }
 
     private static List<Integer> zooms() {
-        int now = (int) Math.round(Theme.zoom() * 100);
-        return Stream.concat(ZOOMS.stream(), Stream.of(now)).distinct().sorted().toList();
+        return Stream.concat(ZOOMS.stream(), Stream.of(zoom()))
+                .distinct()
+                .sorted()
+                .toList();
     }
 
+    private static int zoom() {
+        return (int) Math.round(Theme.zoom() * 100);
+    }
+
+    /** A box that shows the value in force, also after a key has changed it. */
     private static <T> Component choice(
-            String key, TextBundle texts, List<T> values, T now, Function<T, String> word, Consumer<T> chosen) {
-        JComboBox<String> box = new JComboBox<>();
-        values.forEach(value -> box.addItem(word.apply(value)));
-        box.setSelectedIndex(values.indexOf(now));
+            String key,
+            TextBundle texts,
+            Supplier<List<T>> values,
+            Supplier<T> now,
+            Function<T, String> word,
+            Consumer<T> chosen) {
+        JComboBox<String> box = Theme.styled(new JComboBox<>(), all -> {
+            all.setModel(
+                    new DefaultComboBoxModel<>(values.get().stream().map(word).toArray(String[]::new)));
+            all.setSelectedIndex(values.get().indexOf(now.get()));
+        });
         box.addActionListener(event -> {
             if (box.getSelectedIndex() >= 0) {
-                T value = values.get(box.getSelectedIndex());
-                // The choice repaints the box, so it takes effect after the event.
-                SwingUtilities.invokeLater(() -> chosen.accept(value));
+                T value = values.get().get(box.getSelectedIndex());
+                if (!value.equals(now.get())) {
+                    // The choice repaints the box, so it takes effect after the event.
+                    SwingUtilities.invokeLater(() -> chosen.accept(value));
+                }
             }
         });
         ComponentNames.name(box, key, texts.of(key));

@@ -10,10 +10,12 @@ import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
+import javax.swing.RootPaneContainer;
 import javax.swing.SwingUtilities;
 import simgsm.console.TextBundle;
 import simgsm.ui.CommandGroup;
@@ -82,16 +84,42 @@ public final class WindowKeys {
         double before = Theme.zoom();
         Theme.zoomTo(zoom);
         refreshAll(anchor);
-        double factor = Theme.zoom() / before;
         windows()
                 .filter(each -> each instanceof Frame || each instanceof Dialog)
                 .forEach(window -> {
-                    Dimension size = window.getSize();
+                    JRootPane root = ((RootPaneContainer) window).getRootPane();
+                    Optional<SizeAtOne> last = Optional.ofNullable((SizeAtOne) root.getClientProperty(SizeAtOne.class));
+                    SizeAtOne size = SizeAtOne.of(window.getSize(), before, last);
                     window.setMinimumSize(null);
-                    Display.resize(
-                            window, (int) Math.round(size.width * factor), (int) Math.round(size.height * factor));
+                    Display.resize(window, size.width(Theme.zoom()), size.height(Theme.zoom()));
+                    root.putClientProperty(SizeAtOne.class, size.shown(window.getSize()));
                     window.validate();
                 });
+    }
+
+    /**
+     * The size of a window at zoom 1.
+     *
+     * @param shown size at the last zoom, which the screen may have limited
+     */
+    record SizeAtOne(double width, double height, Dimension shown) {
+        /** Keeps the last one while the window has the size that the last zoom left it. */
+        static SizeAtOne of(Dimension now, double zoom, Optional<SizeAtOne> last) {
+            return last.filter(each -> each.shown.equals(now))
+                    .orElseGet(() -> new SizeAtOne(now.width / zoom, now.height / zoom, now));
+        }
+
+        SizeAtOne shown(Dimension now) {
+            return new SizeAtOne(width, height, now);
+        }
+
+        int width(double zoom) {
+            return (int) Math.round(width * zoom);
+        }
+
+        int height(double zoom) {
+            return (int) Math.round(height * zoom);
+        }
     }
 
     private static Stream<Window> windows() {

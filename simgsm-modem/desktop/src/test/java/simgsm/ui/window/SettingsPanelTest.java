@@ -58,9 +58,24 @@ class SettingsPanelTest {
         Theme.install(Appearance.LIGHT);
     }
 
+    @Test
+    void theBoxesShowAZoomAndColoursChosenByKeys() throws Exception {
+        SettingsPanel panel = panel(true);
+        Theme.install(Appearance.DARK, 1.1);
+        Theme.refresh(panel);
+        SwingUtilities.invokeAndWait(() -> {});
+        assertEquals("110 %", box(panel, "settings.zoom").getSelectedItem());
+        assertEquals(Appearance.DARK.ordinal(), box(panel, "settings.theme").getSelectedIndex());
+        assertEquals(List.of(), done);
+        Theme.install(Appearance.LIGHT, 1);
+    }
+
+    private static JComboBox<?> box(SettingsPanel panel, String name) {
+        return (JComboBox<?>) ComponentNames.find(panel, name).orElseThrow();
+    }
+
     private static void choose(SettingsPanel panel, String name, int index) throws Exception {
-        JComboBox<?> box = (JComboBox<?>) ComponentNames.find(panel, name).orElseThrow();
-        box.setSelectedIndex(index);
+        box(panel, name).setSelectedIndex(index);
         SwingUtilities.invokeAndWait(() -> {});
     }
 
