@@ -115,7 +115,9 @@ public final class WorldPainter {
         double x = g.px(14);
         double y = view.height() - g.px(14);
         double tick = g.px(5);
-        textGround(g, Ink.FLOOR, 0.8, x - g.px(8), y - g.px(22), length + g.px(16), g.px(30));
+        // Only behind the number: a wall covered along the whole bar would look like a gap.
+        double width = g.width(label(meters), Face.MONO_SMALL) + g.px(8);
+        textGround(g, Ink.FLOOR, 0.8, x + (length - width) / 2, y - g.px(20), width, g.px(15));
         g.ink(Ink.TEXT);
         g.bar(x, y, length, g.px(1));
         g.bar(x, y - tick, g.px(1), tick + g.px(1));

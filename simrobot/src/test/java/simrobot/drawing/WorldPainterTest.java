@@ -31,6 +31,7 @@ import simrobot.world.Area;
 import simrobot.world.Box;
 import simrobot.world.Home;
 import simrobot.world.Position;
+import simrobot.world.Segment;
 import simrobot.world.World;
 import vericommand.Instruction;
 
@@ -210,6 +211,19 @@ class WorldPainterTest {
         assertEquals(2, WorldPainter.scaleBarMeters(50));
         assertEquals(5, WorldPainter.scaleBarMeters(20));
         assertEquals(0.2, WorldPainter.scaleBarMeters(500), 1e-12);
+    }
+
+    @Test
+    void aWallBelowTheScaleBarIsSeenOnBothSidesOfItsNumber() {
+        Viewport view = new Viewport(0, 0, 100, WIDTH, HEIGHT);
+        int row = HEIGHT - 20;
+        double y = view.centerY() + (HEIGHT / 2.0 - row) / view.pixelsPerMeter();
+        World room = World.of("room", List.of(new Segment(-4, y, 4, y)));
+        BufferedImage image = painted(new Simulation(room, 1), view, Layers.ALL, 1);
+        int wall = Theme.color(Ink.WALL).getRGB();
+        for (int x : new int[] {8, 25, 30, 98, 110, 200}) {
+            assertEquals(wall, image.getRGB(x, row), "at " + x);
+        }
     }
 
     static List<Path> worlds() throws Exception {
