@@ -174,7 +174,7 @@ public final class ClassPanel extends JPanel {
                             row.student(),
                             row.cells().get(6),
                             row.cells().get(4),
-                            row.cells().get(5)))
+                            Integer.valueOf(row.cells().get(5))))
                     .orElse(words.of("class.best.none")));
         }
         chosen();
@@ -291,26 +291,41 @@ public final class ClassPanel extends JPanel {
         Stream.of(clock, best).forEach(label -> label.setForeground(Theme.color(Ink.TEXT)));
     }
 
-    /** Hides the least important columns while the table is narrower than all minimum widths; names take the rest. */
+    /**
+     * Hides the least important columns while the table is narrower than all minimum widths; names take the rest, and
+     * are not narrowed by the names of lessons.
+     */
     private void fit() {
-        int missing = IntStream.of(least).sum() - table.getWidth();
+        int lesson = COLUMNS.indexOf("lesson");
+        int[] wanted = least.clone();
+        if (rows.stream().anyMatch(row -> !row.cells().get(lesson).isEmpty())) {
+            wanted[lesson] *= 2;
+            wanted[1] = Math.min(2 * least[1], Math.max(least[1], longestName()));
+        }
+        int missing = IntStream.of(wanted).sum() - table.getWidth();
         for (String each : OMITTED) {
             int i = COLUMNS.indexOf(each);
             int shown = missing > 0 ? 0 : least[i];
-            missing -= least[i] - shown;
+            missing -= shown == 0 ? wanted[i] : 0;
             TableColumn column = table.getColumnModel().getColumn(i);
             column.setMinWidth(0);
             column.setMaxWidth(shown == 0 ? 0 : Integer.MAX_VALUE);
             column.setMinWidth(shown);
         }
-        int lesson = COLUMNS.indexOf("lesson");
-        boolean hasLessons =
-                rows.stream().anyMatch(row -> !row.cells().get(lesson).isEmpty());
-        table.getColumnModel().getColumn(lesson).setPreferredWidth((hasLessons ? 2 : 1) * least[lesson]);
+        table.getColumnModel().getColumn(lesson).setPreferredWidth(wanted[lesson]);
         List<TableColumn> all = Collections.list(table.getColumnModel().getColumns());
         TableColumn names = all.remove(COLUMNS.indexOf("name"));
         int others = all.stream().mapToInt(TableColumn::getPreferredWidth).sum();
         names.setPreferredWidth(Math.max(names.getMinWidth(), table.getWidth() - others));
+    }
+
+    private int longestName() {
+        return Theme.px(CELL_MARGIN_UNITS)
+                + rows.stream()
+                        .mapToInt(
+                                row -> Drawing.width(Theme.strong(), row.cells().get(1)))
+                        .max()
+                        .orElse(0);
     }
 
     /** Marks the best run by weight and background. */

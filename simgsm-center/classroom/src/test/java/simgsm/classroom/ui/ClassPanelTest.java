@@ -26,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
 import simgsm.ui.ComponentNames;
@@ -183,6 +184,30 @@ class ClassPanelTest {
         Component name = table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
         assertTrue(name.getPreferredSize().width
                 <= table.getColumnModel().getColumn(1).getWidth());
+    }
+
+    /** On a projector of 1280x720 the number of the robot gives way. */
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "es"})
+    void duringALessonANameIsWholeAndTheNumberOfTheRobotIsNot(String language) {
+        Theme.install(Appearance.LIGHT, 0.7);
+        try {
+            ClassPanel panel = new ClassPanel(Locale.forLanguageTag(language), students(), NO_FRAMES);
+            panel.show(view(new ClassView.Row(
+                    List.of("5550100", "Ana Garc\u00eda", "5550200", "1", "9", "1", "", "twelve-keys", "2"),
+                    true,
+                    "")));
+            JTable table = (JTable) ComponentNames.find(panel, "class.table").orElseThrow();
+            table.setSize((int) (1280 * 0.34) - Theme.px(24), 100);
+            table.doLayout();
+            Component name = table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
+            assertTrue(name.getPreferredSize().width
+                    <= table.getColumnModel().getColumn(1).getWidth());
+            assertEquals(0, table.getColumnModel().getColumn(2).getWidth());
+            assertTrue(text(panel, "class.best").endsWith(language.equals("en") ? " 1 collision" : " 1 choque"));
+        } finally {
+            Theme.install(Appearance.LIGHT);
+        }
     }
 
     /** The windows of a class are 34 % of the screen wide, at the zoom that leaves room for the others. */
