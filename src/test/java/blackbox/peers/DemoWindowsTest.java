@@ -153,6 +153,25 @@ class DemoWindowsTest {
     }
 
     @Test
+    void escapeLeavesTheLargeLadderOfALowWindow() throws Exception {
+        screen(1366, 768);
+        start(onDisplay(new ProcessBuilder(Dist.command(
+                "simgsm-center",
+                List.of("--fresh", "--port=0", "--lang=en", "--data=" + folder, "--window=340,430,1000,300")))));
+        String window = window("SMSyCT");
+        Rectangle before = boundsOf("SMSyCT");
+        xdotool("windowactivate", "--sync", window, "key", "F11");
+        long deadline = deadline();
+        while (boundsOf("SMSyCT").width < 1300) {
+            assertTrue(System.nanoTime() < deadline, boundsOf("SMSyCT").toString());
+        }
+        while (!boundsOf("SMSyCT").getSize().equals(before.getSize())) {
+            xdotool("windowactivate", "--sync", window, "key", "Escape");
+            assertTrue(System.nanoTime() < deadline, boundsOf("SMSyCT").toString());
+        }
+    }
+
+    @Test
     void aClassSaysThatTheScreenHasNoRoomForItsZoom() throws Exception {
         screen(1920, 1080);
         Process demo = start(onDisplay(new ProcessBuilder(Dist.command(

@@ -1,7 +1,9 @@
 package simgsm.center.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import java.util.Comparator;
 import java.util.List;
@@ -228,6 +230,9 @@ public final class MonitorPanel extends DressedPanel {
         boolean low = getHeight() < Theme.px(LOW_UNITS);
         if (low != isLow) {
             isLow = low;
+            Component focused =
+                    KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+            boolean isFocused = focused != null && isAncestorOf(focused);
             arrangeLists();
             arrangeRows();
             fold(low || aloneSwitch.isSelected());
@@ -236,6 +241,10 @@ public final class MonitorPanel extends DressedPanel {
             space();
             if (!low) {
                 tabs.remove(ladder.detail());
+            }
+            // The parts were removed and added, which has lost the focus, and Escape with it.
+            if (isFocused && !focused.requestFocusInWindow()) {
+                requestFocusInWindow();
             }
         }
         super.doLayout();
