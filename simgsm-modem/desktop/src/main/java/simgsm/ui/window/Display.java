@@ -44,7 +44,12 @@ public final class Display {
 
     /** Resizes a window, limited to its screen without task bars, and moves it as far as necessary. */
     public static void resize(Window window, int width, int height) {
-        window.setBounds(within(new Rectangle(window.getX(), window.getY(), width, height), usableArea(window)));
+        place(window, new Rectangle(window.getX(), window.getY(), width, height));
+    }
+
+    /** Gives a window these bounds, limited in the same way. */
+    static void place(Window window, Rectangle wanted) {
+        window.setBounds(within(wanted, usableArea(window)));
     }
 
     /** The window's screen without task bars. */

@@ -2,8 +2,9 @@ package simgsm.ui.window;
 
 import java.awt.Component;
 import java.awt.Dialog;
-import java.awt.Dimension;
 import java.awt.Frame;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -88,37 +89,39 @@ public final class WindowKeys {
                 .filter(each -> each instanceof Frame || each instanceof Dialog)
                 .forEach(window -> {
                     JRootPane root = ((RootPaneContainer) window).getRootPane();
-                    Optional<SizeAtOne> last = Optional.ofNullable((SizeAtOne) root.getClientProperty(SizeAtOne.class));
-                    SizeAtOne size = SizeAtOne.of(window.getSize(), before, last);
+                    Optional<Unzoomed> last = Optional.ofNullable((Unzoomed) root.getClientProperty(Unzoomed.class));
+                    Unzoomed unzoomed = Unzoomed.of(window.getBounds(), before, last);
                     window.setMinimumSize(null);
-                    Display.resize(window, size.width(Theme.zoom()), size.height(Theme.zoom()));
-                    root.putClientProperty(SizeAtOne.class, size.shown(window.getSize()));
+                    Display.place(window, unzoomed.at(Theme.zoom()));
+                    root.putClientProperty(Unzoomed.class, unzoomed.shown(window.getBounds()));
                     window.validate();
                 });
     }
 
     /**
-     * The size of a window at zoom 1.
+     * Place, and size at zoom 1, of a window that the screen does not limit.
      *
-     * @param shown size at the last zoom, which the screen may have limited
+     * @param shown bounds that the last zoom has left it
      */
-    record SizeAtOne(double width, double height, Dimension shown) {
-        /** Keeps the last one while the window has the size that the last zoom left it. */
-        static SizeAtOne of(Dimension now, double zoom, Optional<SizeAtOne> last) {
-            return last.filter(each -> each.shown.equals(now))
-                    .orElseGet(() -> new SizeAtOne(now.width / zoom, now.height / zoom, now));
+    record Unzoomed(Point place, double width, double height, Rectangle shown) {
+        /** Keeps place and size of the last one each until the user changes them. */
+        static Unzoomed of(Rectangle now, double zoom, Optional<Unzoomed> last) {
+            Optional<Unzoomed> sized = last.filter(each -> each.shown.getSize().equals(now.getSize()));
+            return new Unzoomed(
+                    last.filter(each -> each.shown.getLocation().equals(now.getLocation()))
+                            .map(Unzoomed::place)
+                            .orElse(now.getLocation()),
+                    sized.map(Unzoomed::width).orElse(now.width / zoom),
+                    sized.map(Unzoomed::height).orElse(now.height / zoom),
+                    now);
         }
 
-        SizeAtOne shown(Dimension now) {
-            return new SizeAtOne(width, height, now);
+        Unzoomed shown(Rectangle now) {
+            return new Unzoomed(place, width, height, now);
         }
 
-        int width(double zoom) {
-            return (int) Math.round(width * zoom);
-        }
-
-        int height(double zoom) {
-            return (int) Math.round(height * zoom);
+        Rectangle at(double zoom) {
+            return new Rectangle(place.x, place.y, (int) Math.round(width * zoom), (int) Math.round(height * zoom));
         }
     }
 

@@ -3,7 +3,8 @@ package simgsm.ui.window;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 
-import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -17,7 +18,7 @@ import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 import simgsm.ui.UserAction;
-import simgsm.ui.window.WindowKeys.SizeAtOne;
+import simgsm.ui.window.WindowKeys.Unzoomed;
 
 class WindowKeysTest {
     @Test
@@ -37,17 +38,26 @@ class WindowKeysTest {
 
     @Test
     void aZoomLimitedByTheScreenIsUndone() {
-        Dimension limited = new Dimension(1800, 1000);
-        SizeAtOne large = SizeAtOne.of(new Dimension(900, 700), 1, Optional.empty());
-        assertEquals(1400, large.height(2));
-        SizeAtOne undone = SizeAtOne.of(limited, 2, Optional.of(large.shown(limited)));
-        assertEquals(List.of(900, 700), List.of(undone.width(1), undone.height(1)));
+        Rectangle first = new Rectangle(340, 20, 900, 700);
+        Rectangle limited = new Rectangle(120, 20, 1800, 1000);
+        Unzoomed large = Unzoomed.of(first, 1, Optional.empty());
+        assertEquals(new Rectangle(340, 20, 1800, 1400), large.at(2));
+        assertEquals(
+                first,
+                Unzoomed.of(limited, 2, Optional.of(large.shown(limited))).at(1));
     }
 
     @Test
-    void aSizeChosenByTheUserIsZoomed() {
-        SizeAtOne large = SizeAtOne.of(new Dimension(900, 700), 1, Optional.empty());
-        SizeAtOne chosen = SizeAtOne.of(new Dimension(1000, 600), 2, Optional.of(large));
-        assertEquals(List.of(500, 300), List.of(chosen.width(1), chosen.height(1)));
+    void boundsChosenByTheUserAreKept() {
+        Rectangle shown = new Rectangle(0, 0, 1800, 1000);
+        Unzoomed last = new Unzoomed(new Point(340, 20), 900, 700, shown);
+        assertEquals(
+                new Rectangle(340, 20, 500, 300),
+                Unzoomed.of(new Rectangle(0, 0, 1000, 600), 2, Optional.of(last))
+                        .at(1));
+        assertEquals(
+                new Rectangle(50, 60, 900, 700),
+                Unzoomed.of(new Rectangle(50, 60, 1800, 1000), 2, Optional.of(last))
+                        .at(1));
     }
 }
