@@ -81,7 +81,7 @@ public record Area(double minXMeters, double minYMeters, double maxXMeters, doub
     }
 
     public Position center() {
-        return turned((minXMeters + maxXMeters) / 2, (minYMeters + maxYMeters) / 2);
+        return turned(Position.sum(minXMeters, maxXMeters) / 2, Position.sum(minYMeters, maxYMeters) / 2);
     }
 
     /** The four corners, anticlockwise. */

@@ -90,6 +90,12 @@ class MapWriterTest {
     }
 
     @Test
+    void theCentreOfABoxIsAsRoundAsItsCorners() throws Exception {
+        String text = MapWriter.text(WorldReader.read(Path.of("..", "worlds", "demo.map")));
+        assertTrue(text.contains(" 1100 2000 0 \"\" ICON \"Workbench\" 300 1700 1900 2300"), text);
+    }
+
+    @Test
     void headersTellWhatIsThere() {
         String text = MapWriter.text(World.of("w", List.of(new Segment(-1, 0.5, 2, 0.3))));
         assertTrue(text.startsWith("2D-Map\nLineMinPos: -1000 300\nLineMaxPos: 2000 500\nNumLines: 1\n"), text);
