@@ -8,8 +8,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.LayoutFocusTraversalPolicy;
+import javax.swing.UIManager;
 
 /**
  * Swing's file dialog with the focus in the file's name instead of the list of folders, and starting in the last
@@ -36,6 +38,15 @@ final class FileQuestion extends JFileChooser {
                 }));
     }
 
+    /** Asks where to save: Nimbus asks where to look for both. */
+    void askWhereToSave() {
+        String looking = UIManager.getString("FileChooser.lookInLabelText", getLocale());
+        String saving = UIManager.getString("FileChooser.saveInLabelText", getLocale());
+        labels(this)
+                .filter(label -> looking != null && looking.equals(label.getText()))
+                .forEach(label -> label.setText(saving));
+    }
+
     /** Selects the proposed name without its ending, so that typing replaces it. */
     static void selectStem(JTextField field) {
         int dot = field.getText().lastIndexOf('.');
@@ -47,6 +58,13 @@ final class FileQuestion extends JFileChooser {
         Path file = question.getSelectedFile().toPath();
         LastFolder.keepOf(file);
         return file;
+    }
+
+    private static Stream<JLabel> labels(Container container) {
+        return Stream.of(container.getComponents())
+                .flatMap(child -> child instanceof JLabel label
+                        ? Stream.of(label)
+                        : child instanceof Container inner ? labels(inner) : Stream.empty());
     }
 
     private static Optional<JTextField> nameField(Container container) {

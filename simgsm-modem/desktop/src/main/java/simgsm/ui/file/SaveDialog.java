@@ -32,7 +32,8 @@ public final class SaveDialog {
      */
     public static Optional<Path> ask(
             Component owner, Path proposal, List<Kind> kinds, UnaryOperator<String> base, Replacing replacing) {
-        JFileChooser chooser = new FileQuestion(Optional.ofNullable(proposal.getParent()));
+        FileQuestion chooser = new FileQuestion(Optional.ofNullable(proposal.getParent()));
+        chooser.askWhereToSave();
         chooser.setAcceptAllFileFilterUsed(false);
         kinds.forEach(
                 kind -> chooser.addChoosableFileFilter(new FileNameExtensionFilter(kind.description(), kind.ending())));

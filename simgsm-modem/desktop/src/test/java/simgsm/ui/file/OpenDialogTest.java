@@ -8,15 +8,21 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import javax.swing.JComponent;
 import javax.swing.JFileChooser;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.draw.Appearance;
+import simgsm.ui.ComponentNames;
 import simgsm.ui.Theme;
 
 /** What a file dialog shows when it opens. */
@@ -77,5 +83,30 @@ class OpenDialogTest {
         assertEquals(folder.toFile(), ask(Optional.of(folder)).getCurrentDirectory(), "a given folder comes first");
         Files.delete(chosen);
         assertFalse(LastFolder.get().isPresent(), "a folder that is gone is not shown");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, Look In:, Save In:", "es, Buscar en:, Guardar en:"})
+    void aDialogAsksWhereToLookOrWhereToSave(String language, String look, String save) throws Exception {
+        Locale before = JComponent.getDefaultLocale();
+        JComponent.setDefaultLocale(Locale.forLanguageTag(language));
+        try {
+            SwingUtilities.invokeAndWait(() -> {
+                FileQuestion dialog = new FileQuestion(Optional.empty());
+                assertEquals(List.of(look), labels(dialog, look, save));
+                dialog.askWhereToSave();
+                assertEquals(List.of(save), labels(dialog, look, save));
+            });
+        } finally {
+            JComponent.setDefaultLocale(before);
+        }
+    }
+
+    private static List<String> labels(JFileChooser dialog, String... expected) {
+        return ComponentNames.all(dialog)
+                .filter(JLabel.class::isInstance)
+                .map(label -> ((JLabel) label).getText())
+                .filter(List.of(expected)::contains)
+                .toList();
     }
 }
