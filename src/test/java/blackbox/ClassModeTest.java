@@ -33,6 +33,9 @@ class ClassModeTest {
             RunningProgram teacher = scenario.start(
                     "class", "simgsm-center", "--demo", "--class", "20", "--headless", "--console", "--port", "0");
             String port = teacher.expect("ready").field("port");
+            ConsoleEvent student = teacher.expect("student", "number", "5550119", "robot", "5550219");
+            assertEquals(
+                    "java -jar simgsm-phone.jar --number 5550119 --center 127.0.0.1:" + port, student.field("command"));
             RunningProgram phone = scenario.start(
                     "phone",
                     "simgsm-phone",
@@ -93,5 +96,9 @@ class ClassModeTest {
         assertEquals(
                 2,
                 FinishedProgram.run("simgsm-center", "--demo", "--class", "0").status());
+        FinishedProgram lesson =
+                FinishedProgram.run("simgsm-center", "--demo", "--class", "2", "--lesson", "twelve-keys");
+        assertEquals(2, lesson.status());
+        assertTrue(lesson.error().contains("--class: the teacher's windows begin no lesson"), lesson.error());
     }
 }

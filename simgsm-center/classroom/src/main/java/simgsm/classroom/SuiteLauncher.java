@@ -67,6 +67,9 @@ public final class SuiteLauncher implements CenterLauncher {
         requireTogether(given, "web", "demo");
         requireTogether(given, "check", "lesson");
         requireTogether(given, "result", "check");
+        if (given.has("class") && given.has("lesson")) {
+            throw new UsageException("--class: the teacher's windows begin no lesson, expected no --lesson");
+        }
         if (given.has("check")) {
             return LessonCheck.run(given);
         }

@@ -83,11 +83,10 @@ public final class ClassDemo implements Consoles.Listener {
                 // The students' phones are browsers, or programs that they start.
                 List<String> options = demo.robotOptions(session, Stream.of("--headless"));
                 session.consoles().listen(demo);
-                return WebLink.serve(arguments, session, ROBOTS, options, demo.phoneNumbers());
+                List<Event> students = demo.students(session.center().port());
+                return WebLink.serve(arguments, session, ROBOTS, options, demo.phoneNumbers(), students);
             }
-            if (!WebLink.isWanted(arguments)) {
-                demo.printStudents(session.center().port());
-            }
+            demo.printStudents(session.center().port());
             if (isHeadless) {
                 return demo.runHeadless(session);
             }
@@ -97,16 +96,21 @@ public final class ClassDemo implements Consoles.Listener {
         }
     }
 
+    /** The command for each student's machine; none with browsers. */
+    private List<Event> students(int port) {
+        List<String> hosts = WebLink.isWanted(arguments) ? List.of() : roll.hosts();
+        return hosts.stream()
+                .flatMap(host -> IntStream.range(0, roll.students())
+                        .mapToObj(i -> Event.of("student")
+                                .with("number", roll.phone(i))
+                                .with("robot", roll.robot(i))
+                                .with("command", roll.command(roll.phone(i), host, port))))
+                .toList();
+    }
+
     private void printStudents(int port) {
-        for (String host : roll.hosts()) {
-            for (int i = 0; i < roll.students(); i++) {
-                print(Event.of("student")
-                        .with("number", roll.phone(i))
-                        .with("robot", roll.robot(i))
-                        .with("command", roll.command(roll.phone(i), host, port)));
-            }
-        }
-        if (settings.address().isLoopbackAddress()) {
+        students(port).forEach(this::print);
+        if (!WebLink.isWanted(arguments) && settings.address().isLoopbackAddress()) {
             out.print(ClassroomTexts.in(settings.language()).of("class.bind") + "\n");
             out.flush();
         }

@@ -57,7 +57,7 @@ public final class HeadlessDemo {
         try (Session session = Session.open(arguments, folder -> settings)) {
             List<String> options = new ArrayList<>(List.of("--headless", "--no-sound", "--speak", "--world", WORLD));
             WebLink.robotOptions(arguments).forEach(options::add);
-            return WebLink.serve(arguments, session, "robot", options, Optional.empty());
+            return WebLink.serve(arguments, session, "robot", options, Optional.empty(), List.of());
         } catch (SessionFailure failure) {
             throw new IOException(failure.getMessage(), failure);
         }

@@ -75,11 +75,16 @@ final class WebLink {
     }
 
     /**
-     * Runs without a display: starts SimRobot and, if wanted, the gateway, prints the link and performs the centre's
-     * commands until the input ends.
+     * Runs without a display: starts SimRobot and, if wanted, the gateway, prints the link and the students' commands,
+     * and performs the centre's commands until the input ends.
      */
     static int serve(
-            Arguments arguments, Session session, String robots, List<String> options, Optional<String> numbers)
+            Arguments arguments,
+            Session session,
+            String robots,
+            List<String> options,
+            Optional<String> numbers,
+            List<Event> students)
             throws IOException, SessionFailure, InterruptedException, UsageException {
         try (Console console = Console.onStandardOutput()) {
             session.center().start(session.centerEvents().andThen(console::tell));
@@ -87,6 +92,7 @@ final class WebLink {
             Optional<String> link = start(arguments, session, robots, numbers);
             Event ready = session.center().ready();
             console.ready(link.map(url -> ready.with("link", url)).orElse(ready));
+            students.forEach(console::emit);
             Program.runConsole(console, arguments, new CenterCommands(session.center(), console));
             return console.exitStatus();
         }
