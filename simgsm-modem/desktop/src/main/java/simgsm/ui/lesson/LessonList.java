@@ -90,8 +90,10 @@ public final class LessonList extends JPanel {
         return line;
     }
 
-    private JButton button(String key, String lesson, String title, Runnable act) {
+    /** A button of one row, at the top of the lesson's lines. */
+    private Component button(String key, String lesson, String title, Runnable act) {
         UserAction action = new UserAction(key + "." + lesson, words.of(key), act);
-        return ComponentNames.name(new JButton(action), key + "." + lesson, words.of(key) + ": " + title);
+        JButton button = ComponentNames.name(new JButton(action), key + "." + lesson, words.of(key) + ": " + title);
+        return Arrange.column(0, button, Arrange.spring());
     }
 }

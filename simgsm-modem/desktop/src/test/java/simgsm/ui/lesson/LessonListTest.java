@@ -102,6 +102,19 @@ class LessonListTest {
         assertTrue(row.getText().contains(word), row.getText());
     }
 
+    @Test
+    void aButtonKeepsItsHeightBesideALongLine() throws Exception {
+        LessonList list = list(library);
+        list.setSize(400, 400);
+        for (int i = 0; i < 4; i++) {
+            SwingUtilities.invokeAndWait(() -> lay(list));
+        }
+        for (String name : library.names()) {
+            Component button = ComponentNames.find(list, "lessons.open." + name).orElseThrow();
+            assertEquals(button.getPreferredSize().height, button.getHeight(), name);
+        }
+    }
+
     private static void lay(Container container) {
         container.doLayout();
         for (Component child : container.getComponents()) {
