@@ -12,6 +12,7 @@ import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.UIManager;
+import simgsm.ui.ComponentNames;
 
 /**
  * Swing's file dialog with the focus in the file's name instead of the list of folders, and starting in the last
@@ -42,7 +43,7 @@ final class FileQuestion extends JFileChooser {
     void askWhereToSave() {
         String looking = UIManager.getString("FileChooser.lookInLabelText", getLocale());
         String saving = UIManager.getString("FileChooser.saveInLabelText", getLocale());
-        labels(this)
+        parts(this, JLabel.class)
                 .filter(label -> looking != null && looking.equals(label.getText()))
                 .forEach(label -> label.setText(saving));
     }
@@ -60,19 +61,11 @@ final class FileQuestion extends JFileChooser {
         return file;
     }
 
-    private static Stream<JLabel> labels(Container container) {
-        return Stream.of(container.getComponents())
-                .flatMap(child -> child instanceof JLabel label
-                        ? Stream.of(label)
-                        : child instanceof Container inner ? labels(inner) : Stream.empty());
+    private static <T extends Component> Stream<T> parts(Container container, Class<T> kind) {
+        return ComponentNames.all(container).filter(kind::isInstance).map(kind::cast);
     }
 
     private static Optional<JTextField> nameField(Container container) {
-        return Stream.of(container.getComponents())
-                .filter(Component::isVisible)
-                .flatMap(child -> child instanceof JTextField field
-                        ? Stream.of(field)
-                        : child instanceof Container inner ? nameField(inner).stream() : Stream.empty())
-                .findFirst();
+        return parts(container, JTextField.class).filter(Component::isVisible).findFirst();
     }
 }
