@@ -3,10 +3,10 @@ package simrobot.http;
 import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
+import simgsm.timer.BoundedMap;
 import simgsm.web.AccessKeys;
 import simgsm.web.JsonBody;
 import simgsm.web.JsonText;
@@ -49,7 +49,7 @@ final class OrderPages {
     private final AccessKeys keys;
     private final WebSource source;
     private final Map<String, OperatorRequests> requests = new ConcurrentHashMap<>();
-    private final Map<String, HttpOrder> orders = new LinkedHashMap<>();
+    private final Map<String, HttpOrder> orders = new BoundedMap<>(MOST_ORDERS);
     private long newestId;
 
     OrderPages(AccessKeys keys, WebSource source) {
@@ -118,9 +118,6 @@ final class OrderPages {
 
     private synchronized void keep(HttpOrder order) {
         orders.put(Long.toString(order.id), order);
-        if (orders.size() > MOST_ORDERS) {
-            orders.remove(orders.keySet().iterator().next());
-        }
     }
 
     /** An order's current state. */

@@ -2,7 +2,7 @@ package simgsm.center.smpp;
 
 import java.lang.System.Logger.Level;
 import java.time.Duration;
-import simgsm.center.smsc.BoundedMap;
+import simgsm.timer.BoundedMap;
 
 /**
  * Slows the guessing of passwords. Each address has {@link #FREE_REFUSALS} refused binds at once, then one bind a

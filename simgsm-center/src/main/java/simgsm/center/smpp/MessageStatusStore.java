@@ -3,12 +3,12 @@ package simgsm.center.smpp;
 import java.time.Instant;
 import java.util.Map;
 import java.util.Optional;
-import simgsm.center.smsc.BoundedMap;
 import simgsm.center.smsc.EsmeOrigin;
 import simgsm.center.smsc.HeapShare;
 import simgsm.center.smsc.MessageState;
 import simgsm.center.smsc.ShortMessage;
 import simgsm.center.smsc.ShortMessageCenter;
+import simgsm.timer.BoundedMap;
 
 /**
  * States of the messages that applications sent, for query_sm and similar: all waiting ones, and the last ended ones.

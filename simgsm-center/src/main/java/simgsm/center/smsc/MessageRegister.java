@@ -10,6 +10,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import simgsm.air.Msisdn;
+import simgsm.timer.BoundedMap;
 
 /** The waiting messages, and the last ended ones, by id; without reports. */
 public final class MessageRegister {

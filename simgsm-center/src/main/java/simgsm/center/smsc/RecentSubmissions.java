@@ -7,6 +7,7 @@ import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.UserData;
+import simgsm.timer.BoundedMap;
 
 /**
  * The latest submissions of mobiles, so that one repeated after a lost acknowledgement is not stored twice (TP-RD,

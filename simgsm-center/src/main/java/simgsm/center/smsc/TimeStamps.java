@@ -8,6 +8,7 @@ import simgsm.air.Msisdn;
 import simgsm.sms.SmsAddress;
 import simgsm.sms.SubmitTpdu;
 import simgsm.sms.UserData;
+import simgsm.timer.BoundedMap;
 
 /**
  * Service centre time stamps (TP-SCTS, TS 23.040, 9.2.3.11), in seconds on the air. A receiver regards two messages

@@ -413,15 +413,4 @@ class StoredMessagesTest {
                         .toList());
         assertEquals("shop", SHOP.toString());
     }
-
-    @Test
-    void aBoundedMapForgetsItsOldestKeyAndARenewedKeyIsNew() {
-        BoundedMap<Integer, String> map = new BoundedMap<>(2);
-        map.put(1, "a");
-        map.put(2, "b");
-        map.putNewest(1, "c");
-        map.put(3, "d");
-        assertEquals(List.of(1, 3), List.copyOf(map.keySet()));
-        assertEquals("c", map.get(1));
-    }
 }

@@ -8,7 +8,7 @@ import java.util.Map;
 public final class RecentCounts {
     private final int most;
     private final long windowNanos;
-    private final Map<String, Deque<Long>> times = new NewestEntries<>();
+    private final Map<String, Deque<Long>> times = new BoundedMap<>();
 
     /** @param most acts of one author within the window */
     public RecentCounts(int most, long windowNanos) {

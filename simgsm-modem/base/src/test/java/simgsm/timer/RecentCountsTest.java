@@ -1,6 +1,5 @@
 package simgsm.timer;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -22,17 +21,5 @@ class RecentCountsTest {
         assertFalse(counts.isFull("10.0.0.2", 3), "another author");
         assertTrue(counts.isFull("10.0.0.1", MINUTE - 1));
         assertFalse(counts.isFull("10.0.0.1", MINUTE));
-    }
-
-    @Test
-    void theOldestOfManyAuthorsIsForgotten() {
-        NewestEntries<Integer> entries = new NewestEntries<>();
-        for (int i = 0; i <= 10_000; i++) {
-            entries.put("author " + i, i);
-        }
-
-        assertEquals(10_000, entries.size());
-        assertFalse(entries.containsKey("author 0"));
-        assertTrue(entries.containsKey("author 10000"));
     }
 }

@@ -1,8 +1,8 @@
 package simgsm.web;
 
 import java.net.InetAddress;
-import java.util.LinkedHashMap;
 import java.util.Map;
+import simgsm.timer.BoundedMap;
 import simgsm.timer.RateLimit;
 
 /**
@@ -13,18 +13,7 @@ final class GuessLimit {
     /** At once, after 10 s without a wrong key. */
     static final int MOST_AT_ONCE = 10;
 
-    private static final int MOST_ADDRESSES = 10_000;
-
-    private final Map<InetAddress, RateLimit> addresses = new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<InetAddress, RateLimit> eldest) {
-            return size() > MOST_ADDRESSES;
-        }
-    };
-
-    public GuessLimit() {}
+    private final Map<InetAddress, RateLimit> addresses = new BoundedMap<>();
 
     /** @throws RequestException with status 429 if an address has sent too many wrong keys */
     void require(InetAddress from, long nowNanos) throws RequestException {

@@ -10,7 +10,7 @@ import simgsm.gateway.esme.TextDelivery.Part;
 import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.SmppViolation;
-import simgsm.timer.NewestEntries;
+import simgsm.timer.BoundedMap;
 import simgsm.timer.Timers;
 
 /**
@@ -26,7 +26,7 @@ final class DeliveredTexts {
     /** By the group of the parts. */
     private final Map<String, TextDelivery> underWay = new HashMap<>();
 
-    private final Map<String, Boolean> taken = new NewestEntries<>();
+    private final Map<String, Boolean> taken = new BoundedMap<>();
 
     /** @param whole receives each complete text, and has it answered by {@link #answer} */
     DeliveredTexts(Timers timers, Consumer<TextDelivery> whole) {

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.gateway.esme.TextDelivery;
-import simgsm.timer.NewestEntries;
+import simgsm.timer.BoundedMap;
 
 /**
  * The newest 10 000 mails that became short messages. Each is sent from a number of its own, so that an answer names its
@@ -29,7 +29,7 @@ final class Correspondences {
     private final String service;
     private final long numbers;
     private final InstantSource clock;
-    private final Map<String, Mail> mails = new NewestEntries<>();
+    private final Map<String, Mail> mails = new BoundedMap<>();
     private long lastMillis;
 
     /** @param service number of the application, of at most {@link MailSettings#MOST_DIGITS} digits */

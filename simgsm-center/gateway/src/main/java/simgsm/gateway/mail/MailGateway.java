@@ -16,7 +16,7 @@ import simgsm.smpp.SmppMessage;
 import simgsm.smpp.SmppStatus;
 import simgsm.smpp.Tlv;
 import simgsm.sms.GsmAlphabet;
-import simgsm.timer.NewestEntries;
+import simgsm.timer.BoundedMap;
 import simgsm.timer.RecentCounts;
 import simgsm.timer.Timers;
 
@@ -41,7 +41,7 @@ public final class MailGateway {
     private final RecentCounts pairs = new RecentCounts(MOST_AN_HOUR, TimeUnit.HOURS.toNanos(1));
     private final RecentCounts noticesTo = new RecentCounts(MOST_AN_HOUR, TimeUnit.HOURS.toNanos(1));
     /** Mails taken, by Message-ID, number and sender: one whose 250 was lost is not submitted twice. */
-    private final Map<String, Boolean> taken = new NewestEntries<>();
+    private final Map<String, Boolean> taken = new BoundedMap<>();
 
     private final Application application;
 

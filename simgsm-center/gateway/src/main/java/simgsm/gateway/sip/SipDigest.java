@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
-import simgsm.timer.NewestEntries;
+import simgsm.timer.BoundedMap;
 
 /**
  * Digest authentication (RFC 7616, RFC 8760): MD5 and SHA-256 with {@code qop=auth}. Each challenge has a fresh nonce,
@@ -35,9 +35,9 @@ final class SipDigest {
     /** @param count the highest count received, in use of its client */
     private record Nonce(long madeNanos, long count) {}
 
-    private final Map<String, Nonce> nonces = new NewestEntries<>();
+    private final Map<String, Nonce> nonces = new BoundedMap<>();
     /** Requests without credentials, by Call-ID and tag of From: some phones count Call-IDs from each start. */
-    private final Map<String, Integer> asked = new NewestEntries<>();
+    private final Map<String, Integer> asked = new BoundedMap<>();
 
     private final Supplier<String> words;
 

@@ -5,7 +5,6 @@ import java.lang.System.Logger.Level;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -28,6 +27,7 @@ import simgsm.sms.TpduCodec;
 import simgsm.sms.UserData;
 import simgsm.sms.ValidityPeriod;
 import simgsm.station.context.StationEvent;
+import simgsm.timer.BoundedMap;
 import simgsm.timer.Timers;
 
 /**
@@ -66,9 +66,9 @@ final class AttachedMessages {
     private final Deque<Outgoing> waiting = new ArrayDeque<>();
     private final Reassembler reassembler = new Reassembler();
     /** The newest messages reported, and the addresses of their senders by digits. */
-    private final Map<String, Boolean> reported = remembering();
+    private final Map<String, Boolean> reported = new BoundedMap<>(MAX_REMEMBERED);
 
-    private final Map<String, SmsAddress> senders = remembering();
+    private final Map<String, SmsAddress> senders = new BoundedMap<>(MAX_REMEMBERED);
     private ModemSetup setup;
     private boolean ready;
     private boolean sending;
@@ -81,15 +81,6 @@ final class AttachedMessages {
         this.dialogue = dialogue;
         this.timers = timers;
         this.listener = listener;
-    }
-
-    private static <V> Map<String, V> remembering() {
-        return new LinkedHashMap<>() {
-            @Override
-            protected boolean removeEldestEntry(Map.Entry<String, V> eldest) {
-                return size() > MAX_REMEMBERED;
-            }
-        };
     }
 
     /** The modem is ready: fetches and sends waiting messages. */

@@ -1,7 +1,6 @@
 package simgsm.station.sms;
 
 import java.lang.System.Logger.Level;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import simgsm.air.Direction;
@@ -28,6 +27,7 @@ import simgsm.station.context.StationTimer;
 import simgsm.station.sms.IncomingMessageTable.IncomingMessageAction;
 import simgsm.station.sms.IncomingMessageTable.IncomingMessageEvent;
 import simgsm.station.sms.IncomingMessageTable.IncomingMessageState;
+import simgsm.timer.BoundedMap;
 
 /** Receives the network's deliveries; runs by {@link IncomingMessageTable}. */
 final class MessageReceiver {
@@ -50,14 +50,7 @@ final class MessageReceiver {
     /** The text that the user has still to take; null without one. */
     private Held held;
     /** Texts that the user has refused for now: their earlier parts do not come again. */
-    private final Map<OctetString, ShortMessageReceived> refused = new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<OctetString, ShortMessageReceived> eldest) {
-            return size() > MAX_REFUSED;
-        }
-    };
+    private final Map<OctetString, ShortMessageReceived> refused = new BoundedMap<>(MAX_REFUSED);
 
     /** True while the network waits for RP-SMMA after a refusal. */
     private boolean networkWaits;

@@ -3,7 +3,6 @@ package simgsm.modem.at.command;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -23,6 +22,7 @@ import simgsm.sms.DeliverTpdu;
 import simgsm.sms.StatusReportTpdu;
 import simgsm.sms.Tpdu;
 import simgsm.station.context.StationEvent;
+import simgsm.timer.BoundedMap;
 
 /**
  * Received messages: stored on the SIM or passed to clients, as set by +CNMI, with +CMTI, +CMT, +CDS, +CDSI and +CBM.
@@ -51,14 +51,7 @@ final class MessageCodes {
     private final Map<AtClient, Integer> unacknowledged = new HashMap<>();
 
     /** The cell repeats pages; each is reported once. */
-    private final Map<OctetString, Boolean> pages = new LinkedHashMap<>() {
-        private static final long serialVersionUID = 1;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<OctetString, Boolean> eldest) {
-            return size() > PAGES_REMEMBERED;
-        }
-    };
+    private final Map<OctetString, Boolean> pages = new BoundedMap<>(PAGES_REMEMBERED);
 
     MessageCodes(AtModem modem) {
         this.modem = modem;

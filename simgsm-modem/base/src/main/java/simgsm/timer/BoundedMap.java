@@ -1,4 +1,4 @@
-package simgsm.center.smsc;
+package simgsm.timer;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -11,6 +11,11 @@ public final class BoundedMap<K, V> extends LinkedHashMap<K, V> {
 
     public BoundedMap(int maxSize) {
         this.maxSize = maxSize;
+    }
+
+    /** A map of at most 10 000 entries, for what anybody may add. */
+    public BoundedMap() {
+        this(10_000);
     }
 
     /** Puts a value under a key that becomes the newest, even if it was present. */
