@@ -21,6 +21,7 @@ import simgsm.center.journal.FileDisk;
 import simgsm.center.journal.Journal;
 import simgsm.center.msc.Exchange;
 import simgsm.center.msc.ExchangeSettings;
+import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.StoreEntry;
 import simgsm.center.subscriber.HomeRegister;
@@ -69,6 +70,8 @@ final class VirtualCenter {
                 true,
                 Locale.ENGLISH,
                 false,
+                NetworkTimer.T303.nanos(),
+                Optional.empty(),
                 HandoverAlgorithm.STANDARD);
         if (folder.isEmpty()) {
             exchange = new Exchange(settings, (ticket, entries) -> committed(exchange, ticket), event -> {});

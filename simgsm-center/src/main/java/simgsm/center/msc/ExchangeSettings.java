@@ -45,34 +45,20 @@ public record ExchangeSettings(
         this(networkName, new SplittableRandom(seed), startedAt, HomeRegister.OPEN, Optional.empty());
     }
 
-    /** An exchange without call waiting, in English. */
+    /** An exchange without call waiting, in English, with the usual T303. */
     public ExchangeSettings(
             String networkName, RandomGenerator random, Instant startedAt, HomeRegister home, Optional<ToneSet> tones) {
-        this(networkName, random, startedAt, home, tones, false, Locale.ENGLISH, false, HandoverAlgorithm.STANDARD);
-    }
-
-    /** An exchange with the usual T303. */
-    public ExchangeSettings(
-            String networkName,
-            RandomGenerator random,
-            Instant startedAt,
-            HomeRegister home,
-            Optional<ToneSet> tones,
-            boolean callWaiting,
-            Locale language,
-            boolean speaksUdp,
-            HandoverAlgorithm handover) {
         this(
                 networkName,
                 random,
                 startedAt,
                 home,
                 tones,
-                callWaiting,
-                language,
-                speaksUdp,
+                false,
+                Locale.ENGLISH,
+                false,
                 NetworkTimer.T303.nanos(),
                 Optional.empty(),
-                handover);
+                HandoverAlgorithm.STANDARD);
     }
 }

@@ -20,6 +20,7 @@ import simgsm.abis.RtpPacket;
 import simgsm.air.CallControl;
 import simgsm.air.ProtocolViolation;
 import simgsm.center.bsc.handover.HandoverAlgorithm;
+import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.subscriber.HomeRegister;
 
 /** The sessions of RTP that the centre opens for the legs of a call, and what happens where a terminal takes no part. */
@@ -37,6 +38,8 @@ class SpeechOverUdpTest {
             false,
             Locale.ENGLISH,
             true,
+            NetworkTimer.T303.nanos(),
+            Optional.empty(),
             HandoverAlgorithm.STANDARD));
     private final ActiveCallParts call = new ActiveCallParts();
 

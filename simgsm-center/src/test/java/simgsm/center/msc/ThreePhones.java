@@ -17,6 +17,7 @@ import simgsm.air.Imei;
 import simgsm.air.Msisdn;
 import simgsm.center.bsc.handover.HandoverAlgorithm;
 import simgsm.center.msc.link.LinkPort;
+import simgsm.center.msc.link.NetworkTimer;
 import simgsm.center.msc.link.Peer;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.speech.CallAudioListener;
@@ -187,6 +188,8 @@ abstract class ThreePhones {
                         callWaiting,
                         Locale.ENGLISH,
                         false,
+                        NetworkTimer.T303.nanos(),
+                        Optional.empty(),
                         HandoverAlgorithm.STANDARD),
                 (ticket, entry) -> unstored.add(ticket),
                 event -> {});

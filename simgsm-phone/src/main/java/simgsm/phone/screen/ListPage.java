@@ -99,11 +99,7 @@ final class ListPage extends ScreenPage {
 
     @Override
     Screen screen() {
-        List<Screen.Row> rows = new ArrayList<>();
-        for (ListItem item : items()) {
-            rows.add(item.row());
-        }
-        return new Screen.Listing(title, List.copyOf(rows), selected, numbered);
+        return new Screen.Listing(title, items().stream().map(ListItem::row).toList(), selected, numbered);
     }
 
     @Override

@@ -1,6 +1,5 @@
 package simgsm.phone.ui;
 
-import java.awt.BorderLayout;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.event.ComponentAdapter;
@@ -8,7 +7,6 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.stream.Collectors;
-import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
@@ -16,6 +14,7 @@ import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.phone.handset.HandsetLog;
 import simgsm.ui.ComponentNames;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.Theme;
 import simgsm.ui.VerticalScrollPane;
 
@@ -23,7 +22,7 @@ import simgsm.ui.VerticalScrollPane;
  * The log of events, one per line, to be read with the arrow keys and copied. Digits, Enter and Escape remain keys of
  * the phone.
  */
-final class EventsPanel extends JPanel {
+final class EventsPanel extends DressedPanel {
     private final WordsText words;
     private final JTextArea area = new Lines();
     private List<HandsetLog.Entry> shown = List.of();
@@ -42,7 +41,6 @@ final class EventsPanel extends JPanel {
     }
 
     EventsPanel(TextBundle texts, WordsText words) {
-        super(new BorderLayout());
         this.words = words;
         setOpaque(false);
         ComponentNames.name(area, "events", texts.of("events.title"));
@@ -121,14 +119,7 @@ final class EventsPanel extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (area != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         area.setFont(Theme.base());
         area.setForeground(Theme.color(Ink.TEXT));
         area.setMargin(new Insets(Theme.px(4), Theme.px(6), Theme.px(4), Theme.px(6)));

@@ -13,7 +13,6 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
@@ -29,6 +28,7 @@ import simgsm.ui.ComponentNames;
 import simgsm.ui.CopiedText;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Drawing;
+import simgsm.ui.DressedPanel;
 import simgsm.ui.ReadingArea;
 import simgsm.ui.Symbol;
 import simgsm.ui.Theme;
@@ -39,7 +39,7 @@ import simgsm.ui.glossary.GlossaryText;
  * A class: the challenge with its clock, the ranked results, and the commands of the students' machines. Needs no
  * display.
  */
-public final class ClassPanel extends JPanel {
+public final class ClassPanel extends DressedPanel {
     private static final List<String> COLUMNS =
             List.of("phone", "name", "robot", "orders", "keys", "collisions", "seconds", "lesson", "score");
     /** Minimum content of each column; names and lessons take the rest. */
@@ -82,7 +82,6 @@ public final class ClassPanel extends JPanel {
     }
 
     public ClassPanel(Locale language, ClassActions actions, Frames frames) {
-        super(new BorderLayout());
         this.language = language;
         this.actions = actions;
         this.frames = frames;
@@ -259,14 +258,7 @@ public final class ClassPanel extends JPanel {
     }
 
     @Override
-    public void updateUI() {
-        super.updateUI();
-        if (table != null) {
-            dress();
-        }
-    }
-
-    private void dress() {
+    protected void dress() {
         setBorder(Theme.padding(12));
         setBackground(Theme.color(Ink.SURFACE));
         table.setRowHeight(Theme.px(ROW_UNITS));

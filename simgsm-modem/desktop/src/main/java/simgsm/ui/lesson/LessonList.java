@@ -49,11 +49,8 @@ public final class LessonList extends JPanel {
         this.language = language;
         this.actions = actions;
         words = DesktopTexts.in(language);
-        List<Component> rows = new ArrayList<>();
-        for (String name : library.names()) {
-            rows.add(row(name));
-        }
-        JPanel column = Arrange.column(Theme.GRID, rows.toArray(Component[]::new));
+        JPanel column = Arrange.column(
+                Theme.GRID, library.names().stream().map(this::row).toArray(Component[]::new));
         column.setBorder(Theme.padding(12));
         add(new VerticalScrollPane(new WrappedColumn(column)).bare(), BorderLayout.CENTER);
         Theme.styled(this, panel -> panel.setBackground(Theme.color(Ink.SURFACE)));
