@@ -30,8 +30,8 @@ public record Msisdn(String digits, boolean international) {
         return digits.equals("112") || digits.equals("911");
     }
 
-    /** Without a regular expression: some 10 000 numbers are made per second under load. */
-    private static boolean isDigits(String text) {
+    /** True for a text without other characters. Without a regular expression: under load, some 10 000 a second. */
+    public static boolean isDigits(String text) {
         for (int i = 0; i < text.length(); i++) {
             if (text.charAt(i) < '0' || text.charAt(i) > '9') {
                 return false;

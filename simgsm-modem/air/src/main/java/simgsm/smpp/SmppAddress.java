@@ -30,7 +30,7 @@ public record SmppAddress(int ton, int npi, String value) {
     /** The telephone number; empty if the address is not one. */
     public Optional<Msisdn> number() {
         String digits = value.startsWith("+") ? value.substring(1) : value;
-        if (ton == LETTERS || digits.isEmpty() || digits.length() > Msisdn.MAX_DIGITS || !isDigits(digits)) {
+        if (ton == LETTERS || digits.isEmpty() || digits.length() > Msisdn.MAX_DIGITS || !Msisdn.isDigits(digits)) {
             return Optional.empty();
         }
         return Optional.of(new Msisdn(digits));
@@ -61,14 +61,5 @@ public record SmppAddress(int ton, int npi, String value) {
         } catch (IllegalArgumentException e) {
             return Optional.empty();
         }
-    }
-
-    private static boolean isDigits(String text) {
-        for (int i = 0; i < text.length(); i++) {
-            if (text.charAt(i) < '0' || text.charAt(i) > '9') {
-                return false;
-            }
-        }
-        return true;
     }
 }

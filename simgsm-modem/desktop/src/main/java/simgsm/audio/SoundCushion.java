@@ -32,7 +32,7 @@ final class SoundCushion {
     /** Samples to write now, at 8 kHz: the frame after a cushion, the frame alone, or nothing, as for an empty frame. */
     short[] accept(short[] frame, long nowNanos) {
         long ahead = Math.max(0, endNanos - nowNanos);
-        boolean silent = isSilent(frame);
+        boolean silent = SpeechCodec.isSilent(frame, SILENCE);
         if (frame.length == 0 || silent && pausing || ahead > TimeUnit.MILLISECONDS.toNanos(MOST_MILLIS)) {
             return NOTHING;
         }
@@ -46,14 +46,5 @@ final class SoundCushion {
         endNanos = nowNanos + ahead + padded.length * NANOS_PER_SAMPLE;
         pausing = silent;
         return padded;
-    }
-
-    private static boolean isSilent(short[] frame) {
-        for (short sample : frame) {
-            if (Math.abs(sample) > SILENCE) {
-                return false;
-            }
-        }
-        return true;
     }
 }

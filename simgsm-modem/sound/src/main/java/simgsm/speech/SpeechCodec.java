@@ -53,6 +53,16 @@ public interface SpeechCodec {
 
     Kind kind();
 
+    /** True if no sample is louder than {@code most}. */
+    static boolean isSilent(short[] frame, int most) {
+        for (short sample : frame) {
+            if (Math.abs(sample) > most) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /**
      * One of the two frames in a block of 65 octets of a WAV file with GSM 06.10 (tag 49), as its 33 octets.
      *

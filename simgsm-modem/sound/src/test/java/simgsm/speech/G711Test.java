@@ -2,6 +2,7 @@ package simgsm.speech;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -122,5 +123,11 @@ class G711Test {
         SpeechCodec codec = SpeechCodec.Kind.A_LAW.open();
         assertThrows(IllegalArgumentException.class, () -> codec.decode(new byte[159]));
         assertThrows(IllegalArgumentException.class, () -> codec.encode(new short[161]));
+    }
+
+    @Test
+    void aFrameIsSilentWithoutASampleAboveTheLimit() {
+        assertTrue(SpeechCodec.isSilent(new short[] {0, 8, -8}, 8));
+        assertFalse(SpeechCodec.isSilent(new short[] {0, 0, -9}, 8));
     }
 }

@@ -13,7 +13,6 @@ import simgsm.air.ChannelNumber;
  */
 record AirChannel(int type, int timeslot, int subslot, int period, int start, int uplinkDelay, int step, int bursts) {
     static final int BCCH = 1;
-    static final int CCCH = 2;
     static final int RACH = 3;
     static final int AGCH = 4;
     static final int PCH = 5;

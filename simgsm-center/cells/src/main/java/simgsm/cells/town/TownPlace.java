@@ -2,8 +2,6 @@ package simgsm.cells.town;
 
 /** A point of the town, metres east and north of its origin. */
 public record TownPlace(double xMetres, double yMetres) {
-    public static final TownPlace ORIGIN = new TownPlace(0, 0);
-
     public double distanceMetres(TownPlace other) {
         return Math.hypot(other.xMetres - xMetres, other.yMetres - yMetres);
     }

@@ -66,20 +66,20 @@ public final class SpeechBuffer implements SpeechSource {
     @Override
     public void read(short[] frame) {
         short[] next = next();
-        silentFrames = isSilent(next) ? silentFrames + 1 : 0;
+        silentFrames = SpeechCodec.isSilent(next, SILENCE) ? silentFrames + 1 : 0;
         System.arraycopy(next, 0, frame, 0, frame.length);
     }
 
     private short[] next() {
         while (isInterrupted && !waiting.isEmpty()) {
-            isInterrupted = !isSilent(waiting.peekFirst());
+            isInterrupted = !SpeechCodec.isSilent(waiting.peekFirst(), SILENCE);
             if (isInterrupted) {
                 waiting.removeFirst();
             }
         }
         while (waiting.size() > CUSHION_FRAMES
                 && silentFrames >= KEPT_SILENCE_FRAMES
-                && isSilent(waiting.peekFirst())) {
+                && SpeechCodec.isSilent(waiting.peekFirst(), SILENCE)) {
             waiting.removeFirst();
         }
         if (waiting.isEmpty() || isFilling && waiting.size() < CUSHION_FRAMES) {
@@ -95,19 +95,10 @@ public final class SpeechBuffer implements SpeechSource {
         if (!isFilling && substitutes < MOST_SUBSTITUTES) {
             substitutes++;
         } else {
-            isInterrupted |= !isSilent(last);
+            isInterrupted |= !SpeechCodec.isSilent(last, SILENCE);
             isFilling = true;
             last = new short[SpeechCodec.SAMPLES_PER_FRAME];
         }
         return last;
-    }
-
-    private static boolean isSilent(short[] frame) {
-        for (short sample : frame) {
-            if (Math.abs(sample) > SILENCE) {
-                return false;
-            }
-        }
-        return true;
     }
 }
