@@ -1,5 +1,5 @@
 /**
- * Packages shared by all other modules: octets, state tables, timers, events, sockets with a selector, and files
+ * Packages shared by all other modules: octets, state tables, timers, threads, events, sockets with a selector, and files
  * named by users.
  */
 module simgsm.base {
@@ -8,5 +8,6 @@ module simgsm.base {
     exports simgsm.net;
     exports simgsm.octets;
     exports simgsm.state;
+    exports simgsm.thread;
     exports simgsm.timer;
 }

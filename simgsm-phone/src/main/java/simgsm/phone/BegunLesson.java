@@ -13,6 +13,7 @@ import simgsm.console.CommandException;
 import simgsm.console.Event;
 import simgsm.console.ProgramFolder;
 import simgsm.console.QuickStart;
+import simgsm.thread.DaemonThread;
 import simgsm.ui.window.WindowOptions;
 
 /** A lesson that is begun in a phone's help: the suite's demo with the lesson, beside the phone, which ends it. */
@@ -35,9 +36,7 @@ final class BegunLesson {
                     .ifPresent(folder -> command.addAll(List.of("--lessons", folder)));
             Process lesson =
                     new ProcessBuilder(command).redirectError(Redirect.INHERIT).start();
-            Thread reader = new Thread(() -> read(lesson.inputReader(StandardCharsets.UTF_8), results), "lesson");
-            reader.setDaemon(true);
-            reader.start();
+            DaemonThread.start("lesson", () -> read(lesson.inputReader(StandardCharsets.UTF_8), results));
         } catch (IOException e) {
             LOG.log(Level.WARNING, "the lesson has not begun: {0}", e.getMessage());
         }

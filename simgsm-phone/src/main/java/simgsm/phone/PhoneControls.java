@@ -7,6 +7,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.ObjLongConsumer;
 import simgsm.phone.handset.Handset;
 import simgsm.phone.ui.HandsetControls;
+import simgsm.thread.DaemonThread;
 
 /**
  * Runs the window's actions on the handset's thread, and passes the time to the handset every 20 ms while needed.
@@ -16,8 +17,8 @@ final class PhoneControls implements HandsetControls, AutoCloseable {
     private static final long SOUND_CHECK_SECONDS = 1;
 
     private final Phone phone;
-    private final ScheduledExecutorService ticks =
-            new ScheduledThreadPoolExecutor(1, PhoneControls::daemon, new ThreadPoolExecutor.DiscardPolicy());
+    private final ScheduledExecutorService ticks = new ScheduledThreadPoolExecutor(
+            1, task -> DaemonThread.of("ticks", task::run), new ThreadPoolExecutor.DiscardPolicy());
     /** Owner thread only. */
     private boolean ticking;
 
@@ -26,12 +27,6 @@ final class PhoneControls implements HandsetControls, AutoCloseable {
         perform((handset, now) -> handset.whenTimeIsWanted(this::tickWhileWanted));
         ticks.scheduleAtFixedRate(
                 () -> phone.execute(phone.handset()::checkSoundDevice), 1, SOUND_CHECK_SECONDS, TimeUnit.SECONDS);
-    }
-
-    private static Thread daemon(Runnable task) {
-        Thread thread = new Thread(task, "ticks");
-        thread.setDaemon(true);
-        return thread;
     }
 
     @Override

@@ -13,7 +13,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -39,6 +38,7 @@ import simgsm.station.StationOptions;
 import simgsm.station.StationThread;
 import simgsm.station.context.StationIdentity;
 import simgsm.station.mobility.Sim;
+import simgsm.thread.DaemonThread;
 import simrobot.process.BehaviourList;
 import simrobot.robot.Pioneer;
 import simrobot.simulation.Simulation;
@@ -70,11 +70,7 @@ public final class SimRobot implements AutoCloseable {
     private final List<Runnable> goodbyes = new CopyOnWriteArrayList<>();
     private final CallMonitor callMonitor;
     private final TrackLog tracks;
-    private final ExecutorService planning = Executors.newSingleThreadExecutor(plans -> {
-        Thread thread = new Thread(plans, "route planner");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ExecutorService planning = DaemonThread.executor("route planner");
     private volatile boolean started;
 
     /**

@@ -8,6 +8,7 @@ import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Optional;
+import simgsm.thread.DaemonThread;
 import simrobot.camera.CameraPictureCache;
 import simrobot.simulation.RobotSnapshot;
 import simrobot.simulation.SimulationSnapshot;
@@ -17,7 +18,7 @@ import simrobot.simulation.SimulationSnapshot;
  * an unchanged picture is sent once a second to detect a closed connection. Ends when the client closes the connection or the
  * robot is removed.
  */
-final class CameraStream implements Runnable {
+final class CameraStream {
     static final String BOUNDARY = "simrobot-frame";
 
     private static final Logger LOG = System.getLogger(CameraStream.class.getName());
@@ -44,8 +45,7 @@ final class CameraStream implements Runnable {
         periodNanos = Math.round(1e9 / picturesPerSecond);
         this.scenes = scenes;
         this.cameras = cameras;
-        thread = new Thread(this, "camera stream of " + robot);
-        thread.setDaemon(true);
+        thread = DaemonThread.of("camera stream of " + robot, this::run);
     }
 
     /**
@@ -58,8 +58,7 @@ final class CameraStream implements Runnable {
         thread.start();
     }
 
-    @Override
-    public void run() {
+    private void run() throws InterruptedException {
         try (exchange;
                 OutputStream body = exchange.getResponseBody()) {
             write(body, ascii("--" + BOUNDARY + "\r\n"));
@@ -70,8 +69,6 @@ final class CameraStream implements Runnable {
             }
         } catch (IOException | IllegalStateException ended) {
             LOG.log(Level.DEBUG, "a stream of {0} ends: {1}", robot, ended.getMessage());
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         } finally {
             whenEnded.run();
         }

@@ -8,6 +8,7 @@ import java.net.SocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
 import java.nio.channels.DatagramChannel;
+import simgsm.thread.DaemonThread;
 
 /**
  * Answers the search for simulators in a network, as MobileSim does: a datagram {@code 00 00 00 F6} is answered by 30
@@ -50,9 +51,7 @@ public final class DiscoveryPort implements AutoCloseable {
 
     /** Starts answering. */
     public void start() {
-        Thread thread = new Thread(this::serve, "p2os discovery");
-        thread.setDaemon(true);
-        thread.start();
+        DaemonThread.start("p2os discovery", this::serve);
     }
 
     private void serve() {

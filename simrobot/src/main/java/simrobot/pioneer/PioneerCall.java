@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import simgsm.net.LineAddress;
 import simgsm.net.RetryPause;
+import simgsm.thread.DaemonThread;
 
 /**
  * Connection and clock of a {@link RealPioneer}. Serial lines block, so one thread connects and reads, one writes, and
@@ -63,22 +64,8 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
         thread("time", this::keepTime);
     }
 
-    private interface Work {
-        void run() throws InterruptedException;
-    }
-
-    private Thread thread(String what, Work work) {
-        Runnable interruptible = () -> {
-            try {
-                work.run();
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
-        };
-        Thread thread = new Thread(interruptible, "pioneer " + robot + " " + what);
-        thread.setDaemon(true);
-        thread.start();
-        return thread;
+    private Thread thread(String what, DaemonThread.Work work) {
+        return DaemonThread.start("pioneer " + robot + " " + what, work);
     }
 
     // ---- from the core, on the simulation's thread ---------------------------------------------------------------
@@ -136,11 +123,7 @@ public final class PioneerCall implements PioneerLine, AutoCloseable {
             closed = true;
             lock.notifyAll();
         }
-        try {
-            reader.join(GOODBYE_MILLIS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        DaemonThread.join(reader, GOODBYE_MILLIS);
         drop();
     }
 

@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import simgsm.console.Event;
+import simgsm.thread.DaemonThread;
 import simrobot.replay.RecordingFormat.StoredRecord;
 import simrobot.simulation.Simulation;
 
@@ -46,9 +47,7 @@ public final class SessionRecorder implements AutoCloseable {
         this.name = name;
         this.file = file;
         this.simulationThread = simulationThread;
-        writer = new Thread(this::write, "session recorder");
-        writer.setDaemon(true);
-        writer.start();
+        writer = DaemonThread.start("session recorder", this::write);
         encoder = new SessionEncoder(
                 simulation,
                 (kind, begin, end, content) ->
@@ -101,7 +100,7 @@ public final class SessionRecorder implements AutoCloseable {
         }
     }
 
-    private void write() {
+    private void write() throws InterruptedException {
         try (file) {
             while (true) {
                 Supplier<byte[]> record = queue.poll(FLUSH_MILLIS, TimeUnit.MILLISECONDS);
@@ -117,8 +116,6 @@ public final class SessionRecorder implements AutoCloseable {
             fail(e);
         } catch (RuntimeException e) {
             fail(new IOException(e.toString(), e));
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         }
     }
 
@@ -163,10 +160,6 @@ public final class SessionRecorder implements AutoCloseable {
         if (failure != null) {
             return;
         }
-        try {
-            writer.join(TimeUnit.SECONDS.toMillis(CLOSE_SECONDS));
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        DaemonThread.join(writer, TimeUnit.SECONDS.toMillis(CLOSE_SECONDS));
     }
 }

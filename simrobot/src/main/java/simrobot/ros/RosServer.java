@@ -13,13 +13,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
 import java.util.stream.Collectors;
 import simgsm.net.SelectorLoop;
+import simgsm.thread.DaemonThread;
 import simgsm.web.JsonText;
 import simgsm.web.RequestException;
 import simgsm.web.WebPages;
@@ -62,11 +62,7 @@ public final class RosServer implements AutoCloseable {
     private final Set<RosSession> sessions = new LinkedHashSet<>();
     private final VelocityCommands velocities = new VelocityCommands();
     private final CameraPictureCache cameras = new CameraPictureCache();
-    private final ExecutorService worker = Executors.newSingleThreadExecutor(work -> {
-        Thread thread = new Thread(work, "rosbridge messages");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ExecutorService worker = DaemonThread.executor("rosbridge messages");
     private boolean isTicking;
     private boolean isSampling;
 

@@ -7,6 +7,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.thread.DaemonThread;
 
 /**
  * A thread that owns a scene and gives it a pace in simulated seconds per second. Other threads post acts, which run one
@@ -29,8 +30,7 @@ public abstract class PacedThread implements Executor, AutoCloseable {
     /** A thread that has not started. */
     protected PacedThread(String name) {
         onFailure = fault -> LOG.log(Level.ERROR, "the " + name + " has ended by a fault", fault);
-        thread = new Thread(this::run, name);
-        thread.setDaemon(true);
+        thread = DaemonThread.of(name, this::run);
     }
 
     /**
@@ -99,11 +99,7 @@ public abstract class PacedThread implements Executor, AutoCloseable {
     public void close() {
         post(() -> closed = true);
         if (!isOwner() && thread.isAlive()) {
-            try {
-                thread.join(CLOSE_MILLIS);
-            } catch (InterruptedException interrupted) {
-                Thread.currentThread().interrupt();
-            }
+            DaemonThread.join(thread, CLOSE_MILLIS);
         }
     }
 

@@ -21,6 +21,7 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
+import simgsm.thread.DaemonThread;
 import simrobot.behaviour.BehaviourAnswer;
 import simrobot.behaviour.BehaviourRequest;
 import simrobot.process.BehaviourKind;
@@ -59,7 +60,7 @@ public final class BehaviourFolder implements AutoCloseable {
     private final BehaviourList list;
     private final BehaviourFiles files;
     private final Predicate<Path> chosen;
-    private final Thread thread = new Thread(this::look, "behaviour folder");
+    private final Thread thread = DaemonThread.of("behaviour folder", this::look);
     private Map<Path, Stamp> seen = Map.of();
     private final Map<Path, Set<String>> names = new HashMap<>();
     private volatile Listener listener;
@@ -99,7 +100,6 @@ public final class BehaviourFolder implements AutoCloseable {
             throw new NotDirectoryException(folder.toString());
         }
         scan();
-        thread.setDaemon(true);
     }
 
     /** Replaces {@code System.out}: prints of a decision belong to the process, all others to the standard error. */
@@ -176,18 +176,14 @@ public final class BehaviourFolder implements AutoCloseable {
         files.callDirectly(ended);
     }
 
-    private void look() {
-        try {
-            while (!Thread.interrupted()) {
-                Thread.sleep(PERIOD_MILLIS);
-                try {
-                    scan();
-                } catch (IOException | RuntimeException e) {
-                    LOG.log(Level.DEBUG, "{0} cannot be read now: {1}", folder, e.getMessage());
-                }
+    private void look() throws InterruptedException {
+        while (!Thread.interrupted()) {
+            Thread.sleep(PERIOD_MILLIS);
+            try {
+                scan();
+            } catch (IOException | RuntimeException e) {
+                LOG.log(Level.DEBUG, "{0} cannot be read now: {1}", folder, e.getMessage());
             }
-        } catch (InterruptedException end) {
-            Thread.currentThread().interrupt();
         }
     }
 

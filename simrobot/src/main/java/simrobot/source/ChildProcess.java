@@ -7,6 +7,7 @@ import java.io.OutputStream;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import simgsm.thread.DaemonThread;
 
 /** One operating system process on a pipe, with a thread for each direction: neither side waits for the other. */
 final class ChildProcess {
@@ -32,8 +33,8 @@ final class ChildProcess {
         // its options are for SimRobot, and Java would print them first
         builder.environment().remove("JAVA_TOOL_OPTIONS");
         process = start(builder);
-        start(this::write, "to behaviour " + name);
-        start(this::read, "from behaviour " + name);
+        DaemonThread.start("to behaviour " + name, this::write);
+        DaemonThread.start("from behaviour " + name, this::read);
     }
 
     private static Process start(ProcessBuilder builder) throws IOException {
@@ -45,12 +46,6 @@ final class ChildProcess {
                             + builder.command().get(0),
                     e);
         }
-    }
-
-    private static void start(Runnable task, String name) {
-        Thread thread = new Thread(task, name);
-        thread.setDaemon(true);
-        thread.start();
     }
 
     /** Queues a line until {@link #flush}; never waits. */

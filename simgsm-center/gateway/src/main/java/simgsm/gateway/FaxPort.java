@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.time.ZonedDateTime;
 import java.util.Locale;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import simgsm.console.TextBundle;
 import simgsm.file.FileErrors;
@@ -17,6 +16,7 @@ import simgsm.gateway.esme.TextDelivery;
 import simgsm.gateway.fax.Fax;
 import simgsm.smpp.SmppStatus;
 import simgsm.station.StationThread;
+import simgsm.thread.DaemonThread;
 
 /**
  * Writes messages to one number as fax files, and answers each after its file is on the disk. Belongs to the stations'
@@ -30,11 +30,7 @@ final class FaxPort {
     private final CoreTime time;
     private final EsmePort port;
     private final Application application;
-    private final ExecutorService writer = Executors.newSingleThreadExecutor(task -> {
-        Thread daemon = new Thread(task, "fax");
-        daemon.setDaemon(true);
-        return daemon;
-    });
+    private final ExecutorService writer = DaemonThread.executor("fax");
 
     /** @throws IOException if the folder cannot be made or written */
     FaxPort(StationThread thread, FaxOptions options, Locale language, Consumer<GatewayEvent> listener)

@@ -5,6 +5,7 @@ import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.time.Instant;
 import java.util.concurrent.atomic.AtomicInteger;
+import simgsm.thread.DaemonThread;
 
 /**
  * A running capture. A thread writes the packets, so adding one never waits for the disk. A full disk ends the capture;
@@ -21,7 +22,7 @@ public final class Capture implements AutoCloseable {
     private static final long NANOS_PER_MICRO = 1_000;
 
     private final CapturePlan plan;
-    private final Thread thread = new Thread(this::run, "capture");
+    private final Thread thread = DaemonThread.of("capture", this::run);
     private final Object lock = new Object();
     private final AtomicInteger sessions = new AtomicInteger();
     private PcapFile file;
@@ -34,7 +35,6 @@ public final class Capture implements AutoCloseable {
         this.plan = plan;
         this.file = PcapFile.create(plan.file());
         // the file always holds whole records, so the thread may end with the process
-        thread.setDaemon(true);
         thread.start();
     }
 
@@ -141,11 +141,7 @@ public final class Capture implements AutoCloseable {
     @Override
     public void close() {
         end();
-        try {
-            thread.join();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        DaemonThread.join(thread, 0);
         if (leftOut > 0) {
             LOG.log(Level.WARNING, "capture {0}: {1} packets were left out", plan.file(), leftOut);
         }

@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import simgsm.center.smsc.HeapShare;
 import simgsm.center.smsc.MessageStore;
 import simgsm.center.smsc.StoreEntry;
+import simgsm.thread.DaemonThread;
 
 /**
  * The thread that owns the journal. It writes commits that arrive while the disk is busy, and on a slow disk a little
@@ -119,10 +120,6 @@ public final class JournalThread implements MessageStore, AutoCloseable {
             return;
         }
         orders.add(END);
-        try {
-            thread.join();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        DaemonThread.join(thread, 0);
     }
 }

@@ -21,6 +21,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import simgsm.center.smsc.HeapShare;
 import simgsm.file.FileErrors;
 import simgsm.file.PrivateFiles;
+import simgsm.thread.DaemonThread;
 
 /**
  * Writes records to {@code cdr-YYYY-MM-DD.csv}, the day of their end in UTC; an existing file is continued. A separate
@@ -38,7 +39,7 @@ public final class RecordFiles implements AutoCloseable {
 
     private final Path folder;
     private final BlockingQueue<Object> queue = new LinkedBlockingQueue<>(MOST_WAITING);
-    private final Thread thread = new Thread(this::run, "records");
+    private final Thread thread = DaemonThread.of("records", this::run);
     private final CountDownLatch closing = new CountDownLatch(1);
     private final AtomicLong leftOut = new AtomicLong();
     private LocalDate day;
@@ -51,7 +52,6 @@ public final class RecordFiles implements AutoCloseable {
 
     private RecordFiles(Path folder) {
         this.folder = folder;
-        thread.setDaemon(true);
     }
 
     /**
@@ -113,27 +113,23 @@ public final class RecordFiles implements AutoCloseable {
         void run() throws IOException;
     }
 
-    private void run() {
+    private void run() throws InterruptedException {
         List<Object> taken = new ArrayList<>();
-        try {
-            boolean isOver = false;
-            while (!isOver) {
-                taken.add(queue.take());
-                queue.drainTo(taken);
-                for (Object next : taken) {
-                    if (next instanceof DetailRecord detail) {
-                        attempt(() -> write(detail));
-                    }
-                    isOver |= next == END;
+        boolean isOver = false;
+        while (!isOver) {
+            taken.add(queue.take());
+            queue.drainTo(taken);
+            for (Object next : taken) {
+                if (next instanceof DetailRecord detail) {
+                    attempt(() -> write(detail));
                 }
-                taken.clear();
-                attempt(this::flush);
-                isOver |= closing.getCount() == 0 && queue.isEmpty();
+                isOver |= next == END;
             }
-            attempt(this::closeFile);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+            taken.clear();
+            attempt(this::flush);
+            isOver |= closing.getCount() == 0 && queue.isEmpty();
         }
+        attempt(this::closeFile);
     }
 
     private void attempt(Step step) throws InterruptedException {
@@ -197,11 +193,7 @@ public final class RecordFiles implements AutoCloseable {
         closing.countDown();
         // a full queue needs no END: the thread does not wait, and ends when it is empty
         queue.offer(END);
-        try {
-            thread.join(GOODBYE_MILLIS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        DaemonThread.join(thread, GOODBYE_MILLIS);
         if (thread.isAlive()) {
             LOG.log(Level.WARNING, "records in {0}: the disk does not answer, {1} are left", folder, queue.size());
         }

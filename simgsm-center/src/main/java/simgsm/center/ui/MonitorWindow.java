@@ -2,11 +2,11 @@ package simgsm.center.ui;
 
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import simgsm.center.msc.ExchangeSnapshot;
 import simgsm.console.TextBundle;
+import simgsm.thread.DaemonThread;
 import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
@@ -20,11 +20,7 @@ public final class MonitorWindow {
 
     /** Creates the content; called on the event thread. */
     public static ProgramWindow.Content content(CenterActions operator, TextBundle texts) {
-        ExecutorService worker = Executors.newSingleThreadExecutor(action -> {
-            Thread thread = new Thread(action, "window actions");
-            thread.setDaemon(true);
-            return thread;
-        });
+        ExecutorService worker = DaemonThread.executor("window actions");
         MonitorPanel panel = new MonitorPanel(texts, operator, new Background(worker, SwingUtilities::invokeLater));
         SnapshotPoller<ExchangeSnapshot> newest =
                 new SnapshotPoller<>(() -> operator.snapshot().orElse(null), snapshot -> {

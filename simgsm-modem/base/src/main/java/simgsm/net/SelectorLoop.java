@@ -21,6 +21,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import simgsm.thread.DaemonThread;
 import simgsm.timer.Timer;
 import simgsm.timer.Timers;
 
@@ -93,8 +94,7 @@ public final class SelectorLoop implements AutoCloseable {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        thread = new Thread(this::run, name);
-        thread.setDaemon(true);
+        thread = DaemonThread.of(name, this::run);
     }
 
     /**
@@ -344,11 +344,7 @@ public final class SelectorLoop implements AutoCloseable {
         if (thread.getState() == Thread.State.NEW) {
             release();
         } else if (!isOwner()) {
-            try {
-                thread.join();
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
+            DaemonThread.join(thread, 0);
         }
     }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicLong;
+import simgsm.thread.DaemonThread;
 
 /**
  * Prints events in order on its own thread, so that a slow or stopped reader of standard output never blocks the thread
@@ -31,7 +32,7 @@ final class EventOutputQueue implements AutoCloseable {
     private final BlockingQueue<Event> queue = new LinkedBlockingQueue<>(MAX_UNPRINTED);
     private final long maxOctets;
     private final AtomicLong octets = new AtomicLong();
-    private final Thread thread = new Thread(this::run, "console output");
+    private final Thread thread = DaemonThread.of("console output", this::run);
 
     /** @param lost runs once, when the output cannot be written */
     EventOutputQueue(PrintStream out, Runnable lost) {
@@ -43,7 +44,6 @@ final class EventOutputQueue implements AutoCloseable {
         this.out = out;
         this.lost = lost;
         this.maxOctets = maxOctets;
-        thread.setDaemon(true);
         thread.start();
     }
 
@@ -70,26 +70,22 @@ final class EventOutputQueue implements AutoCloseable {
         notifyAll();
     }
 
-    private void run() {
+    private void run() throws InterruptedException {
         List<Event> batch = new ArrayList<>();
         StringBuilder lines = new StringBuilder();
-        try {
-            while (true) {
-                batch.add(queue.take());
-                queue.drainTo(batch, MAX_TOGETHER);
-                for (Event event : batch) {
-                    if (event == END) {
-                        print(lines);
-                        return;
-                    }
-                    lines.append(event).append('\n');
+        while (true) {
+            batch.add(queue.take());
+            queue.drainTo(batch, MAX_TOGETHER);
+            for (Event event : batch) {
+                if (event == END) {
+                    print(lines);
+                    return;
                 }
-                print(lines);
-                printed(batch);
-                batch.clear();
+                lines.append(event).append('\n');
             }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+            print(lines);
+            printed(batch);
+            batch.clear();
         }
     }
 
@@ -107,10 +103,6 @@ final class EventOutputQueue implements AutoCloseable {
     @Override
     public void close() {
         queue.offer(END);
-        try {
-            thread.join(DRAIN_MILLIS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        DaemonThread.join(thread, DRAIN_MILLIS);
     }
 }

@@ -10,6 +10,7 @@ import javax.sound.sampled.LineUnavailableException;
 import javax.sound.sampled.TargetDataLine;
 import simgsm.speech.AudioInput;
 import simgsm.speech.PcmFrames;
+import simgsm.thread.DaemonThread;
 
 /**
  * The input of the system's default sound device. Its own thread reads, because reading blocks. Two frames wait before
@@ -42,9 +43,7 @@ public final class Microphone implements AudioInput {
 
     Microphone(Lines lines) throws IOException {
         line = started(lines);
-        Thread reader = new Thread(this::run, "microphone");
-        reader.setDaemon(true);
-        reader.start();
+        DaemonThread.start("microphone", this::run);
     }
 
     /** An open line that takes sound. */

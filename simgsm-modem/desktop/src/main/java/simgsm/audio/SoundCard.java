@@ -12,6 +12,7 @@ import simgsm.speech.AudioOutput;
 import simgsm.speech.OnDemandAudioOutput;
 import simgsm.speech.Resampler;
 import simgsm.speech.SpeechCodec;
+import simgsm.thread.DaemonThread;
 
 /**
  * The system's default sound device. Its own thread opens and writes it, because both may block. Samples are dropped
@@ -35,7 +36,7 @@ public final class SoundCard implements AudioOutput {
     private static final short[] END = {};
 
     private final BlockingQueue<short[]> queue = new ArrayBlockingQueue<>(QUEUE_FRAMES);
-    private final Thread player = new Thread(this::run, "sound-card");
+    private final Thread player = DaemonThread.of("sound-card", this::run);
     private final Lines lines;
     private final System.Logger log;
     private final int retryMillis;
@@ -80,7 +81,6 @@ public final class SoundCard implements AudioOutput {
         this.lines = lines;
         this.log = log;
         this.retryMillis = retryMillis;
-        player.setDaemon(true);
         player.start();
     }
 
@@ -108,7 +108,7 @@ public final class SoundCard implements AudioOutput {
         queue.offer(END);
     }
 
-    private void run() {
+    private void run() throws InterruptedException {
         try {
             while (!closed) {
                 openAndPlay();
@@ -116,8 +116,6 @@ public final class SoundCard implements AudioOutput {
                 // Without a device only the end is queued.
                 queue.poll(retryMillis, TimeUnit.MILLISECONDS);
             }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         } finally {
             audible = false;
         }

@@ -14,6 +14,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import simgsm.net.Acceptor;
 import simgsm.net.ConnectionLimits;
 import simgsm.net.ReachableAddresses;
+import simgsm.thread.DaemonThread;
 
 /**
  * A port for HTTP and, at given paths, WebSockets. HTTP is served by at most 512 threads, which end after 10 s
@@ -96,11 +97,12 @@ public final class WebPort implements AutoCloseable {
         this.address = server.getAddress();
         AtomicInteger count = new AtomicInteger();
         workers = new ThreadPoolExecutor(
-                0, MOST_WORKERS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), work -> {
-                    Thread thread = new Thread(work, "http " + count.incrementAndGet());
-                    thread.setDaemon(true);
-                    return thread;
-                });
+                0,
+                MOST_WORKERS,
+                IDLE_SECONDS,
+                TimeUnit.SECONDS,
+                new SynchronousQueue<>(),
+                work -> DaemonThread.of("http " + count.incrementAndGet(), work::run));
         server.setExecutor(workers);
         server.createContext("/", pages).getFilters().add(writeLimit);
     }

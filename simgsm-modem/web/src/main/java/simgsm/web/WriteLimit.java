@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import simgsm.thread.DaemonThread;
 
 /**
  * Ends every answer that its client does not read: a write of up to 8 KiB that exceeds the limit is interrupted, and
@@ -20,11 +21,10 @@ final class WriteLimit extends Filter implements AutoCloseable {
     /** Start of each thread's write, by {@link System#nanoTime}. */
     private final Map<Thread, Long> writing = new ConcurrentHashMap<>();
 
-    private final Thread watchdog = new Thread(this::watch, "http write limit");
+    private final Thread watchdog = DaemonThread.of("http write limit", this::watch);
 
     WriteLimit(long limitNanos) {
         this.limitNanos = limitNanos;
-        watchdog.setDaemon(true);
     }
 
     void start() {
@@ -47,18 +47,13 @@ final class WriteLimit extends Filter implements AutoCloseable {
         return new LimitedOutput(out);
     }
 
-    private void watch() {
-        try {
-            while (true) {
-                Thread.sleep(CHECK_MILLIS);
-                long now = System.nanoTime();
-                for (Thread thread : writing.keySet()) {
-                    writing.computeIfPresent(
-                            thread, (writer, since) -> interruptLate(writer, now - since) ? null : since);
-                }
+    private void watch() throws InterruptedException {
+        while (true) {
+            Thread.sleep(CHECK_MILLIS);
+            long now = System.nanoTime();
+            for (Thread thread : writing.keySet()) {
+                writing.computeIfPresent(thread, (writer, since) -> interruptLate(writer, now - since) ? null : since);
             }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
         }
     }
 

@@ -11,6 +11,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.thread.DaemonThread;
 import simrobot.app.WorldFile;
 import simrobot.control.SimRobot;
 import simrobot.p2os.SimulatorRequests;
@@ -41,16 +42,10 @@ public final class ClientRequests implements SimulatorRequests {
                 IDLE_SECONDS,
                 TimeUnit.SECONDS,
                 new ArrayBlockingQueue<>(KEPT_REQUESTS),
-                ClientRequests::thread,
+                reading -> DaemonThread.of("world for a P2OS client", reading::run),
                 new ThreadPoolExecutor.DiscardOldestPolicy());
         newest.allowCoreThreadTimeOut(true);
         worker = newest;
-    }
-
-    private static Thread thread(Runnable reading) {
-        Thread thread = new Thread(reading, "world for a P2OS client");
-        thread.setDaemon(true);
-        return thread;
     }
 
     /** True if no robot executes an order, so that a client may change the world; on the simulation's thread. */

@@ -7,6 +7,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import simgsm.thread.DaemonThread;
 import simrobot.control.FileExports;
 import simrobot.simulation.PacedThread;
 import simrobot.ui.OperatorActions;
@@ -31,7 +32,7 @@ public abstract class SessionModel implements OperatorActions, AutoCloseable {
             0,
             TimeUnit.SECONDS,
             new LinkedBlockingQueue<>(),
-            SessionModel::daemon,
+            acts -> DaemonThread.of("window worker", acts::run),
             new ThreadPoolExecutor.DiscardPolicy());
 
     private volatile String notice = "";
@@ -42,12 +43,6 @@ public abstract class SessionModel implements OperatorActions, AutoCloseable {
         this.session = session;
         this.refusals = refusals;
         exports = new FileExports(tracks, new WorldPictures());
-    }
-
-    private static Thread daemon(Runnable acts) {
-        Thread thread = new Thread(acts, "window worker");
-        thread.setDaemon(true);
-        return thread;
     }
 
     final Executor worker() {

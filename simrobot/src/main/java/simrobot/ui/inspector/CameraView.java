@@ -7,12 +7,12 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import javax.accessibility.AccessibleRole;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
+import simgsm.thread.DaemonThread;
 import simgsm.ui.Drawing;
 import simgsm.ui.PaintedComponent;
 import simgsm.ui.Theme;
@@ -116,11 +116,7 @@ public final class CameraView extends PaintedComponent {
     public void addNotify() {
         super.addNotify();
         drawing = false;
-        executor = Executors.newSingleThreadExecutor(work -> {
-            Thread thread = new Thread(work, "camera");
-            thread.setDaemon(true);
-            return thread;
-        });
+        executor = DaemonThread.executor("camera");
     }
 
     @Override

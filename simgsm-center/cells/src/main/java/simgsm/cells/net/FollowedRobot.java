@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import simgsm.cells.town.TownPlace;
+import simgsm.thread.DaemonThread;
 
 /**
  * Reads the pose of a robot from a SimRobot's web server twice a second, on a separate thread.
@@ -57,12 +58,10 @@ public record FollowedRobot(String number, URL url, double scale) {
      * @param moved receives each new place
      */
     public void start(Consumer<TownPlace> moved) {
-        Thread thread = new Thread(() -> follow(moved), "pose of " + number);
-        thread.setDaemon(true);
-        thread.start();
+        DaemonThread.start("pose of " + number, () -> follow(moved));
     }
 
-    private void follow(Consumer<TownPlace> moved) {
+    private void follow(Consumer<TownPlace> moved) throws InterruptedException {
         boolean isFailureLogged = false;
         TownPlace last = null;
         while (!Thread.currentThread().isInterrupted()) {
@@ -79,11 +78,7 @@ public record FollowedRobot(String number, URL url, double scale) {
                     isFailureLogged = true;
                 }
             }
-            try {
-                Thread.sleep(PERIOD_MILLIS);
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
+            Thread.sleep(PERIOD_MILLIS);
         }
     }
 

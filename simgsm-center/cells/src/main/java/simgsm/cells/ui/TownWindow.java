@@ -4,12 +4,12 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.ResourceBundle;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import javax.swing.SwingUtilities;
 import simgsm.cells.radio.Propagation;
 import simgsm.cells.snapshot.TownActions;
 import simgsm.cells.snapshot.TownSnapshot;
 import simgsm.console.TextBundle;
+import simgsm.thread.DaemonThread;
 import simgsm.ui.SnapshotPoller;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.ProgramWindow;
@@ -32,11 +32,7 @@ public final class TownWindow {
      * @param propagation of that town, with the core's seed
      */
     public static ProgramWindow.Content content(TownActions town, Propagation propagation, Locale language) {
-        ExecutorService worker = Executors.newSingleThreadExecutor(action -> {
-            Thread thread = new Thread(action, "coverage");
-            thread.setDaemon(true);
-            return thread;
-        });
+        ExecutorService worker = DaemonThread.executor("coverage");
         TextBundle texts = texts(language);
         TownSnapshot first = town.snapshot();
         TownPanel panel = new TownPanel(texts, town, first, propagation, worker, SwingUtilities::invokeLater);

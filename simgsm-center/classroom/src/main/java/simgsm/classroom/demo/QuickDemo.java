@@ -11,6 +11,7 @@ import simgsm.console.ExitStatus;
 import simgsm.console.Program;
 import simgsm.console.ProgramFolder;
 import simgsm.console.QuickStart;
+import simgsm.thread.DaemonThread;
 
 /**
  * Starts the demo's centre in a second Java process with the options of {@link QuickStart}, which a jar's manifest
@@ -119,22 +120,18 @@ public final class QuickDemo {
 
     /** The console's commands, and the end of the input. */
     private static void passInput(Process second) {
-        Thread reader = new Thread(
-                () -> {
-                    try {
-                        OutputStream input = second.getOutputStream();
-                        byte[] block = new byte[BLOCK];
-                        for (int count = System.in.read(block); count >= 0; count = System.in.read(block)) {
-                            input.write(block, 0, count);
-                            input.flush();
-                        }
-                        input.close();
-                    } catch (IOException e) {
-                        second.destroy();
-                    }
-                },
-                "input");
-        reader.setDaemon(true);
-        reader.start();
+        DaemonThread.start("input", () -> {
+            try {
+                OutputStream input = second.getOutputStream();
+                byte[] block = new byte[BLOCK];
+                for (int count = System.in.read(block); count >= 0; count = System.in.read(block)) {
+                    input.write(block, 0, count);
+                    input.flush();
+                }
+                input.close();
+            } catch (IOException e) {
+                second.destroy();
+            }
+        });
     }
 }

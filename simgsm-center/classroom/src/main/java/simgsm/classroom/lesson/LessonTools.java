@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import simgsm.center.app.ChildPrograms;
 import simgsm.console.Event;
+import simgsm.thread.DaemonThread;
 
 /** Runs tools in the folder of a lesson and converts their output to events. */
 final class LessonTools {
@@ -87,9 +88,7 @@ final class LessonTools {
      */
     static Printed ended(Process process, long seconds) throws IOException, InterruptedException {
         FutureTask<byte[]> output = new FutureTask<>(() -> read(process.getInputStream()));
-        Thread reader = new Thread(output, "output of a tool");
-        reader.setDaemon(true);
-        reader.start();
+        DaemonThread.start("output of a tool", output::run);
         try {
             if (!process.waitFor(seconds, TimeUnit.SECONDS)) {
                 throw new IOException("a tool has not ended within " + seconds + " s");

@@ -9,7 +9,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.stream.Stream;
 import simgsm.air.Msisdn;
@@ -33,6 +32,7 @@ import simgsm.lesson.LessonLibrary;
 import simgsm.lesson.LessonProgram;
 import simgsm.lesson.LessonRun;
 import simgsm.lesson.LessonTexts;
+import simgsm.thread.DaemonThread;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
 import simgsm.ui.window.Display;
@@ -62,11 +62,7 @@ public final class WindowedLesson implements LessonActions, LessonSession.Watche
     private final LessonSession session;
     private final ProgramWindow window;
     /** Performs actions in order; the first one starts the programs. */
-    private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> {
-        Thread thread = new Thread(task, "lesson");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ExecutorService worker = DaemonThread.executor("lesson");
 
     private volatile LessonView view;
     private volatile String notice = "";

@@ -4,6 +4,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import simgsm.thread.DaemonThread;
 
 /** The console of a started program: writes commands; its own thread reads the printed lines. */
 public final class ProgramConsole {
@@ -24,9 +25,7 @@ public final class ProgramConsole {
         this.process = process;
         this.commands = process.outputWriter(StandardCharsets.UTF_8);
         this.listener = listener;
-        Thread reader = new Thread(this::read, "console of " + name);
-        reader.setDaemon(true);
-        reader.start();
+        DaemonThread.start("console of " + name, this::read);
     }
 
     public Process process() {

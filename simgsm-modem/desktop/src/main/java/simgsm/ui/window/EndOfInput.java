@@ -2,6 +2,7 @@ package simgsm.ui.window;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import simgsm.thread.DaemonThread;
 
 /** The end of standard input, held open by the program that started this one. */
 final class EndOfInput {
@@ -9,17 +10,13 @@ final class EndOfInput {
 
     /** Performs the act on its own thread when the input has ended or failed. */
     static void then(Runnable act) {
-        Thread reader = new Thread(
-                () -> {
-                    try {
-                        System.in.transferTo(OutputStream.nullOutputStream());
-                    } catch (IOException e) {
-                        // a failed input has ended, too
-                    }
-                    act.run();
-                },
-                "end of input");
-        reader.setDaemon(true);
-        reader.start();
+        DaemonThread.start("end of input", () -> {
+            try {
+                System.in.transferTo(OutputStream.nullOutputStream());
+            } catch (IOException e) {
+                // a failed input has ended, too
+            }
+            act.run();
+        });
     }
 }

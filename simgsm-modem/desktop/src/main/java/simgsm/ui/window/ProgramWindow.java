@@ -29,6 +29,7 @@ import simgsm.console.UnavailableException;
 import simgsm.console.UsageException;
 import simgsm.draw.Appearance;
 import simgsm.lesson.LessonLibrary;
+import simgsm.thread.DaemonThread;
 import simgsm.ui.CommandGroup;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Symbol;
@@ -174,20 +175,16 @@ public final class ProgramWindow {
         if (arguments.has("end-with-input")) {
             onLesson(name -> console.emit(Event.of("lesson").with("name", name)));
         }
-        Thread thread = new Thread(
-                () -> {
-                    try {
-                        Program.runConsole(console, arguments, commands);
-                    } catch (InterruptedException e) {
-                        Thread.currentThread().interrupt();
-                    } catch (Exception e) {
-                        LOG.log(System.Logger.Level.WARNING, "the console has ended: {0}", Program.describe(e));
-                    }
-                    close();
-                },
-                "console");
-        thread.setDaemon(true);
-        thread.start();
+        DaemonThread.start("console", () -> {
+            try {
+                Program.runConsole(console, arguments, commands);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            } catch (Exception e) {
+                LOG.log(System.Logger.Level.WARNING, "the console has ended: {0}", Program.describe(e));
+            }
+            close();
+        });
     }
 
     /** Ends {@link #show}; any thread. */

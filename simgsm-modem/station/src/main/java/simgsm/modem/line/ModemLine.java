@@ -16,6 +16,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import simgsm.net.ByteLine;
 import simgsm.net.SelectorLoop;
+import simgsm.thread.DaemonThread;
 
 /**
  * Line and clock of a modem's core. Serial lines block, so one thread connects and reads, and one writes; a third
@@ -97,31 +98,14 @@ public final class ModemLine implements AutoCloseable {
         this.first = first;
         originNanos = first == null ? System.nanoTime() : first.originNanos;
         loop = first == null ? new SelectorLoop(name) : first.loop;
-        reader = thread(name + " reader", this::keepOpen);
-        writer = thread(name + " writer", this::write);
+        reader = DaemonThread.of(name + " reader", this::keepOpen);
+        writer = DaemonThread.of(name + " writer", this::write);
     }
 
     /** Sets the core, before the start. @return the core */
     public <P extends Party> P attach(P core) {
         party = core;
         return core;
-    }
-
-    private interface Work {
-        void run() throws InterruptedException;
-    }
-
-    private static Thread thread(String name, Work work) {
-        Runnable interruptible = () -> {
-            try {
-                work.run();
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-            }
-        };
-        Thread thread = new Thread(interruptible, name);
-        thread.setDaemon(true);
-        return thread;
     }
 
     /** Starts the threads and opens the line. */
@@ -275,13 +259,7 @@ public final class ModemLine implements AutoCloseable {
     @Override
     public void close() {
         end();
-        try {
-            if (writer.isAlive()) {
-                writer.join(GOODBYE_MILLIS);
-            }
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        DaemonThread.join(writer, GOODBYE_MILLIS);
         closing.countDown();
         drop();
         if (first == null) {

@@ -1,0 +1,2 @@
+/** Threads of the programs' shells; the cores have none. */
+package simgsm.thread;
