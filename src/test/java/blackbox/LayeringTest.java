@@ -47,9 +47,9 @@ class LayeringTest {
             simgsm.trace             : simgsm.octets simgsm.air simgsm.abis simgsm.sms simgsm.ss
             simgsm.speech            :
             simgsm.tone              : simgsm.speech
-            simgsm.words             : simgsm.speech
-            simgsm.dtmf              : simgsm.speech simgsm.tone simgsm.words
-            simgsm.scope             : simgsm.tone simgsm.dtmf
+            simgsm.words             : simgsm.speech simgsm.tone
+            simgsm.dtmf              : simgsm.speech simgsm.tone
+            simgsm.scope             : simgsm.tone simgsm.dtmf simgsm.words
             simgsm.console           : simgsm.event simgsm.file simgsm.thread
             simgsm.lesson            : simgsm.file simgsm.console
             simgsm.web               : simgsm.file simgsm.timer simgsm.net simgsm.event simgsm.console simgsm.thread
@@ -57,7 +57,7 @@ class LayeringTest {
             simgsm.draw              :
             simgsm.ui                : simgsm.console simgsm.draw
             simgsm.ui.pane           : simgsm.console simgsm.draw simgsm.ui
-            simgsm.ui.file           :
+            simgsm.ui.file           : simgsm.ui
             simgsm.ui.glossary       : simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane
             simgsm.ui.lesson         : simgsm.console simgsm.draw simgsm.lesson simgsm.ui simgsm.ui.glossary simgsm.ui.pane
             simgsm.ui.scope          : simgsm.console simgsm.draw simgsm.dtmf simgsm.scope simgsm.speech simgsm.tone simgsm.words simgsm.ui simgsm.ui.glossary
@@ -81,7 +81,7 @@ class LayeringTest {
             simgsm.tools             : simgsm.file simgsm.octets simgsm.air simgsm.sms simgsm.trace simgsm.tone simgsm.dtmf simgsm.speech simgsm.words simgsm.console simgsm.station simgsm.tools.audio simgsm.tools.load
             simgsm.phone.store       : simgsm.event simgsm.air simgsm.sim simgsm.station.context
             simgsm.phone.screen      : simgsm.air simgsm.sim simgsm.ss simgsm.dtmf simgsm.speech simgsm.draw simgsm.station.context simgsm.phone.store
-            simgsm.phone.handset     : simgsm.event simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.words simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
+            simgsm.phone.handset     : simgsm.event simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.scope simgsm.speech simgsm.words simgsm.station simgsm.station.context simgsm.phone.store simgsm.phone.screen
             simgsm.phone.ui          : simgsm.ss simgsm.air simgsm.sim simgsm.sms simgsm.tone simgsm.dtmf simgsm.speech simgsm.station simgsm.console simgsm.draw simgsm.ui simgsm.ui.window simgsm.ui.scope simgsm.phone.store simgsm.phone.screen simgsm.phone.handset
             simgsm.phone             : simgsm.file simgsm.octets simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.air simgsm.sim simgsm.sms simgsm.ss simgsm.tone simgsm.dtmf simgsm.speech simgsm.audio simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.ui.window simgsm.phone.store simgsm.phone.screen simgsm.phone.handset simgsm.phone.ui simgsm.thread
             simgsm.center.subscriber : simgsm.air simgsm.sim simgsm.ss
@@ -144,12 +144,12 @@ class LayeringTest {
             simrobot.drawing         : vericommand simgsm.draw simrobot.behaviour simrobot.world simrobot.robot simrobot.simulation
             simrobot.http            : simgsm.timer simgsm.web vericommand simgsm.console simgsm.draw simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.drawing simgsm.thread
             simrobot.ros             : simgsm.net simgsm.web vericommand simrobot.robot simrobot.simulation simrobot.camera simgsm.thread
-            simrobot.control         : simgsm.event simgsm.file simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.speech simgsm.words simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simgsm.modem.line simrobot.behaviour simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer simgsm.thread
-            simrobot.ui              : vericommand simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.file simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
+            simrobot.control         : simgsm.event simgsm.file simgsm.modem.at simgsm.modem.at.command simgsm.modem.at.port simgsm.net vericommand simgsm.air simgsm.sim simgsm.tone simgsm.dtmf simgsm.scope simgsm.speech simgsm.words simgsm.console simgsm.station simgsm.station.context simgsm.station.mobility simgsm.station.call simgsm.modem simgsm.modem.client simgsm.modem.line simrobot.behaviour simrobot.process simrobot.route simrobot.world simrobot.robot simrobot.simulation simrobot.camera simrobot.pioneer simgsm.thread
+            simrobot.ui              : vericommand simgsm.tone simgsm.dtmf simgsm.scope simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.file simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.replay simrobot.control
             simrobot.ui.floor        : vericommand simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.control simrobot.ui
             simrobot.ui.editor       : simgsm.console simgsm.draw simgsm.ui simrobot.world simrobot.editor simrobot.robot simrobot.simulation simrobot.drawing simrobot.ui simrobot.ui.floor
             simrobot.ui.replay       : simrobot.drawing simgsm.console simgsm.draw simgsm.ui simrobot.replay simrobot.ui
-            simrobot.ui.telephone    : vericommand simgsm.air simgsm.tone simgsm.dtmf simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.scope simrobot.ui
+            simrobot.ui.telephone    : vericommand simgsm.air simgsm.tone simgsm.dtmf simgsm.scope simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.scope simrobot.ui
             simrobot.ui.inspector    : vericommand simgsm.modem simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simgsm.thread
             simrobot.ui.panel        : vericommand simgsm.air simgsm.speech simgsm.station simgsm.station.call simgsm.console simgsm.draw simgsm.ui simgsm.ui.pane simgsm.ui.file simgsm.ui.window simgsm.ui.scope simrobot.process simrobot.world simrobot.robot simrobot.simulation simrobot.drawing simrobot.camera simrobot.control simrobot.ui simrobot.ui.floor simrobot.ui.editor simrobot.ui.replay simrobot.ui.telephone simrobot.ui.inspector
             simrobot.app             : simgsm.file simgsm.air simgsm.audio simgsm.console simgsm.modem simgsm.modem.client simgsm.net simgsm.sim simgsm.speech simgsm.station simgsm.words simrobot.bitmap simrobot.control simrobot.pioneer simrobot.process simrobot.replay simrobot.robot simrobot.simulation simrobot.source simrobot.world vericommand

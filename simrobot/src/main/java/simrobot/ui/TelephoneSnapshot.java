@@ -1,6 +1,6 @@
 package simrobot.ui;
 
-import simgsm.dtmf.ToneTrace;
+import simgsm.scope.ToneTrace;
 import simgsm.station.StationSnapshot;
 import simgsm.station.call.MobileCallTable.MobileCallState;
 import vericommand.VeriCommandSnapshot;

@@ -14,8 +14,6 @@ final class DigitTracker {
     private static final int LEAST_RUN = 2;
     /** A key prominent for longer but not accepted is examined every fourth hop only. */
     private static final int OFTEN = 14;
-    /** Hops without prominence survived by a run: one look of the gate, blinded by an interruption of 10 ms. */
-    private static final int MOST_MISSED = 4;
     /**
      * Evidence of silence that ends a digit, half a hop per hop: 21 ms. Holes of 20 ms are bridged, pauses of 25 ms
      * are not.
@@ -143,7 +141,8 @@ final class DigitTracker {
 
     private void miss() {
         missed++;
-        if (missed > MOST_MISSED) {
+        // an interruption of 10 ms may blind one look of the gate
+        if (missed > ToneGate.EVERY) {
             run = 0;
             conclude();
         }
@@ -164,7 +163,7 @@ final class DigitTracker {
 
     private boolean isDue(long hop) {
         return hop >= nextLook
-                && (run <= OFTEN || hop % 4 == 0)
+                && (run <= OFTEN || hop % ToneGate.EVERY == 0)
                 && (current == null || current.key().ordinal() != runKey);
     }
 

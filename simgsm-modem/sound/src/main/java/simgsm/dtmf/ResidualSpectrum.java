@@ -1,6 +1,7 @@
 package simgsm.dtmf;
 
 import java.util.Arrays;
+import simgsm.tone.FourierTransform;
 
 /**
  * The sound besides two tones between 560 and 3500 Hz and at the pitch of voices: the spectrum of the last 28 ms, and for comparison of the 28

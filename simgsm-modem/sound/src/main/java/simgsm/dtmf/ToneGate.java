@@ -22,11 +22,9 @@ final class ToneGate {
 
     private static final int GROUP = GoertzelBank.GROUP;
 
-    private static final int BLOCKS = 7;
-
-    private static final GoertzelBank.Window HANN = new GoertzelBank.Window(IntStream.range(0, BLOCKS)
-            .mapToDouble(j -> (1 - Math.cos(2 * Math.PI * (j + 0.5) / BLOCKS)) / BLOCKS)
-            .toArray());
+    private static final GoertzelBank.Window LOOK = hann(7);
+    /** For bars: leaks 4 to 8 dB less into the neighbours, and takes longer. */
+    private static final GoertzelBank.Window LEVELS = hann(8);
 
     private final double[] perGain = new double[GoertzelBank.TONES];
     private final double[] power = new double[GoertzelBank.TONES];
@@ -37,13 +35,19 @@ final class ToneGate {
         }
     }
 
+    private static GoertzelBank.Window hann(int blocks) {
+        return new GoertzelBank.Window(IntStream.range(0, blocks)
+                .mapToDouble(j -> (1 - Math.cos(2 * Math.PI * (j + 0.5) / blocks)) / blocks)
+                .toArray());
+    }
+
     /** Tests the blocks up to one. @return ordinal of the prominent key, or -1 */
     int look(GoertzelBank bank, long hop) {
-        int row = strongest(bank, hop, 0);
+        int row = strongest(bank, hop, 0, LOOK);
         if (power[row] < FLOOR || !standsOut(row)) {
             return -1;
         }
-        int column = strongest(bank, hop, GROUP);
+        int column = strongest(bank, hop, GROUP, LOOK);
         double weaker = Math.min(power[row], power[column]);
         boolean found =
                 standsOut(column) && weaker > FLOOR && Math.max(power[row], power[column]) < MOST_TWIST * weaker;
@@ -52,8 +56,8 @@ final class ToneGate {
 
     /** The newest tones, and their required levels. */
     ToneLevels levels(GoertzelBank bank) {
-        double row = Math.sqrt(power[strongest(bank, bank.hops() - 1, 0)]);
-        double column = Math.sqrt(power[strongest(bank, bank.hops() - 1, GROUP)]);
+        double row = Math.sqrt(power[strongest(bank, bank.hops() - 1, 0, LEVELS)]);
+        double column = Math.sqrt(power[strongest(bank, bank.hops() - 1, GROUP, LEVELS)]);
         double[] amplitudes = new double[GoertzelBank.TONES];
         for (int k = 0; k < GoertzelBank.TONES; k++) {
             amplitudes[k] = Math.sqrt(power[k]);
@@ -72,10 +76,10 @@ final class ToneGate {
     }
 
     /** Measures a group. @return its strongest tone */
-    private int strongest(GoertzelBank bank, long hop, int group) {
+    private int strongest(GoertzelBank bank, long hop, int group, GoertzelBank.Window window) {
         int best = group;
         for (int k = group; k < group + GROUP; k++) {
-            power[k] = perGain[k] * bank.measure(k, hop, HANN);
+            power[k] = perGain[k] * bank.measure(k, hop, window);
             best = power[k] > power[best] ? k : best;
         }
         return best;

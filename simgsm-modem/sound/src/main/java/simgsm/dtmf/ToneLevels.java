@@ -1,6 +1,7 @@
 package simgsm.dtmf;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 import simgsm.tone.ToneLevel;
 
 /**
@@ -14,23 +15,21 @@ public final class ToneLevels {
     /** Silence before a receiver that requires nothing. */
     public static final ToneLevels SILENCE = new ToneLevels(new double[8], FLOOR_DBM0, FLOOR_DBM0, tone -> false);
 
-    /** True if a tone is prominent in its group. */
-    interface Peaks {
-        boolean standsOut(int tone);
-    }
-
     private final double[] dbm0;
     private final double leastRowDbm0;
     private final double leastColumnDbm0;
     private final boolean[] counts = new boolean[8];
 
-    /** @param amplitudes peaks in sample units, by tone */
-    ToneLevels(double[] amplitudes, double leastRowDbm0, double leastColumnDbm0, Peaks peaks) {
+    /**
+     * @param amplitudes peaks in sample units, by tone
+     * @param isProminent true for a tone that is prominent in its group
+     */
+    ToneLevels(double[] amplitudes, double leastRowDbm0, double leastColumnDbm0, IntPredicate isProminent) {
         dbm0 = Arrays.stream(amplitudes).map(ToneLevels::level).toArray();
         this.leastRowDbm0 = leastRowDbm0;
         this.leastColumnDbm0 = leastColumnDbm0;
         for (int tone = 0; tone < 8; tone++) {
-            counts[tone] = dbm0[tone] > leastDbm0(tone) && peaks.standsOut(tone);
+            counts[tone] = dbm0[tone] > leastDbm0(tone) && isProminent.test(tone);
         }
     }
 

@@ -4,7 +4,6 @@ import java.util.Optional;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneLevels;
-import simgsm.dtmf.ToneTrace;
 
 /**
  * A student reads keys off the picture: each detected key is hidden, and the picture of its tones at their strongest

@@ -3,8 +3,6 @@ package simgsm.scope;
 import java.util.SplittableRandom;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
-import simgsm.dtmf.ToneTrace;
-import simgsm.dtmf.ToneTracer;
 import simgsm.tone.ToneExperiment;
 
 /** Tones of random keys for practice without a call, played to the scope only. Not thread-safe. */

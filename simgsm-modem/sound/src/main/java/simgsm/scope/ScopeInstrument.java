@@ -1,7 +1,5 @@
 package simgsm.scope;
 
-import simgsm.dtmf.ToneTrace;
-
 /**
  * The state of a tone scope: the trace shown, and the way it is shown. Traces arrive at any rate; a frozen scope
  * keeps its trace, and asks for no further key. Not thread-safe.

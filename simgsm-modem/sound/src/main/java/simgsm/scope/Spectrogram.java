@@ -1,6 +1,6 @@
 package simgsm.scope;
 
-import simgsm.dtmf.FourierTransform;
+import simgsm.tone.FourierTransform;
 
 /**
  * The power of a sound over time and frequency: spectra of 256 samples under a Hann window, 31.25 Hz apart, a spectrum every

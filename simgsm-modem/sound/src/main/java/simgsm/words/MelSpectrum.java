@@ -1,5 +1,7 @@
 package simgsm.words;
 
+import simgsm.tone.FourierTransform;
+
 /**
  * The spectrum of a frame of speech on the mel scale as in ETSI ES 201 108, 4.2: pre-emphasis 0.97, Hamming window,
  * Fourier transform of 256 points, magnitudes in {@value #BANDS} triangular bands from 64 to 4 000 Hz. Any thread may use
@@ -10,7 +12,7 @@ final class MelSpectrum {
     /** Samples of a frame, 25 ms. */
     static final int FRAME = 200;
 
-    private static final int SIZE = 256;
+    private static final int SIZE = FourierTransform.SIZE;
     private static final double PRE_EMPHASIS = 0.97;
     static final double LOWEST_HERTZ = 64;
     private static final double HIGHEST_HERTZ = 4000;
@@ -21,16 +23,9 @@ final class MelSpectrum {
     /** Bins at the centres of the bands, with the edges of the first and the last. */
     private static final int[] CENTERS = new int[BANDS + 2];
 
-    private static final double[] COSINE = new double[SIZE];
-    private static final double[] SINE = new double[SIZE];
-
     static {
         for (int i = 0; i < FRAME; i++) {
             WINDOW[i] = 0.54 - 0.46 * Math.cos(2 * Math.PI * i / (FRAME - 1));
-        }
-        for (int i = 0; i < SIZE; i++) {
-            COSINE[i] = Math.cos(2 * Math.PI * i / SIZE);
-            SINE[i] = -Math.sin(2 * Math.PI * i / SIZE);
         }
         for (int i = 0; i < CENTERS.length; i++) {
             CENTERS[i] = (int) Math.round(hertz(mel(LOWEST_HERTZ) + STEP * i) / 8000 * SIZE);
@@ -52,9 +47,9 @@ final class MelSpectrum {
         double[] re = new double[SIZE];
         double[] im = new double[SIZE];
         for (int i = 0; i < FRAME; i++) {
-            re[Integer.reverse(i) >>> 24] = WINDOW[i] * (samples[i + 1] - PRE_EMPHASIS * samples[i]);
+            re[FourierTransform.reversed(i)] = WINDOW[i] * (samples[i + 1] - PRE_EMPHASIS * samples[i]);
         }
-        transform(re, im);
+        FourierTransform.transform(re, im);
         float[] bands = new float[BANDS];
         for (int k = 1; k <= BANDS; k++) {
             int left = CENTERS[k - 1];
@@ -70,26 +65,5 @@ final class MelSpectrum {
             bands[k - 1] = (float) sum;
         }
         return bands;
-    }
-
-    /** In place, input in bit-reversed order (Cooley and Tukey, radix 2). */
-    private static void transform(double[] re, double[] im) {
-        for (int half = 1; half < SIZE; half *= 2) {
-            int stride = SIZE / 2 / half;
-            for (int first = 0; first < SIZE; first += 2 * half) {
-                for (int i = 0; i < half; i++) {
-                    int a = first + i;
-                    int b = a + half;
-                    double c = COSINE[i * stride];
-                    double s = SINE[i * stride];
-                    double u = re[b] * c - im[b] * s;
-                    double v = im[b] * c + re[b] * s;
-                    re[b] = re[a] - u;
-                    im[b] = im[a] - v;
-                    re[a] += u;
-                    im[a] += v;
-                }
-            }
-        }
     }
 }

@@ -13,8 +13,6 @@ import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.dtmf.DtmfGenerator;
 import simgsm.dtmf.DtmfKey;
 import simgsm.dtmf.ToneLevels;
-import simgsm.dtmf.ToneTrace;
-import simgsm.dtmf.ToneTracer;
 import simgsm.scope.KeyPrediction.Stage;
 import simgsm.scope.ScopeInstrument.Picture;
 import simgsm.tone.ToneExperiment;

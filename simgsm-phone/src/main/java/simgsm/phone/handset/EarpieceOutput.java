@@ -1,8 +1,8 @@
 package simgsm.phone.handset;
 
-import simgsm.dtmf.ToneTrace;
-import simgsm.dtmf.ToneTracer;
 import simgsm.phone.screen.UserSettings;
+import simgsm.scope.ToneTrace;
+import simgsm.scope.ToneTracer;
 import simgsm.speech.AudioOutput;
 import simgsm.speech.CallMixer;
 import simgsm.tone.ToneExperiment;

@@ -5,13 +5,13 @@ import java.util.Map;
 import java.util.Optional;
 import simgsm.air.Msisdn;
 import simgsm.dtmf.DtmfKey;
-import simgsm.dtmf.ToneTrace;
 import simgsm.phone.screen.Screen;
 import simgsm.phone.screen.SoftKeys;
 import simgsm.phone.screen.UserSettings;
 import simgsm.phone.store.Contacts;
 import simgsm.phone.store.MessageFolder;
 import simgsm.phone.store.StoredMessage;
+import simgsm.scope.ToneTrace;
 import simgsm.station.StationSnapshot;
 
 /**

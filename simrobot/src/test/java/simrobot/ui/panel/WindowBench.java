@@ -21,7 +21,7 @@ import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import simgsm.air.Msisdn;
 import simgsm.draw.Ink;
-import simgsm.dtmf.ToneTrace;
+import simgsm.scope.ToneTrace;
 import simgsm.sim.PinLock;
 import simgsm.speech.SpeechCodec;
 import simgsm.station.StationSnapshot;

@@ -8,7 +8,7 @@ import javax.accessibility.AccessibleRole;
 import simgsm.console.TextBundle;
 import simgsm.draw.Ink;
 import simgsm.dtmf.KeyCandidate;
-import simgsm.dtmf.ReceiverTrace;
+import simgsm.scope.ReceiverTrace;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Drawing;
 import simgsm.ui.PaintedComponent;

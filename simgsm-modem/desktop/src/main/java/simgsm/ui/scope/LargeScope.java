@@ -20,7 +20,7 @@ import javax.swing.KeyStroke;
 import javax.swing.RootPaneContainer;
 import javax.swing.SwingUtilities;
 import simgsm.draw.Ink;
-import simgsm.dtmf.ToneTrace;
+import simgsm.scope.ToneTrace;
 import simgsm.ui.DesktopTexts;
 import simgsm.ui.Theme;
 import simgsm.ui.UserAction;

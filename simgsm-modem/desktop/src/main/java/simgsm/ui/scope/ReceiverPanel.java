@@ -10,7 +10,7 @@ import javax.swing.ButtonGroup;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import simgsm.console.TextBundle;
-import simgsm.dtmf.ToneTrace;
+import simgsm.scope.ToneTrace;
 import simgsm.ui.Arrange;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.DesktopTexts;

@@ -1,8 +1,8 @@
 package simgsm.ui.scope;
 
 import java.util.function.Function;
-import simgsm.dtmf.ReceiverTrace;
-import simgsm.dtmf.ToneTrace;
+import simgsm.scope.ReceiverTrace;
+import simgsm.scope.ToneTrace;
 
 /** The two receivers of a tone scope. */
 enum ShownReceiver {

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import simgsm.draw.Appearance;
 import simgsm.draw.Ink;
-import simgsm.dtmf.ToneTracer;
+import simgsm.scope.ToneTracer;
 import simgsm.ui.ComponentNames;
 import simgsm.ui.Painted;
 import simgsm.ui.Theme;

@@ -1,8 +1,12 @@
-package simgsm.dtmf;
+package simgsm.scope;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import simgsm.dtmf.ClassicReceiver;
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.DtmfReceiver;
+import simgsm.dtmf.ToneLevels;
 import simgsm.tone.Disturber;
 import simgsm.tone.ToneExperiment;
 import simgsm.words.WordComparison;

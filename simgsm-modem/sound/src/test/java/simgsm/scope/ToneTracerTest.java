@@ -1,4 +1,4 @@
-package simgsm.dtmf;
+package simgsm.scope;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -14,12 +14,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import simgsm.dtmf.DtmfGenerator;
+import simgsm.dtmf.DtmfKey;
+import simgsm.dtmf.KeyCandidate;
+import simgsm.dtmf.ToneLevels;
+import simgsm.dtmf.ToneShape;
 import simgsm.speech.SpeechCodec;
 import simgsm.tone.ToneExperiment;
 import simgsm.tone.ToneLevel;
 
 /** What the tone scope measures. */
 class ToneTracerTest {
+    /** The receiver's lowest level, and its largest difference of two tones. */
+    private static final double LEAST_DBM0 = -50;
+
+    private static final double MOST_TWIST_DB = 13;
     private final ToneTracer tracer = new ToneTracer();
     private final DtmfGenerator generator = new DtmfGenerator();
 
@@ -137,18 +146,18 @@ class ToneTracerTest {
     /** The dashed lines mean what they say: just above them a key is heard, below the lowest it is not. */
     @Test
     void theThresholdsAreTheReceivers() {
-        double level = ToneGate.LEAST_DBM0 + 3;
+        double level = LEAST_DBM0 + 3;
         generator.enqueue(DtmfKey.FIVE, ToneShape.STANDARD.withLevel(level));
         pass(10);
         assertEquals(DtmfKey.FIVE, modem().digit().orElseThrow().key());
-        generator.enqueue(DtmfKey.NINE, ToneShape.STANDARD.withLevel(ToneGate.LEAST_DBM0 - 1));
-        generator.enqueue(DtmfKey.NINE, new ToneShape(100, 100, -10, -10 - ToneGate.MOST_TWIST_DB - 1, 0));
+        generator.enqueue(DtmfKey.NINE, ToneShape.STANDARD.withLevel(LEAST_DBM0 - 1));
+        generator.enqueue(DtmfKey.NINE, new ToneShape(100, 100, -10, -10 - MOST_TWIST_DB - 1, 0));
         pass(20);
         assertEquals(DtmfKey.FIVE, modem().digit().orElseThrow().key());
         generator.enqueue(DtmfKey.ZERO, new ToneShape(100, 100, -10, -16, 0));
         pass(4);
-        assertEquals(-16 - ToneGate.MOST_TWIST_DB, levels().leastDbm0(0), 1);
-        assertEquals(-10 - ToneGate.MOST_TWIST_DB, levels().leastDbm0(4), 1);
+        assertEquals(-16 - MOST_TWIST_DB, levels().leastDbm0(0), 1);
+        assertEquals(-10 - MOST_TWIST_DB, levels().leastDbm0(4), 1);
     }
 
     @Test

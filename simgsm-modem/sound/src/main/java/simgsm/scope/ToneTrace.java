@@ -1,6 +1,8 @@
-package simgsm.dtmf;
+package simgsm.scope;
 
 import java.util.Optional;
+import simgsm.dtmf.ClassicReceiver;
+import simgsm.dtmf.ToneLevels;
 import simgsm.tone.ToneExperiment;
 import simgsm.words.WordComparison;
 

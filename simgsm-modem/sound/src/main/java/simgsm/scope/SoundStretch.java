@@ -1,4 +1,4 @@
-package simgsm.dtmf;
+package simgsm.scope;
 
 import java.util.ArrayList;
 import java.util.List;

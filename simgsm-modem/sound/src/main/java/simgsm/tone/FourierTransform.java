@@ -1,4 +1,4 @@
-package simgsm.dtmf;
+package simgsm.tone;
 
 /** A fast Fourier transform of {@value #SIZE} complex values (Cooley and Tukey, radix 2). Any thread may use it. */
 public final class FourierTransform {

@@ -1,4 +1,4 @@
-package simgsm.dtmf;
+package simgsm.scope;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -7,6 +7,11 @@ import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.DtmfListener;
+import simgsm.dtmf.KeyCandidate;
+import simgsm.dtmf.KeyReceiver;
+import simgsm.dtmf.ToneLevels;
 
 /** Runs one receiver for a tone scope and keeps its newest findings. Owned by one thread. */
 final class ReceiverTracer implements DtmfListener {

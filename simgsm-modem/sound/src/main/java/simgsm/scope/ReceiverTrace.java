@@ -1,7 +1,10 @@
-package simgsm.dtmf;
+package simgsm.scope;
 
 import java.util.List;
 import java.util.Optional;
+import simgsm.dtmf.DtmfDigit;
+import simgsm.dtmf.KeyCandidate;
+import simgsm.dtmf.ToneLevels;
 
 /**
  * One receiver's findings on a tone scope's sound. Immutable.

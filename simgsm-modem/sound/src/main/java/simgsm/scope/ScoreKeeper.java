@@ -1,8 +1,9 @@
-package simgsm.dtmf;
+package simgsm.scope;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
+import simgsm.dtmf.DtmfKey;
 
 /** Compares two receivers' decisions; decisions on one key are within 100 ms of each other. */
 final class ScoreKeeper {
