@@ -27,7 +27,7 @@ import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import simgsm.draw.Appearance;
@@ -41,7 +41,7 @@ import simgsm.ui.window.SuiteWindow;
  * clipped or lies over another. {@code -Dface.all=true} takes every size with every zoom, language and theme; otherwise
  * each occurs, but not all together.
  */
-@Isolated("the theme is one for the process")
+@ResourceLock("the theme, which is one for the process")
 class FaceTest {
     private static final double[] ZOOMS = {1, 1.5, 2};
     private static final boolean ALL = Boolean.getBoolean("face.all");

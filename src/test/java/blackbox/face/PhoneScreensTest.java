@@ -29,7 +29,7 @@ import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.parallel.Isolated;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import simgsm.center.subscriber.HomeRegister;
 import simgsm.console.TextBundle;
 import simgsm.draw.Appearance;
@@ -47,7 +47,7 @@ import simgsm.ui.Theme;
  * Every page of the phone that keys reach, found by walking through its menus, in both languages: each text stands whole on
  * the display, and none over another. A user's own words (names, messages) may be cut with a mark.
  */
-@Isolated("the theme is one for the process")
+@ResourceLock("the theme, which is one for the process")
 class PhoneScreensTest {
     /** Keys from the home screen to a page, six at most. */
     private static final int DEEPEST = 6;

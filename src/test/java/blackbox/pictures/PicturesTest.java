@@ -17,9 +17,11 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.ResourceLock;
 import simgsm.draw.Appearance;
 import simgsm.ui.Theme;
 
+@ResourceLock("the theme, which is one for the process")
 class PicturesTest {
     @Test
     void aSessionIsPaintedAlikeAtEveryRun() throws Exception {
