@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,6 +37,7 @@ class VoiceDialogueTest {
     /** A store in memory. */
     private static final class Kept implements VoiceStore {
         final List<String> added = new ArrayList<>();
+        final List<Map.Entry<String, SpokenWord>> words = new ArrayList<>();
         SpeakerTemplates templates = new SpeakerTemplates();
 
         @Override
@@ -46,6 +48,7 @@ class VoiceDialogueTest {
         @Override
         public void add(String caller, String word, int number, SpokenWord template) {
             added.add(caller + " " + word + " " + number);
+            words.add(Map.entry(word, template));
         }
     }
 
@@ -96,6 +99,22 @@ class VoiceDialogueTest {
         }
     }
 
+    /** What a caller has enrolled once for all tests. */
+    private static final class Enrolled {
+        static final List<Map.Entry<String, SpokenWord>> WORDS = words();
+
+        private static List<Map.Entry<String, SpokenWord>> words() {
+            VoiceDialogueTest first = new VoiceDialogueTest();
+            first.enrol();
+            return first.store.words;
+        }
+    }
+
+    private void enrolledCallerCalls() {
+        Enrolled.WORDS.forEach(word -> store.templates.add(word.getKey(), word.getValue()));
+        dialogue.open(CALLER);
+    }
+
     @Test
     void aNewCallerSaysEachWordFourTimesInTwoRounds() {
         enrol();
@@ -119,7 +138,7 @@ class VoiceDialogueTest {
         "forward two turn one, Turn one say yes, **#*#1**"
     })
     void aCommandIsReadBackAndExecutedAfterYesOnly(String words, String readBack, String keys) {
-        enrol();
+        enrolledCallerCalls();
         for (String word : words.split(" ")) {
             speak(word);
         }
@@ -133,7 +152,7 @@ class VoiceDialogueTest {
 
     @Test
     void theKeyHashConfirmsAsYesDoesAndNoAsksForTheCommandAgain() {
-        enrol();
+        enrolledCallerCalls();
         speak("status");
         speak("no");
         assertEquals(List.of(), orders);
@@ -146,7 +165,7 @@ class VoiceDialogueTest {
 
     @Test
     void anyOtherKeyClosesTheEarAndIsNotUsedUp() {
-        enrol();
+        enrolledCallerCalls();
         speak("forward");
         assertFalse(dialogue.key(DtmfKey.STAR));
         assertFalse(dialogue.isOpen());
@@ -157,7 +176,7 @@ class VoiceDialogueTest {
 
     @Test
     void aSilentCallerIsAskedAgainTwiceAndThenSentToTheKeys() {
-        enrol();
+        enrolledCallerCalls();
         silence(30_000);
         assertEquals(
                 List.of(ANY_ORDER, ANY_ORDER, ANY_ORDER, "Use the keys"), said.subList(said.size() - 4, said.size()));
@@ -167,7 +186,7 @@ class VoiceDialogueTest {
     @ParameterizedTest
     @CsvSource({"forward, Say zero to nine", "turn, Say right or zero to nine", "turn right, Say zero to nine"})
     void whoStopsInACommandHearsTheWordsThatMayFollow(String words, String cue) {
-        enrol();
+        enrolledCallerCalls();
         for (String word : words.split(" ")) {
             speak(word);
         }
@@ -177,7 +196,7 @@ class VoiceDialogueTest {
 
     @Test
     void aWordOutsideTheCommandIsRefusedOrAskedAgainAndNothingIsExecuted() {
-        enrol();
+        enrolledCallerCalls();
         speak("not a valid command");
         speak("thousand");
         speak("battery low");
