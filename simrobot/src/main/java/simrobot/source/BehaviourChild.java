@@ -141,8 +141,13 @@ final class BehaviourChild implements ChildProcess.Listener {
             return;
         }
         Optional<BehaviourRequest> request = answer.flatMap(RequestLine::parse);
-        Optional<Decision> decision =
-                answer.filter(found -> isOf(robot, found)).flatMap(found -> decision(found, robot));
+        Optional<Decision> decision = answer.filter(found -> isOf(robot, found))
+                .flatMap(found -> decision(found, robot))
+                .or(() -> answer.filter(found -> isUnreadable(found, robot))
+                        .map(found -> robot.failed(
+                                0,
+                                "go",
+                                "expected go robot=" + robot.number + " speed=NUMBER turn=NUMBER, found " + line)));
         isExplained = decision.isPresent() && decision.get() instanceof Decision.Failed;
         if (decision.isPresent()) {
             robot.answer(decision.get());
@@ -167,6 +172,13 @@ final class BehaviourChild implements ChildProcess.Listener {
         } catch (IllegalArgumentException malformed) {
             return Optional.empty();
         }
+    }
+
+    /** True for a decision without numbers, or of no robot; a second one of another robot is a print. */
+    private static boolean isUnreadable(PipeLine answer, OfRobot robot) {
+        return answer.word().equals("go")
+                && answer.values().containsKey("speed")
+                && (isOf(robot, answer) || !answer.text("robot").matches("[0-9]+"));
     }
 
     @Override

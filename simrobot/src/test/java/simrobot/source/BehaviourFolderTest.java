@@ -474,6 +474,26 @@ class BehaviourFolderTest {
                 asked.stream().filter(each -> !each.equals("Keys[]")).toList());
     }
 
+    @Test
+    void aPythonDecisionThatCannotBeReadIsNamed() throws IOException {
+        Assumptions.assumeTrue(hasPython(), "no python3");
+        Files.writeString(folder.resolve("Mute.py"), """
+                import sys
+                for line in sys.stdin:
+                    if line.startswith("decide"):
+                        print("go")
+                        print("go robot=robot speed=0.2 turn=0")
+                """);
+        open();
+        begin("Mute");
+        runUntilItEnds();
+        assertTrue(
+                ends.get(0)
+                        .startsWith("Mute Failed[line=0, text=expected go robot=1 speed=NUMBER turn=NUMBER,"
+                                + " found go robot=robot speed=0.2 turn=0"),
+                ends.get(0));
+    }
+
     private static boolean hasPython() {
         return Stream.of(System.getenv("PATH").split(File.pathSeparator))
                 .anyMatch(path -> Files.isExecutable(Path.of(path, "python3")));

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import simrobot.behaviour.BehaviourRequest;
 
-/** A request of a process as a line: its word is the name of the record, its values are the components. */
+/** A request of a process as a line: its word is the first of the record's name, its values are the components. */
 public final class RequestLine {
     private static final Map<String, Class<?>> TYPES = Arrays.stream(BehaviourRequest.class.getPermittedSubclasses())
             .collect(Collectors.toMap(RequestLine::word, type -> type));
@@ -33,7 +33,7 @@ public final class RequestLine {
     }
 
     private static String word(Class<?> type) {
-        return type.getSimpleName().toLowerCase(Locale.ROOT);
+        return type.getSimpleName().replaceFirst("(?<=[a-z])[A-Z].*", "").toLowerCase(Locale.ROOT);
     }
 
     /** Returns the request; empty if the line is none, or a value is refused. */
