@@ -1,6 +1,7 @@
 package simgsm.console;
 
 import java.io.IOException;
+import java.math.BigInteger;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
@@ -138,7 +139,7 @@ public final class Arguments {
     /** A whole number within bounds, both included. */
     public long integer(String name, long otherwise, long least, long most) throws UsageException {
         return value(name, text -> {
-                    if (text.matches("-?[0-9]{1,18}")) {
+                    if (text.matches("-?[0-9]{1,19}") && new BigInteger(text).bitLength() < Long.SIZE) {
                         long number = Long.parseLong(text);
                         if (number >= least && number <= most) {
                             return number;

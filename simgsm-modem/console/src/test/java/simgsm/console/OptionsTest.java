@@ -74,6 +74,12 @@ class OptionsTest {
         assertEquals(0, parse("--port", "0").integer("port", 3003, 0, 65535));
         assertEquals(65535, parse("--port", "65535").integer("port", 3003, 0, 65535));
         assertEquals(3003, parse().integer("port", 3003, 0, 65535));
+        for (long bound : new long[] {Long.MIN_VALUE, Long.MAX_VALUE}) {
+            assertEquals(bound, parse("--port=" + bound).integer("port", 0, Long.MIN_VALUE, Long.MAX_VALUE));
+        }
+        UsageException beyond = assertThrows(
+                UsageException.class, () -> parse("--port=9223372036854775808").integer("port", 0, 0, Long.MAX_VALUE));
+        assertTrue(beyond.getMessage().endsWith("found 9223372036854775808"), beyond.getMessage());
         assertEquals(0.1, parse("--speed", ".1").number("speed", 1, 0.01, 1000));
         for (String wrong : List.of("65536", "-1", "x", "1.5", "")) {
             UsageException e = assertThrows(
