@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import javax.tools.Diagnostic;
 import javax.tools.DiagnosticCollector;
@@ -30,6 +31,12 @@ final class BehaviourCompiler {
 
     /** The compiler's code of a missing brace, which it notices at the end of the file. */
     private static final String MISSING_BRACE = "premature.eof";
+
+    /** The code of an import that finds nothing, whose hint fits a file without any import, too. */
+    private static final String MISSING_IMPORT = "doesnt.exist";
+
+    private static final Pattern OWN_CLASS =
+            Pattern.compile("symbol: +(class|variable) (Behaviour|Senses|Steering)\\b");
 
     private final JavaCompiler compiler;
     private final Hints hints;
@@ -88,8 +95,11 @@ final class BehaviourCompiler {
         StringBuilder text = new StringBuilder();
         for (Diagnostic<? extends JavaFileObject> error : errors) {
             text.append(text.isEmpty() ? "" : " | line " + error.getLineNumber() + ": ");
-            String cause = error.getCode().replaceFirst("^compiler\\.err\\.", "");
-            text.append(causes.add(cause) ? hints.with(text(error, name), cause) : text(error, name));
+            String told = text(error, name);
+            String cause = OWN_CLASS.matcher(told).find()
+                    ? MISSING_IMPORT
+                    : error.getCode().replaceFirst("^compiler\\.err\\.", "");
+            text.append(causes.add(cause) ? hints.with(told, cause) : told);
         }
         boolean isBrace = causes.contains(MISSING_BRACE) && lines.unclosed() > 0;
         long line = isBrace ? lines.unclosed() : errors.get(0).getLineNumber();

@@ -78,6 +78,12 @@ class MistakesOfStudentsTest {
                         "if (senses.isBlocked()) {",
                         "return null;"),
                 inDecide("Misspelt", 4, "cannot find symbol", "cant.resolve.location", "return Sterring.STOP;"),
+                new Mistake(
+                        "NoImport",
+                        "public class NoImport implements Behaviour {}\n",
+                        1,
+                        "symbol: class Behaviour",
+                        "doesnt.exist"),
                 inDecide("Kind", 4, "incompatible types", "prob.found.req", "return 0.3;"),
                 inDecide("Semicolon", 4, "';' expected", "expected", "return Steering.STOP"),
                 inDecide("Returns", 5, "missing return", "missing.ret.stmt", "if (senses.isBlocked()) return null;"),
