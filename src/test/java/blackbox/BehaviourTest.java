@@ -42,6 +42,11 @@ class BehaviourTest {
             phone.say("press ** #*0 **");
             phone.expect("tone", "key", "6");
             assertEquals("wander", robot.ask("behaviour", "behaviour").field("value"));
+            assertEquals(
+                    List.of("Moving"),
+                    robot.allSaid("status").stream()
+                            .map(event -> event.field("value"))
+                            .toList());
             phone.say("press ** ### **");
             phone.expect("tone", "key", "3");
             assertEquals("none", robot.ask("behaviour", "behaviour").field("value"));

@@ -114,9 +114,15 @@ public final class RequestedBehaviours implements AutoCloseable {
     }
 
     /**
-     * Reports the loaded processes, and changes from now on; robots continue with the new version of a changed process.
+     * Reports the status of robots that a process moves from the start, the loaded processes, and changes from now on;
+     * robots continue with the new version of a changed process.
      */
     public void start(SimRobot simRobot, Consumer<Event> out) {
+        simRobot.simulation()
+                .withSimulation(owned -> simRobot.robots().stream()
+                        .filter(each -> each.robot().autonomy().isUnfinished())
+                        .forEach(each -> out.accept(
+                                new RobotEvent.StatusChanged(each.robot().status()).line(each.name()))));
         if (folder.isEmpty()) {
             return;
         }
