@@ -34,7 +34,7 @@ final class GoertzelBank {
     private final double[][] older = new double[TONES][HISTORY];
     /** {@code [22 block]}: each block, after the two samples before it. */
     private final short[] recent = new short[WITH_TWO_BEFORE * HISTORY];
-    /** The hop of each block whose columns were filtered; they are filtered when they are first asked for. */
+    /** The hop whose columns each block has; they are filtered when they are first measured: sound without a row needs none. */
     private final long[] columnsOf = new long[HISTORY];
 
     /** The sum measured last. */

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import simrobot.behaviour.BehaviourRequest;
 
-/** A request of a process as a line: its word is the first of the record's name, its values are the components. */
+/** A request of a process as a line: its word is the first one in the record's name, its values are the components. */
 public final class RequestLine {
     private static final Map<String, Class<?>> TYPES = Arrays.stream(BehaviourRequest.class.getPermittedSubclasses())
             .collect(Collectors.toMap(RequestLine::word, type -> type));
