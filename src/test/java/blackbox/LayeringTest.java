@@ -49,7 +49,7 @@ class LayeringTest {
             simgsm.tone              : simgsm.speech
             simgsm.words             : simgsm.speech simgsm.tone
             simgsm.dtmf              : simgsm.speech simgsm.tone
-            simgsm.scope             : simgsm.tone simgsm.dtmf simgsm.words
+            simgsm.scope             : simgsm.speech simgsm.tone simgsm.dtmf simgsm.words
             simgsm.console           : simgsm.event simgsm.file simgsm.thread
             simgsm.lesson            : simgsm.file simgsm.console
             simgsm.web               : simgsm.file simgsm.timer simgsm.net simgsm.event simgsm.console simgsm.thread

@@ -5,7 +5,7 @@ import java.util.concurrent.Executors;
 
 /** Threads that do not keep the process from ending. */
 public final class DaemonThread {
-    /** What a thread does until it returns or is interrupted. */
+    /** The work of a thread, which returns or throws when it is interrupted. */
     public interface Work {
         void run() throws InterruptedException;
     }

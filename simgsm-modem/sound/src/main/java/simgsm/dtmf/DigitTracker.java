@@ -176,7 +176,7 @@ final class DigitTracker {
         if (finding == null) {
             double odds = judge.logOdds(hop, runKey, fit, measures, recent, end);
             add(hop, odds);
-            // what is far from a key is hardly one 2.5 ms later
+            // log odds this low hardly reach the limit 2.5 ms later, so the next hop is left out
             nextLook = odds < -limit ? hop + 2 : hop;
             finding = sum > limit ? KeyCandidate.Finding.ACCEPTED : KeyCandidate.Finding.EVIDENCE;
         }

@@ -48,10 +48,8 @@ final class GoertzelBank {
         /** {@code [tone][4 block]}: factors of both states in the real and in the imaginary part. */
         private final double[][] factors;
 
-        private final int blocks;
-
         Window(double... weights) {
-            blocks = weights.length;
+            int blocks = weights.length;
             factors = new double[TONES][4 * blocks];
             for (int k = 0; k < TONES; k++) {
                 double step = radians(HERTZ[k]);
@@ -127,12 +125,12 @@ final class GoertzelBank {
 
     /** Sums a tone's blocks up to one. @return square of the amplitude times the gain */
     double measure(int tone, long hop, Window window) {
+        double[] f = window.factors[tone];
         if (tone >= GROUP) {
-            filterColumns(hop, window.blocks);
+            filterColumns(hop, f.length / 4);
         }
         double[] s1 = newer[tone];
         double[] s2 = older[tone];
-        double[] f = window.factors[tone];
         double x = 0;
         double y = 0;
         for (int j = 0, i = 0; i < f.length; j++, i += 4) {

@@ -7,6 +7,7 @@ import simgsm.dtmf.ClassicReceiver;
 import simgsm.dtmf.DtmfDigit;
 import simgsm.dtmf.DtmfReceiver;
 import simgsm.dtmf.ToneLevels;
+import simgsm.speech.SpeechCodec;
 import simgsm.tone.Disturber;
 import simgsm.tone.ToneExperiment;
 import simgsm.words.WordComparison;
@@ -129,12 +130,7 @@ public final class ToneTracer {
     }
 
     private boolean isSilent() {
-        for (short sample : samples) {
-            if (Math.abs(sample) > SILENCE) {
-                return false;
-            }
-        }
-        return !modem.isSounding() && !classic.isSounding();
+        return SpeechCodec.isSilent(samples, SILENCE) && !modem.isSounding() && !classic.isSounding();
     }
 
     public ToneTrace newest() {

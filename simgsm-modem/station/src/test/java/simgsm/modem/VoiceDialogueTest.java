@@ -99,7 +99,7 @@ class VoiceDialogueTest {
         }
     }
 
-    /** What a caller has enrolled once for all tests. */
+    /** The words of a caller who enrolled once, for all tests. */
     private static final class Enrolled {
         static final List<Map.Entry<String, SpokenWord>> WORDS = words();
 
